@@ -35,6 +35,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tools.jackson.databind.JsonNode;
 
 /** Too much of anything, from strangers or from users, is refused quickly and in words; the service goes on. */
@@ -79,6 +80,15 @@ class FloodTest {
             client.say(head(path, type) + "Content-Length: " + TEN_MEGABYTES + "\r\n\r\n");
 
             assertThat(client.hearLine()).startsWith("HTTP/1.1 413");
+        }
+    }
+
+    @Test
+    void turnsAwayWhoseRoleIsTooLowBeforeTheBodyIsSent() {
+        try (RawClient client = new RawClient(house.httpPort())) {
+            client.say(head("/api/v1/users", "application/json") + "Content-Length: 1000\r\n\r\n");
+
+            assertThat(client.hearLine()).startsWith("HTTP/1.1 403");
         }
     }
 
@@ -330,6 +340,33 @@ class FloodTest {
         Http viewer = new Http(thrifty, thrifty.key(Role.VIEWER));
 
         Http.Answer refused = untilRefused(() -> viewer.get("/api/v1/recordings/nosuchrecording/file"));
+
+        assertThat(refused.text("detail")).startsWith("More than 0.2 exports a second");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "GET /api/v1/audit/file",
+                "POST /api/v1/backup",
+                "GET /api/v1/drones/nosuchdrone/logs/1/file",
+                "GET /api/v1/drones/nosuchdrone/parameters/file",
+                "POST /api/v1/drones/nosuchdrone/parameters/file",
+                "GET /api/v1/drones/nosuchdrone/telemetry/file",
+                "GET /api/v1/flights/logbook",
+                "GET /api/v1/flights/nosuchflight/telemetry/file",
+                "POST /api/v1/recordings/nosuchrecording/replays",
+                "POST /api/v1/replays",
+                "POST /api/v1/zones/import"
+            })
+    void countsEachFileAsAnExport(String operation) {
+        String[] words = operation.split(" ");
+        Http administrator = new Http(thrifty, thrifty.key(Role.ADMINISTRATOR));
+
+        Http.Answer refused = untilRefused(() -> administrator.send(
+                words[1],
+                request -> request.header("Content-Type", "application/octet-stream")
+                        .method(words[0], HttpRequest.BodyPublishers.ofString(words[0].equals("GET") ? "" : "{"))));
 
         assertThat(refused.text("detail")).startsWith("More than 0.2 exports a second");
     }

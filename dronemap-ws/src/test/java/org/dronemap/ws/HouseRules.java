@@ -1,6 +1,7 @@
 package org.dronemap.ws;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
@@ -8,6 +9,7 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.Dependency;
 import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaAnnotation;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.lang.ArchCondition;
@@ -20,6 +22,7 @@ import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.history.TelemetryColumn;
 import org.dronemap.core.stored.Stored;
 import org.dronemap.proxy.endpoint.BoundedDraft;
+import org.dronemap.ws.access.Access;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.service.PasswordHashing;
 import org.java_websocket.client.WebSocketClient;
@@ -160,6 +163,8 @@ final class HouseRules {
             .consideringOnlyDependenciesInLayers()
             .layer("service")
             .definedBy("org.dronemap.ws.service..")
+            .layer("access")
+            .definedBy("org.dronemap.ws.access..")
             .layer("security")
             .definedBy("org.dronemap.ws.security..")
             .layer("rest")
@@ -182,8 +187,26 @@ final class HouseRules {
             .mayOnlyBeAccessedByLayers("wiring")
             .whereLayer("guard")
             .mayOnlyBeAccessedByLayers("wiring")
+            .whereLayer("access")
+            .mayOnlyBeAccessedByLayers("security", "rest", "wiring")
             .whereLayer("security")
             .mayOnlyBeAccessedByLayers("guard", "rest", "soap", "stream", "wiring");
+
+    static final ArchRule HANDLERS_SAY_WHO_MAY_CALL_THEM = methods()
+            .that()
+            .areAnnotatedWith(new DescribedPredicate<JavaAnnotation<?>>("a mapping") {
+                @Override
+                public boolean test(JavaAnnotation<?> annotation) {
+                    // By its name: what its class is annotated with is not read here.
+                    return annotation
+                            .getRawType()
+                            .getName()
+                            .matches("org\\.springframework\\.web\\.bind\\.annotation\\.\\w+Mapping");
+                }
+            })
+            .should()
+            .beAnnotatedWith(Access.class)
+            .as("each handler says who may call it");
 
     static final ArchRule ONLY_THE_WIRING_SEES_LINKS_AND_STORES = noClasses()
             .that()

@@ -22,6 +22,7 @@ import org.dronemap.core.stored.Stored;
 import org.dronemap.core.stored.StoredNames;
 import org.dronemap.ws.journal.PlantedNames;
 import org.dronemap.ws.planted.PlantedCases;
+import org.dronemap.ws.planted.PlantedHandlers;
 import org.dronemap.ws.planted.PlantedTime;
 import org.dronemap.ws.planted.PlantedViolation;
 import org.junit.jupiter.api.Test;
@@ -68,6 +69,7 @@ class HouseTest {
                 HouseRules.FLOORS_OF_PROXY,
                 HouseRules.NO_CYCLES_IN_PROXY,
                 HouseRules.FLOORS_OF_WS,
+                HouseRules.HANDLERS_SAY_WHO_MAY_CALL_THEM,
                 HouseRules.ONLY_THE_WIRING_SEES_LINKS_AND_STORES,
                 HouseRules.NO_CYCLES,
                 HouseRules.ONLY_THE_GATE_COMMANDS,
@@ -110,6 +112,19 @@ class HouseTest {
                         .evaluate(planted)
                         .hasViolation())
                 .isTrue();
+    }
+
+    @Test
+    void findsAHandlerThatDoesNotSayWhoMayCallIt() {
+        JavaClasses planted = new ClassFileImporter().importClasses(PlantedHandlers.Forgetful.class);
+
+        assertThat(HouseRules.HANDLERS_SAY_WHO_MAY_CALL_THEM
+                        .evaluate(planted)
+                        .getFailureReport()
+                        .getDetails())
+                .singleElement()
+                .asString()
+                .contains("Forgetful.forgotten");
     }
 
     @ParameterizedTest

@@ -2,6 +2,7 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.http.HttpRequest;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -102,6 +103,31 @@ class RightsTest {
         Http.Answer answer = faces.rest(callers.get(caller), operation, Map.of());
         assertThat(answer.status()).as(operation + " for " + caller).isNotIn(400, 405, 415, 500);
         return answer.status() != 401 && answer.status() != 403;
+    }
+
+    /** Who may not is told so before the server has read what was sent. */
+    @Test
+    void turnsAwayWhoMayNotWhateverTheBodyIs() {
+        RightsTable table = RightsTable.below("REST");
+        List<String> differences = new ArrayList<>();
+        for (String operation : faces.rest()) {
+            String[] words = operation.split(" ");
+            for (Caller caller : Caller.values()) {
+                if (words[0].equals("GET") || table.promises(operation, caller)) {
+                    continue;
+                }
+                int status = callers.get(caller)
+                        .send(
+                                words[1].replaceAll("\\{number}", "1").replaceAll("\\{\\w+}", "nosuchthing"),
+                                request -> request.header("Content-Type", "application/json")
+                                        .method(words[0], HttpRequest.BodyPublishers.ofString("{")))
+                        .status();
+                if (status != (caller == Caller.NOBODY ? 401 : 403)) {
+                    differences.add(operation + " for " + caller + ": " + status);
+                }
+            }
+        }
+        assertThat(differences).isEmpty();
     }
 
     private boolean mayCallSoap(String operation, Caller caller) {

@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.AccessKeyService;
 import org.dronemap.ws.service.KeyRequest;
@@ -38,12 +41,14 @@ public class AccessKeyController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.OWN)
     @Operation(summary = "List one's own access keys")
     public Keys keys() {
         return new Keys(keys.keys(current.principal()));
     }
 
     @PostMapping
+    @Access(from = From.VIEWER, about = About.OWN)
     @Operation(
             summary = "Make an access key",
             description =
@@ -56,6 +61,7 @@ public class AccessKeyController {
     }
 
     @PostMapping("/{id}/renew")
+    @Access(from = From.VIEWER, about = About.OWN)
     @Operation(
             summary = "Renew an access key",
             description = "The same key with a new secret, which is in this answer and never shown again; the old one"
@@ -65,6 +71,7 @@ public class AccessKeyController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove one of one's own access keys, with those made from it")
     public void deleteKey(@PathVariable String id) {

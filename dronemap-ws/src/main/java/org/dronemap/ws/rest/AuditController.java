@@ -9,6 +9,10 @@ import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.core.audit.AuditQuery;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.AuditFile;
 import org.dronemap.ws.service.AuditSearch;
@@ -47,6 +51,7 @@ public class AuditController {
     }
 
     @GetMapping
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
     @Operation(
             summary = "Look for records (supervisor)",
             description = "Newest first, 50 unless limit says otherwise (1 to 200); go on with before = next. Times are"
@@ -59,6 +64,7 @@ public class AuditController {
     }
 
     @GetMapping("/file")
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
     @Operation(
             summary = "Take all that are looked for along as a file (supervisor)",
             description = "form: csv, or jsonl for a line of JSON each. Newest first.")
@@ -78,6 +84,7 @@ public class AuditController {
     }
 
     @GetMapping("/receipt")
+    @Access(from = From.SUPERVISOR, about = About.SERVER)
     @Operation(
             summary = "Get a receipt for all records up to now (supervisor)",
             description =
@@ -90,6 +97,7 @@ public class AuditController {
     }
 
     @PostMapping("/verification")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
             summary = "Verify all records, against a receipt too if one is sent (administrator)",
             description = "Names the first record that is not as it was.")

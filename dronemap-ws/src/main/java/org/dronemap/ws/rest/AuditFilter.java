@@ -7,10 +7,12 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.util.Set;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.ws.access.AccessRule;
+import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.service.AuditRules;
 import org.springframework.web.filter.OncePerRequestFilter;
 
@@ -24,13 +26,10 @@ public final class AuditFilter extends OncePerRequestFilter {
     private static final int FIRST_BAD_STATUS = 400;
     private static final int FIRST_OWN_FAULT = 500;
 
-    /** Of these the place that they come from is told in any case. */
-    private static final Set<String> AT_THE_DOOR = Set.of("POST /api/v1/session", "POST /api/v1/registrations");
-
     private final AuditDesk desk;
-    private final AuditedOperations operations;
+    private final RestOperations operations;
 
-    public AuditFilter(AuditDesk desk, AuditedOperations operations) {
+    public AuditFilter(AuditDesk desk, RestOperations operations) {
         this.desk = desk;
         this.operations = operations;
     }
@@ -38,7 +37,10 @@ public final class AuditFilter extends OncePerRequestFilter {
     @Override
     protected boolean shouldNotFilter(HttpServletRequest request) {
         String path = request.getRequestURI();
-        return AuditRules.onlyLooks(request.getMethod(), path) || !(path.startsWith(API) || path.startsWith(SOAP));
+        if (path.startsWith(SOAP)) {
+            return AuditRules.onlyLooks(request.getMethod());
+        }
+        return !path.startsWith(API) || operations.rule(request).audit() == Audit.ONLY_LOOKS;
     }
 
     @Override
@@ -62,19 +64,22 @@ public final class AuditFilter extends OncePerRequestFilter {
     }
 
     private Activity rest(HttpServletRequest request) {
-        AuditedOperations.Operation operation = operations.of(request);
+        AccessRule rule = operations.rule(request);
+        AuditedOperation operation = AuditedOperation.of(request, rule.operation());
         Activity call = desk.begin("rest", operation.name());
         call.drone(operation.drone());
         call.parameters(operation.parameters());
-        if (AT_THE_DOOR.contains(operation.name())) {
-            call.parameters("from " + request.getRemoteAddr());
-        }
-        if (AuditRules.leavesOutRest(operation.name())) {
-            call.leaveOut();
-        } else if (AuditRules.recordsElsewhere(operation.name())) {
-            call.leaveOutUnlessTurnedAway();
+        switch (rule.audit()) {
+            case RECORDED_WITH_PLACE -> call.parameters(place(request));
+            case REFUSALS_ONLY -> call.leaveOutUnlessTurnedAway();
+            case LEFT_OUT -> call.leaveOut();
+            case BY_METHOD, RECORDED, ONLY_LOOKS -> {}
         }
         return call;
+    }
+
+    private static String place(HttpServletRequest request) {
+        return "from " + request.getRemoteAddr();
     }
 
     private void end(Activity call, HttpServletRequest request, HeldResponse response) {
@@ -93,8 +98,8 @@ public final class AuditFilter extends OncePerRequestFilter {
                     status >= FIRST_OWN_FAULT ? AuditOutcome.FAILED : AuditOutcome.REFUSED,
                     "It was answered with status " + status + ".");
         }
-        if (call.entry().by() == null && !AT_THE_DOOR.contains(call.entry().operation())) {
-            call.parameters("from " + request.getRemoteAddr());
+        if (call.entry().by() == null && operations.rule(request).audit() != Audit.RECORDED_WITH_PLACE) {
+            call.parameters(place(request));
         }
         desk.end(call);
     }

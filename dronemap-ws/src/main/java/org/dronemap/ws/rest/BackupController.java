@@ -6,6 +6,10 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.BackupService;
 import org.springframework.web.bind.annotation.PostMapping;
@@ -26,6 +30,7 @@ public class BackupController {
     }
 
     @PostMapping
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER, costs = Cost.EXPORT)
     @Operation(summary = "Make a backup (administrator)", description = "The answer is a zip of all that is stored.")
     public void backup(HttpServletResponse response) throws IOException {
         Path file = backups.backup(current.principal());

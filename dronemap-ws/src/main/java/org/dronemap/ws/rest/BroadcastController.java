@@ -5,6 +5,10 @@ import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.BroadcastRequest;
 import org.dronemap.ws.service.BroadcastService;
@@ -32,6 +36,7 @@ public class BroadcastController {
     }
 
     @PostMapping
+    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
     @Operation(
             summary = "Give one command to several drones or all (operator)",
             description = "One result for each drone, in the order asked: its command, refused, under way or ended."

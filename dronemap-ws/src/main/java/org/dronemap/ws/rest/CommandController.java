@@ -7,6 +7,10 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
@@ -39,6 +43,7 @@ public class CommandController {
     }
 
     @PostMapping("/drones/{id}/commands")
+    @Access(from = From.PLANNER, about = About.DRONE, costs = Cost.NOTHING)
     @Operation(
             summary = "Give a command (operator)",
             description = "202 with the command under way; with wait: 200 with its outcome if it ends in that time."
@@ -56,12 +61,14 @@ public class CommandController {
     }
 
     @GetMapping("/drones/{id}/commands")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "List a drone's last commands", description = "Newest first, at most 50.")
     public Commands commandsOf(@PathVariable String id) {
         return new Commands(commands.commandsOf(current.principal(), id));
     }
 
     @GetMapping("/commands/{id}")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Look at one command")
     public CommandView command(@PathVariable String id) {
         return commands.command(current.principal(), id);

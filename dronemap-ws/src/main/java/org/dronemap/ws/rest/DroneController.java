@@ -4,6 +4,9 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneView;
@@ -36,24 +39,28 @@ public class DroneController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "List the drones")
     public Drones drones() {
         return new Drones(drones.drones(current.principal()));
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Look at one drone")
     public DroneView drone(@PathVariable String id) {
         return drones.drone(current.principal(), id);
     }
 
     @PatchMapping("/{id}")
+    @Access(from = From.OPERATOR, about = About.DRONE)
     @Operation(summary = "Give a drone another name (operator)")
     public DroneView rename(@PathVariable String id, @RequestBody RenameRequest request) {
         return drones.rename(current.principal(), id, request);
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Forget a lost drone (administrator)")
     public void remove(@PathVariable String id) {

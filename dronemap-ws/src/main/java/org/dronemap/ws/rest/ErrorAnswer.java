@@ -5,6 +5,9 @@ import jakarta.servlet.RequestDispatcher;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.util.Optional;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
@@ -22,6 +25,7 @@ import org.springframework.web.bind.annotation.RestController;
 public class ErrorAnswer implements ErrorController {
     /** Null when an answer is on its way already, of which nothing can be taken back. */
     @RequestMapping("/error")
+    @Access(from = From.ANYBODY, about = About.NONE)
     public @Nullable ResponseEntity<Problem> error(HttpServletRequest request, HttpServletResponse response) {
         if (response.isCommitted()) {
             return null;

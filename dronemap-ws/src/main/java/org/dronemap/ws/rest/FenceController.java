@@ -2,6 +2,9 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.FenceService;
@@ -32,24 +35,28 @@ public class FenceController {
     }
 
     @GetMapping("/fence")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Look at the fence", description = "As last read from the vehicle; null until it first was.")
     public FenceView fence(@PathVariable String id) {
         return fences.fence(current.principal(), id);
     }
 
     @PostMapping("/fence/refresh")
+    @Access(from = From.PLANNER, about = About.DRONE)
     @Operation(summary = "Read the fence from the vehicle (operator)")
     public ResponseEntity<CommandView> readFence(@PathVariable String id) {
         return CommandAnswer.of(fences.readFence(current.caller(), id));
     }
 
     @PutMapping("/fence")
+    @Access(from = From.PLANNER, about = About.DRONE)
     @Operation(summary = "Replace the fence (operator)", description = "Up to 50 polygons and circles.")
     public ResponseEntity<CommandView> setFence(@PathVariable String id, @RequestBody FenceView fence) {
         return CommandAnswer.of(fences.setFence(current.caller(), id, fence));
     }
 
     @PutMapping("/fence/zones")
+    @Access(from = From.PLANNER, about = About.DRONE)
     @Operation(
             summary = "Make the cloud's zones the vehicle's own fence (planner)",
             description =
@@ -61,24 +68,28 @@ public class FenceController {
     }
 
     @DeleteMapping("/fence")
+    @Access(from = From.PLANNER, about = About.DRONE)
     @Operation(summary = "Take the fence away (operator)")
     public ResponseEntity<CommandView> clearFence(@PathVariable String id) {
         return CommandAnswer.of(fences.clearFence(current.caller(), id));
     }
 
     @GetMapping("/rally-points")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Look at the rally points", description = "As last read; null until they first were.")
     public FenceView.RallyView rallyPoints(@PathVariable String id) {
         return fences.rallyPoints(current.principal(), id);
     }
 
     @PostMapping("/rally-points/refresh")
+    @Access(from = From.PLANNER, about = About.DRONE)
     @Operation(summary = "Read the rally points from the vehicle (operator)")
     public ResponseEntity<CommandView> readRallyPoints(@PathVariable String id) {
         return CommandAnswer.of(fences.readRallyPoints(current.caller(), id));
     }
 
     @PutMapping("/rally-points")
+    @Access(from = From.PLANNER, about = About.DRONE)
     @Operation(summary = "Replace the rally points (operator)", description = "Up to 50.")
     public ResponseEntity<CommandView> setRallyPoints(
             @PathVariable String id, @RequestBody FenceView.RallyView points) {
@@ -86,6 +97,7 @@ public class FenceController {
     }
 
     @DeleteMapping("/rally-points")
+    @Access(from = From.PLANNER, about = About.DRONE)
     @Operation(summary = "Take the rally points away (operator)")
     public ResponseEntity<CommandView> clearRallyPoints(@PathVariable String id) {
         return CommandAnswer.of(fences.clearRallyPoints(current.caller(), id));

@@ -10,6 +10,10 @@ import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.core.access.Principal;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.EventView;
 import org.dronemap.ws.service.FlightNotes;
@@ -55,6 +59,7 @@ public class FlightController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "Look for flights",
             description =
@@ -68,6 +73,7 @@ public class FlightController {
     }
 
     @GetMapping("/logbook")
+    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Operation(summary = "Take all flights that are looked for along as a table (CSV)")
     public void logbook(
             @ParameterObject @ModelAttribute FlightSearch search,
@@ -82,18 +88,21 @@ public class FlightController {
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Look at one flight")
     public FlightView flight(@PathVariable String id) {
         return flights.flight(current.principal(), id);
     }
 
     @PatchMapping("/{id}")
+    @Access(from = From.OPERATOR, about = About.DRONE)
     @Operation(summary = "Write notes about a flight (operator)")
     public FlightView annotate(@PathVariable String id, @RequestBody FlightNotes notes) {
         return flights.annotate(current.principal(), id, notes);
     }
 
     @GetMapping("/{id}/telemetry")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "Look at numbers over a flight",
             description =
@@ -104,6 +113,7 @@ public class FlightController {
     }
 
     @GetMapping("/{id}/telemetry/points")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "Look at the states of a flight",
             description =
@@ -114,6 +124,7 @@ public class FlightController {
     }
 
     @GetMapping("/{id}/telemetry/file")
+    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Operation(
             summary = "Take a flight along as a file",
             description =
@@ -128,6 +139,7 @@ public class FlightController {
     }
 
     @GetMapping("/{id}/events")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "Look at what happened in a flight",
             description =

@@ -5,6 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.FollowReceipt;
 import org.dronemap.ws.service.FollowRequest;
@@ -42,6 +46,7 @@ public class FollowController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(
             summary = "List follows",
             description = "Those of your organisation whose drones you see: under way, and the newest that are over.")
@@ -50,12 +55,14 @@ public class FollowController {
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(summary = "Look at one follow")
     public FollowView one(@PathVariable String id) {
         return follows.one(current.principal(), id);
     }
 
     @PostMapping
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Ask to be followed (operator)",
             description =
@@ -68,12 +75,14 @@ public class FollowController {
     }
 
     @PatchMapping("/{id}")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(summary = "Change where the drone stays (operator)")
     public FollowView change(@PathVariable String id, @RequestBody FollowRequest.PlaceRequest request) {
         return follows.change(current.principal(), id, request);
     }
 
     @PostMapping("/{id}/positions")
+    @Access(from = From.OPERATOR, about = About.SHARED, audit = Audit.REFUSALS_ONLY)
     @Operation(
             summary = "Say where the phone is (operator)",
             description =
@@ -84,6 +93,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/start")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Start following (operator)",
             description = "The drone takes off and comes. 409 when it was started already.")
@@ -92,6 +102,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/cancel")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Cancel a follow (operator)",
             description = "Before the drone follows: it is free again. 409 once it follows; stop it then.")
@@ -100,6 +111,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/pause")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Pause a follow (operator)",
             description = "The drone stays where it is, in the air. 409 when it does not follow.")
@@ -108,6 +120,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/continue")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Let a follow go on (operator)",
             description = "After a pause, or when somebody else had the drone. 409 when it is not paused.")
@@ -116,6 +129,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/stop")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(summary = "Stop a follow (operator)", description = "The drone flies home; it is over when it is down.")
     public FollowView stop(@PathVariable String id) {
         return follows.stop(current.principal(), id);

@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.GrantService;
 import org.springframework.http.HttpStatus;
@@ -40,12 +43,14 @@ public class GrantController {
     }
 
     @GetMapping("/grants")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "List the grants")
     public Grants grants() {
         return new Grants(grants.grants(current.principal()));
     }
 
     @PostMapping("/grants")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(
             summary = "Grant something",
             description = "To a user or a group; of drones, a fleet or all; operations of view, plan, command and"
@@ -57,6 +62,7 @@ public class GrantController {
     }
 
     @DeleteMapping("/grants/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Take a grant back", description = "At once, on open streams too.")
     public void takeBack(@PathVariable String id) {
@@ -64,6 +70,7 @@ public class GrantController {
     }
 
     @PutMapping("/users/{name}/only-granted")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Let a user see only what was granted, or all drones by the role")
     public void setUserOnlyGranted(@PathVariable String name, @RequestBody GrantService.OnlyGrantedRequest request) {
@@ -71,6 +78,7 @@ public class GrantController {
     }
 
     @PutMapping("/groups/{id}/only-granted")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Let the members of a group see only what was granted, or all drones by their role")
     public void setGroupOnlyGranted(@PathVariable String id, @RequestBody GrantService.OnlyGrantedRequest request) {

@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.GroupService;
 import org.springframework.http.HttpStatus;
@@ -41,12 +44,14 @@ public class GroupController {
     }
 
     @GetMapping("/groups")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "List the groups of users")
     public Groups groups() {
         return new Groups(groups.groups(current.principal()));
     }
 
     @PostMapping("/groups")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "Make a group of users")
     public ResponseEntity<GroupService.GroupView> addGroup(@RequestBody GroupService.GroupRequest request) {
         GroupService.GroupView made = groups.addGroup(current.principal(), request);
@@ -54,6 +59,7 @@ public class GroupController {
     }
 
     @PutMapping("/groups/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "Change the name and the members of a group")
     public GroupService.GroupView replaceGroup(
             @PathVariable String id, @RequestBody GroupService.GroupRequest request) {
@@ -61,6 +67,7 @@ public class GroupController {
     }
 
     @DeleteMapping("/groups/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove a group, with what was granted to it")
     public void deleteGroup(@PathVariable String id) {
@@ -68,12 +75,14 @@ public class GroupController {
     }
 
     @GetMapping("/fleets")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "List the fleets")
     public Fleets fleets() {
         return new Fleets(groups.fleets(current.principal()));
     }
 
     @PostMapping("/fleets")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "Make a fleet of drones")
     public ResponseEntity<GroupService.FleetView> addFleet(@RequestBody GroupService.FleetRequest request) {
         GroupService.FleetView made = groups.addFleet(current.principal(), request);
@@ -81,6 +90,7 @@ public class GroupController {
     }
 
     @PutMapping("/fleets/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "Change the name and the drones of a fleet")
     public GroupService.FleetView replaceFleet(
             @PathVariable String id, @RequestBody GroupService.FleetRequest request) {
@@ -88,6 +98,7 @@ public class GroupController {
     }
 
     @DeleteMapping("/fleets/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove a fleet, with all grants of it")
     public void deleteFleet(@PathVariable String id) {

@@ -4,6 +4,9 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.InvitationService;
 import org.springframework.http.HttpStatus;
@@ -35,12 +38,14 @@ public class InvitationController {
     }
 
     @GetMapping
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "List the open invitations")
     public Invitations invitations() {
         return new Invitations(invitations.invitations(current.principal()));
     }
 
     @PostMapping
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(
             summary = "Invite somebody",
             description = "The code is in this answer and never shown again; it serves once. The page takes it as"
@@ -51,6 +56,7 @@ public class InvitationController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Withdraw an invitation")
     public void withdraw(@PathVariable String id) {

@@ -4,6 +4,9 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.LeftBehindService;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -28,6 +31,7 @@ public class LeftBehindController {
     }
 
     @GetMapping
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
             summary = "List removed drones with what their owners had set (administrator)",
             description = "What the cloud had changed on them was not put back before they were removed.")

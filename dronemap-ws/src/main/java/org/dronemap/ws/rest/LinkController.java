@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.DtlsKeyService;
 import org.dronemap.ws.service.EndpointView;
@@ -49,18 +52,21 @@ public class LinkController {
     }
 
     @GetMapping("/endpoints")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "List the endpoints with their state and counters (administrator)")
     public Endpoints endpoints() {
         return new Endpoints(links.endpoints(current.principal()));
     }
 
     @GetMapping("/endpoints/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "Look at one endpoint (administrator)")
     public EndpointView endpoint(@PathVariable String id) {
         return links.endpoint(current.principal(), id);
     }
 
     @PostMapping("/endpoints")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
             summary = "Add an endpoint (administrator)",
             description = "It stays over restarts. While it cannot open it is listed as failed, and tried again.")
@@ -71,6 +77,7 @@ public class LinkController {
     }
 
     @DeleteMapping("/endpoints/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove an endpoint that was added (administrator)")
     public void remove(@PathVariable String id) {
@@ -78,18 +85,21 @@ public class LinkController {
     }
 
     @GetMapping("/traffic")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "What went over the link of each vehicle (administrator)")
     public Traffic traffic() {
         return new Traffic(links.traffic(current.principal()));
     }
 
     @GetMapping("/dtls-keys")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "List the DTLS keys of vehicles (administrator)")
     public DtlsKeys dtlsKeys() {
         return new DtlsKeys(keys.keys(current.principal()));
     }
 
     @PostMapping("/dtls-keys")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
             summary = "Make the DTLS key of a vehicle (administrator)",
             description = "The secret is in this answer and never shown again; a drone's key before is void.")
@@ -100,6 +110,7 @@ public class LinkController {
     }
 
     @DeleteMapping("/dtls-keys/{identity}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Revoke the DTLS key of a vehicle; its links end at once (administrator)")
     public void revoke(@PathVariable String identity) {

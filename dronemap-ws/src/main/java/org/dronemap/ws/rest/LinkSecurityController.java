@@ -2,6 +2,9 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.LinkSecurityService;
 import org.dronemap.ws.service.LinkSecurityView;
@@ -33,18 +36,21 @@ public class LinkSecurityController {
     }
 
     @GetMapping("/link-security")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Look at how a drone's link is secured, and what was refused")
     public LinkSecurityView look(@PathVariable String id) {
         return links.look(current.principal(), id);
     }
 
     @PutMapping("/link-security")
+    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
     @Operation(summary = "Set the policy: off, optional or required (administrator)")
     public LinkSecurityView policy(@PathVariable String id, @RequestBody LinkSecurityService.PolicyRequest request) {
         return links.setPolicy(current.principal(), id, request);
     }
 
     @PostMapping("/link-key")
+    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
     @Operation(
             summary = "Make a key, or bring one along (administrator)",
             description = "The key is in this answer and never shown again; it is not on the vehicle yet.")
@@ -57,6 +63,7 @@ public class LinkSecurityController {
     }
 
     @PostMapping("/link-key/install")
+    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
     @Operation(
             summary = "Give the vehicle its key and hear that it signs (administrator)",
             description = "Over a safe link only, unless confirmed. 202: still under way.")
@@ -67,6 +74,7 @@ public class LinkSecurityController {
     }
 
     @PostMapping("/link-key/rotate")
+    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
     @Operation(
             summary = "Change the vehicle over to a new key (administrator)",
             description = "Both keys are accepted meanwhile; on failure the old one stays. 202: still under way.")
@@ -77,6 +85,7 @@ public class LinkSecurityController {
     }
 
     @DeleteMapping("/link-key")
+    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
     @Operation(
             summary = "Take the key off the vehicle (administrator)",
             description = "With vehicle=false it is forgotten here only. The policy becomes off. 202: still under way.")

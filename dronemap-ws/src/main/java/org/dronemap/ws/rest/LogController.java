@@ -3,6 +3,10 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.nio.file.Path;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.LogService;
@@ -36,18 +40,21 @@ public class LogController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "List the logs on board", description = "As last listed; null until they first were.")
     public LogsView logs(@PathVariable String id) {
         return logs.logs(current.principal(), id);
     }
 
     @PostMapping("/refresh")
+    @Access(from = From.OPERATOR, about = About.DRONE)
     @Operation(summary = "Ask the vehicle for the list of its logs (operator)")
     public ResponseEntity<CommandView> refresh(@PathVariable String id) {
         return CommandAnswer.of(logs.refresh(current.caller(), id));
     }
 
     @PostMapping("/{number}/download")
+    @Access(from = From.OPERATOR, about = About.DRONE)
     @Operation(
             summary = "Fetch a log from the vehicle (operator)",
             description =
@@ -57,6 +64,7 @@ public class LogController {
     }
 
     @GetMapping("/{number}/file")
+    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Operation(summary = "Save a log that was fetched")
     public ResponseEntity<Resource> file(@PathVariable String id, @PathVariable int number) {
         Path file = logs.file(current.principal(), id, number);
@@ -72,6 +80,7 @@ public class LogController {
     }
 
     @DeleteMapping("/{number}/file")
+    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.EXPORT)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove the server's copy of a log (operator)")
     public void remove(@PathVariable String id, @PathVariable int number) {

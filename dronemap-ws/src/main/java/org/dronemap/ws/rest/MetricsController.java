@@ -7,6 +7,9 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.Roles;
 import org.dronemap.ws.service.ServerMetrics;
@@ -28,6 +31,7 @@ public class MetricsController {
     }
 
     @GetMapping("/metrics")
+    @Access(from = From.VIEWER, about = About.SERVER)
     public void metrics(HttpServletResponse response) throws IOException {
         Roles.requireServer(current.principal(), Role.VIEWER);
         MetricSnapshots now = metrics.now(current.principal());

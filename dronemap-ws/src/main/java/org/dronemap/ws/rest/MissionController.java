@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.MissionService;
 import org.springframework.http.HttpStatus;
@@ -37,18 +40,21 @@ public class MissionController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(summary = "List the saved missions")
     public Missions missions() {
         return new Missions(missions.missions(current.principal()));
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(summary = "Look at one saved mission")
     public MissionService.SavedMissionView mission(@PathVariable String id) {
         return missions.mission(current.principal(), id);
     }
 
     @PostMapping
+    @Access(from = From.PLANNER, about = About.SHARED)
     @Operation(summary = "Save a mission (operator)")
     public ResponseEntity<MissionService.SavedMissionView> add(@RequestBody MissionService.MissionRequest request) {
         MissionService.SavedMissionView saved = missions.add(current.principal(), request);
@@ -57,6 +63,7 @@ public class MissionController {
     }
 
     @PutMapping("/{id}")
+    @Access(from = From.PLANNER, about = About.SHARED)
     @Operation(summary = "Replace a saved mission (operator)")
     public MissionService.SavedMissionView replace(
             @PathVariable String id, @RequestBody MissionService.MissionRequest request) {
@@ -64,6 +71,7 @@ public class MissionController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.PLANNER, about = About.SHARED)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove a saved mission (operator)")
     public void delete(@PathVariable String id) {

@@ -6,6 +6,11 @@ import jakarta.servlet.http.HttpServletRequest;
 import java.net.URI;
 import java.time.Duration;
 import java.util.Optional;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SessionCookie;
 import org.dronemap.ws.security.oidc.OidcSignIn;
@@ -40,6 +45,7 @@ public class OidcController {
     }
 
     @GetMapping
+    @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN)
     @Operation(summary = "Go to the provider to sign in", description = "For browsers; 404 when there is none.")
     public ResponseEntity<Void> start(HttpServletRequest request) {
         OidcSignIn.Start start = oidc().start();
@@ -50,6 +56,7 @@ public class OidcController {
     }
 
     @GetMapping("/callback")
+    @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED)
     @Operation(summary = "Come back from the provider", description = "For browsers; leads to the page.")
     public ResponseEntity<Void> finish(
             @RequestParam(required = false) @Nullable String code,

@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.GiftService;
 import org.dronemap.ws.service.OrganisationService;
@@ -45,12 +48,14 @@ public class OrganisationController {
     }
 
     @GetMapping
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "List the organisations", description = "With how many users and drones each has.")
     public Organisations organisations() {
         return new Organisations(organisations.organisations(current.principal()));
     }
 
     @PostMapping
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
             summary = "Make an organisation",
             description = "Its first administrator comes by an invitation into it (POST /invitations).")
@@ -62,6 +67,7 @@ public class OrganisationController {
     }
 
     @PatchMapping("/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "Rename an organisation")
     public OrganisationService.OrganisationView rename(
             @PathVariable String id, @RequestBody OrganisationService.NameRequest request) {
@@ -69,6 +75,7 @@ public class OrganisationController {
     }
 
     @GetMapping("/{id}/drones")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
             summary = "List the drones that were given to an organisation and that it still has",
             description = "As they were called when they were given.")
@@ -77,6 +84,7 @@ public class OrganisationController {
     }
 
     @PutMapping("/{id}/drones/{drone}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
             summary = "Give a drone of your own organisation to another one",
             description =
@@ -92,6 +100,7 @@ public class OrganisationController {
     }
 
     @DeleteMapping("/{id}/drones/{drone}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
             summary = "Take a drone back that was given to an organisation",
             description =
@@ -102,6 +111,7 @@ public class OrganisationController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove an organisation that has neither users nor drones")
     public void delete(@PathVariable String id) {

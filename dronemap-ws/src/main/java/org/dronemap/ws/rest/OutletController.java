@@ -2,6 +2,9 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.OutletService;
 import org.dronemap.ws.service.OutletView;
@@ -32,12 +35,14 @@ public class OutletController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.OWN)
     @Operation(summary = "Where to attach, whether a passphrase is set, and one's own programs that are attached")
     public OutletService.OwnOutletView own() {
         return outlet.own(current.principal());
     }
 
     @PutMapping("/passphrase")
+    @Access(from = From.VIEWER, about = About.OWN)
     @Operation(
             summary = "Set one's own signing passphrase",
             description = "Without one given it is made up. It is in this answer and never shown again; programs that"
@@ -49,6 +54,7 @@ public class OutletController {
     }
 
     @DeleteMapping("/passphrase")
+    @Access(from = From.VIEWER, about = About.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             summary = "Take one's own signing passphrase away",
@@ -58,6 +64,7 @@ public class OutletController {
     }
 
     @PostMapping("/ports")
+    @Access(from = From.VIEWER, about = About.OWN)
     @ResponseStatus(HttpStatus.CREATED)
     @Operation(
             summary = "Open a personal port, view-only, for a program that cannot sign",
@@ -69,6 +76,7 @@ public class OutletController {
     }
 
     @DeleteMapping("/ports/{id}")
+    @Access(from = From.VIEWER, about = About.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Close a personal port of one's own, or as an administrator anybody's")
     public void closePort(@PathVariable String id) {
@@ -76,12 +84,14 @@ public class OutletController {
     }
 
     @GetMapping("/clients")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "List all that is attached, and what was refused (administrator)")
     public OutletView clients() {
         return outlet.all(current.principal());
     }
 
     @DeleteMapping("/clients/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             summary = "Disconnect what is attached (administrator)",

@@ -8,6 +8,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
@@ -43,6 +47,7 @@ public class ParameterController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "List or search the parameters",
             description = "As last heard from the vehicle; readAt is null until they were first read.")
@@ -54,6 +59,7 @@ public class ParameterController {
     }
 
     @PostMapping("/refresh")
+    @Access(from = From.OPERATOR, about = About.DRONE)
     @Operation(summary = "Read all parameters from the vehicle (operator)", description = "Its progress is streamed.")
     public CompletableFuture<ResponseEntity<CommandView>> refresh(
             @PathVariable String id, @RequestParam(required = false) @Nullable Double wait) {
@@ -62,6 +68,7 @@ public class ParameterController {
     }
 
     @PutMapping("/{name}")
+    @Access(from = From.OPERATOR, about = About.DRONE)
     @Operation(
             summary = "Change a parameter (operator)",
             description = "It is read back: when the vehicle holds something else, the command fails and says what.")
@@ -75,6 +82,7 @@ public class ParameterController {
     }
 
     @GetMapping("/file")
+    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Operation(
             summary = "Save the parameters as a file",
             description = "form: list (the default; Mission Planner, MAVProxy) or table (QGroundControl).")
@@ -90,6 +98,7 @@ public class ParameterController {
     }
 
     @PostMapping("/file")
+    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.EXPORT)
     @Operation(
             summary = "Compare with a file, or load it (operator)",
             description = "The body is the file as text/plain, in either form, up to 1 MB. With dryRun=true nothing is"

@@ -8,6 +8,9 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.PlanRequest;
 import org.dronemap.ws.service.PlanService;
@@ -48,12 +51,14 @@ public class PlanController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(summary = "List your plans", description = "Without their ways. Forgotten an hour after they ended.")
     public PlanList all() {
         return new PlanList(plans.all(current.principal()));
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(
             summary = "Look at one plan",
             description = "How far the search is, and once it is finished who flies where and when.")
@@ -62,6 +67,7 @@ public class PlanController {
     }
 
     @PostMapping
+    @Access(from = From.PLANNER, about = About.SHARED)
     @Operation(
             summary = "Ask for a plan (planner)",
             description = "Answered at once; look at it until it is finished, or hear of it on the stream. Where drones"
@@ -75,6 +81,7 @@ public class PlanController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.PLANNER, about = About.SHARED)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             summary = "Cancel or forget a plan (planner)",
@@ -84,6 +91,7 @@ public class PlanController {
     }
 
     @PostMapping("/{id}/accept")
+    @Access(from = From.PLANNER, about = About.SHARED)
     @Operation(
             summary = "Accept a plan (planner; to start it operator)",
             description =
@@ -102,6 +110,7 @@ public class PlanController {
     }
 
     @PostMapping("/{id}/stop")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Stop the start of a plan (operator)",
             description =

@@ -8,6 +8,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
 import java.nio.file.Files;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.RecordingService;
 import org.dronemap.ws.service.RecordingView;
@@ -38,6 +42,7 @@ public class RecordingController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "List the recordings, newest first, and the room that they take")
     public RecordingView.Page recordings(
             @Parameter(description = "only those of this drone") @RequestParam(required = false) @Nullable
@@ -46,12 +51,14 @@ public class RecordingController {
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Look at one recording")
     public RecordingView recording(@PathVariable String id) {
         return recordings.recording(current.principal(), id);
     }
 
     @GetMapping("/{id}/file")
+    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Operation(
             summary = "Download a recording",
             description = "While the flight goes on: all that was heard so far. A tlog, which"
@@ -64,6 +71,7 @@ public class RecordingController {
     }
 
     @GetMapping("/{id}/sent")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "Download who sent what in a recording (tab-separated)",
             description = "A line for each frame that went to the vehicle: its place in the file of the recording"
@@ -99,6 +107,7 @@ public class RecordingController {
     }
 
     @PostMapping("/{id}/replays")
+    @Access(from = From.OPERATOR, about = About.ORGANISATION, costs = Cost.EXPORT)
     @Operation(summary = "Play a recording on the map (operator)")
     public ResponseEntity<ReplayView> replay(
             @PathVariable String id,
@@ -111,6 +120,7 @@ public class RecordingController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.OPERATOR, about = About.DRONE)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Delete a recording for ever (operator)")
     public void delete(

@@ -5,6 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.Optional;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.oidc.OidcSignIn;
 import org.dronemap.ws.service.RegistrationService;
 import org.jspecify.annotations.Nullable;
@@ -40,6 +44,7 @@ public class RegistrationController {
     }
 
     @GetMapping
+    @Access(from = From.ANYBODY, about = About.NONE)
     @Operation(summary = "How accounts are made here", description = "approval, invitation or off; needs no sign-in.")
     public Policy policy() {
         return new Policy(
@@ -47,6 +52,7 @@ public class RegistrationController {
     }
 
     @PostMapping
+    @Access(from = From.ANYBODY, about = About.NONE, audit = Audit.RECORDED_WITH_PLACE)
     @Operation(
             summary = "Ask for an account",
             description = "Needs no sign-in. 201: with an invitation, sign in now. 202: an administrator decides."

@@ -8,6 +8,10 @@ import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.ReplayView;
@@ -41,6 +45,7 @@ public class ReplayController {
     }
 
     @PostMapping
+    @Access(from = From.OPERATOR, about = About.ORGANISATION, costs = Cost.EXPORT)
     @Operation(
             summary = "Play a recording (operator)",
             description = "The body is the tlog, up to 512 MB, as application/octet-stream.")
@@ -56,18 +61,21 @@ public class ReplayController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.ORGANISATION, costs = Cost.EXPORT)
     @Operation(summary = "List the replays")
     public Replays replays() {
         return new Replays(replays.replays(current.principal()));
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.ORGANISATION)
     @Operation(summary = "Look at one replay")
     public ReplayView replay(@PathVariable String id) {
         return replays.replay(current.principal(), id);
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.OPERATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "End a replay and remove its drones (operator)")
     public void remove(@PathVariable String id) {

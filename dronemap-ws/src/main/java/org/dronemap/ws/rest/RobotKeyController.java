@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.RobotKeyService;
 import org.springframework.http.CacheControl;
@@ -37,12 +40,14 @@ public class RobotKeyController {
     }
 
     @GetMapping
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "List the keys of robots (administrator)")
     public RobotKeys robotKeys() {
         return new RobotKeys(keys.keys(current.principal()));
     }
 
     @PostMapping
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(
             summary = "Issue the key of a robot (administrator)",
             description =
@@ -56,6 +61,7 @@ public class RobotKeyController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             summary = "Revoke the key of a robot (administrator)",

@@ -6,6 +6,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.RunJournalService;
 import org.dronemap.ws.service.RunRequest;
@@ -49,6 +52,7 @@ public class RunController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(
             summary = "List mission runs",
             description = "Those of your organisation all of whose drones you see: under way, and the newest that are"
@@ -58,6 +62,7 @@ public class RunController {
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(
             summary = "Look at one mission run",
             description = "How it stands with each waypoint and drone, and what was decided why.")
@@ -66,6 +71,7 @@ public class RunController {
     }
 
     @PostMapping
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Fly a plan (operator)",
             description =
@@ -78,6 +84,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/waypoints")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Add waypoints to a mission run (operator)",
             description = "Shared out among the drones that fly.")
@@ -86,6 +93,7 @@ public class RunController {
     }
 
     @PatchMapping("/{id}/waypoints/{waypoint}")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Move a waypoint of a mission run (operator)",
             description = "What is left out of latitude, longitude and altitude stays; one of them is needed.")
@@ -95,12 +103,14 @@ public class RunController {
     }
 
     @DeleteMapping("/{id}/waypoints/{waypoint}")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(summary = "Cancel a waypoint of a mission run (operator)")
     public RunView cancel(@PathVariable String id, @PathVariable String waypoint) {
         return runs.cancel(current.principal(), id, waypoint);
     }
 
     @PostMapping("/{id}/barriers")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Add a zone to a mission run (operator)",
             description =
@@ -110,6 +120,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/drones")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Have a further drone join a mission run (operator)",
             description = "One that stands on the ground and that nobody else has control of.")
@@ -118,6 +129,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/drones/{drone}/resume")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Give a drone back to its mission run (operator)",
             description = "One that a pilot or somebody else took. Nothing else gives control back to the run.")
@@ -126,6 +138,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/drones/{drone}/give-up")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Take a drone out of a mission run (operator)",
             description = "It is called home, and others fly its waypoints.")
@@ -134,6 +147,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/answers/{proposal}")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Answer a proposal of a mission run (operator)",
             description = "By its number. 409 when another one waits by now, or none.")
@@ -143,6 +157,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/pause")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Pause a mission run (operator)",
             description = "Its drones in the air hold where they are, those on the ground stay there; who is on its way"
@@ -152,6 +167,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/continue")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Let a paused mission run go on (operator)",
             description = "All go on where they stopped. 409 when it is not paused.")
@@ -160,6 +176,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/stop")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Stop a mission run (operator)",
             description = "Its drones return; it is over when all are down.")
@@ -168,6 +185,7 @@ public class RunController {
     }
 
     @GetMapping("/{id}/journal")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Read the journal of a mission run (operator)",
             description = "All that befell it and what it decided, up to 200 entries at once.")
@@ -181,6 +199,7 @@ public class RunController {
     }
 
     @GetMapping("/{id}/journal/replay")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
             summary = "Replay the journal of a mission run (operator)",
             description =

@@ -4,6 +4,9 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.Optional;
 import org.dronemap.core.drone.Picture;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.SensedView;
 import org.dronemap.ws.service.SensingService;
@@ -29,6 +32,7 @@ public class SensingController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "Look at what its sensors brought last",
             description = "Each kind is counted; the drone in the stream says the newest numbers.")
@@ -37,12 +41,14 @@ public class SensingController {
     }
 
     @GetMapping("/picture")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "The newest picture of its camera", description = "JPEG or PNG; 204 when there was none yet.")
     public ResponseEntity<byte[]> picture(@PathVariable String id) {
         return answer(sensing.picture(current.principal(), id));
     }
 
     @GetMapping("/map")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Its map, drawn from above", description = "JPEG or PNG; 204 when there was none yet.")
     public ResponseEntity<byte[]> map(@PathVariable String id) {
         return answer(sensing.map(current.principal(), id));

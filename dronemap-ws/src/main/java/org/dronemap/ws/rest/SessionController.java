@@ -3,6 +3,11 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.SessionCookie;
@@ -33,6 +38,7 @@ public class SessionController {
     }
 
     @PostMapping
+    @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED_WITH_PLACE)
     @Operation(summary = "Sign in", description = "After five wrong passwords in a row: 429 for 30 s.")
     public ResponseEntity<Authentication.SessionView> signIn(
             @RequestBody Authentication.Credentials credentials, HttpServletRequest request) {
@@ -43,12 +49,14 @@ public class SessionController {
     }
 
     @GetMapping
+    @Access(from = From.SIGNED_IN, about = About.OWN)
     @Operation(summary = "Who is signed in")
     public Authentication.SessionView session() {
         return authentication.session(current.signedIn());
     }
 
     @DeleteMapping
+    @Access(from = From.SIGNED_IN, about = About.OWN)
     @Operation(summary = "Sign out", description = "Ends this session, and the streams that were opened with it.")
     public ResponseEntity<Void> signOut(HttpServletRequest request) {
         SignedIn caller = current.signedIn();
@@ -60,6 +68,7 @@ public class SessionController {
     }
 
     @PostMapping("/password")
+    @Access(from = From.SIGNED_IN, about = About.OWN)
     @Operation(
             summary = "Change one's own password",
             description =
@@ -73,6 +82,7 @@ public class SessionController {
     }
 
     @PostMapping("/sign-out-everywhere")
+    @Access(from = From.SIGNED_IN, about = About.OWN)
     @Operation(
             summary = "Sign out everywhere",
             description = "Ends all one's own sessions, this one too, and their open streams; access keys stay.")

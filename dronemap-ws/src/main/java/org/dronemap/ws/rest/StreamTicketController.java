@@ -3,6 +3,9 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.StreamTickets;
 import org.springframework.web.bind.annotation.PostMapping;
@@ -27,6 +30,7 @@ public class StreamTicketController {
     }
 
     @PostMapping
+    @Access(from = From.VIEWER, about = About.OWN)
     @Operation(summary = "Get a ticket for the stream", description = "Good for one connection within 30 s.")
     public Ticket ticket() {
         return new Ticket(tickets.issue(current.signedIn()));

@@ -5,6 +5,10 @@ import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.EventView;
 import org.dronemap.ws.service.PointView;
@@ -40,6 +44,7 @@ public class TelemetryController {
     }
 
     @GetMapping("/telemetry")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "Look at numbers over time",
             description =
@@ -50,6 +55,7 @@ public class TelemetryController {
     }
 
     @GetMapping("/telemetry/points")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
             summary = "Look at states over time",
             description =
@@ -60,6 +66,7 @@ public class TelemetryController {
     }
 
     @GetMapping("/telemetry/file")
+    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Operation(
             summary = "Take telemetry along as a file",
             description =
@@ -74,6 +81,7 @@ public class TelemetryController {
     }
 
     @GetMapping("/events")
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "Look at what happened to a drone", description = "Oldest first, at most 5000.")
     public EventView.Events events(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearch search) {
         return telemetry.events(telemetry.drone(current.principal(), id), search);

@@ -3,6 +3,9 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.concurrent.CompletableFuture;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.TourRequest;
 import org.dronemap.ws.service.TourService;
@@ -26,6 +29,7 @@ public class TourController {
     }
 
     @PostMapping
+    @Access(from = From.PLANNER, about = About.DRONE)
     @Operation(
             summary = "Put the waypoints of one drone into a good order (planner)",
             description = "From where the drone is, round the zones that bind it; nothing is sent to it. Answered after"

@@ -4,6 +4,9 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.AccessKeyService;
 import org.dronemap.ws.service.UserService;
@@ -43,12 +46,14 @@ public class UserController {
     }
 
     @GetMapping
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "List the users", description = "With those who wait until they are let in.")
     public Users users() {
         return new Users(users.users(current.principal()));
     }
 
     @PostMapping
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(
             summary = "Add a user",
             description = "The password serves for the first sign-in; the user then has to take another one.")
@@ -57,6 +62,7 @@ public class UserController {
     }
 
     @PatchMapping("/{name}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(
             summary = "Change a user's role, let a waiting one in, disable one",
             description = "Disabling ends sessions and streams and makes access keys void until the user is active"
@@ -66,6 +72,7 @@ public class UserController {
     }
 
     @PostMapping("/{name}/password")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(
             summary = "Give a user a one-time password",
             description = "It is in this answer and never shown again; it serves until the user has taken another one.")
@@ -74,6 +81,7 @@ public class UserController {
     }
 
     @PostMapping("/{name}/sign-out")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "End all sessions of a user", description = "Access keys stay; see those.")
     public void signOut(@PathVariable String name) {
@@ -81,12 +89,14 @@ public class UserController {
     }
 
     @GetMapping("/{name}/access-keys")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(summary = "List a user's access keys", description = "What they may do and when they were last used.")
     public AccessKeyController.Keys accessKeys(@PathVariable String name) {
         return new AccessKeyController.Keys(keys.keysOf(current.principal(), name));
     }
 
     @DeleteMapping("/{name}/access-keys/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove an access key of a user, with those made from it")
     public void deleteAccessKey(@PathVariable String name, @PathVariable String id) {
@@ -94,6 +104,7 @@ public class UserController {
     }
 
     @DeleteMapping("/{name}")
+    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove a user with sessions and keys")
     public void delete(@PathVariable String name) {

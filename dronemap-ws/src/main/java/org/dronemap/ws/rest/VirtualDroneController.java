@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.VirtualDroneRequest;
 import org.dronemap.ws.service.VirtualDroneService;
@@ -43,18 +46,21 @@ public class VirtualDroneController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(summary = "List your virtual drones", description = "Supervisors see those of all users.")
     public VirtualDroneList all() {
         return new VirtualDroneList(virtuals.all(current.principal()));
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(summary = "Look at one virtual drone")
     public VirtualDroneView one(@PathVariable String id) {
         return virtuals.one(current.principal(), id);
     }
 
     @PostMapping
+    @Access(from = From.PLANNER, about = About.SHARED)
     @Operation(
             summary = "Make a virtual drone (planner)",
             description = "With what it needs, and its mission if it is known.")
@@ -65,6 +71,7 @@ public class VirtualDroneController {
     }
 
     @PutMapping("/{id}")
+    @Access(from = From.PLANNER, about = About.SHARED)
     @Operation(
             summary = "Name it, say what it needs, plan its mission (planner)",
             description = "Holds from the next start on. No drone needs to be there.")
@@ -73,6 +80,7 @@ public class VirtualDroneController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.PLANNER, about = About.SHARED)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove a virtual drone (planner)", description = "Only while its mission is not under way.")
     public void remove(@PathVariable String id) {
@@ -80,6 +88,7 @@ public class VirtualDroneController {
     }
 
     @PostMapping("/{id}/start")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
             summary = "Have its mission flown (operator)",
@@ -91,6 +100,7 @@ public class VirtualDroneController {
     }
 
     @PostMapping("/{id}/stop")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
             summary = "Stop its mission (operator; supervisors any)",
@@ -100,6 +110,7 @@ public class VirtualDroneController {
     }
 
     @PostMapping("/{id}/resume")
+    @Access(from = From.OPERATOR, about = About.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
             summary = "Go on with what is not flown yet (operator)",

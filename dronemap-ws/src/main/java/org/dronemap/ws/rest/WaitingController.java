@@ -5,6 +5,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.WaitingService;
@@ -39,12 +42,14 @@ public class WaitingController {
     }
 
     @GetMapping
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "List the vehicles that wait (administrator)")
     public Waitings waiting() {
         return new Waitings(waiting.waiting(current.principal()));
     }
 
     @PostMapping("/{id}/enrol")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(summary = "Let a vehicle in as a drone (administrator)")
     public ResponseEntity<DroneView> enrol(
             @PathVariable String id, @RequestBody(required = false) WaitingService.@Nullable EnrolRequest request) {
@@ -56,6 +61,7 @@ public class WaitingController {
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             summary = "Take a vehicle off the list (administrator)",

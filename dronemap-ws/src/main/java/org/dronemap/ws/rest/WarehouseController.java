@@ -2,6 +2,9 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.WarehouseService;
 import org.springframework.http.HttpStatus;
@@ -30,12 +33,14 @@ public class WarehouseController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(summary = "List the drones of the warehouse", description = "Those that you may see.")
     public WarehouseService.WarehouseView all() {
         return warehouse.warehouse(current.principal());
     }
 
     @GetMapping("/{id}/prospects")
+    @Access(from = From.OPERATOR, about = About.DRONE)
     @Operation(
             summary = "What would follow if a drone were put into the warehouse (operator)",
             description =
@@ -46,12 +51,14 @@ public class WarehouseController {
     }
 
     @PutMapping("/{id}")
+    @Access(from = From.SUPERVISOR, about = About.DRONE)
     @Operation(summary = "Let a drone serve virtual ones (supervisor)")
     public WarehouseService.WarehouseView put(@PathVariable String id) {
         return warehouse.put(current.principal(), id);
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.SUPERVISOR, about = About.DRONE)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             summary = "Let a drone serve virtual ones no more (supervisor)",

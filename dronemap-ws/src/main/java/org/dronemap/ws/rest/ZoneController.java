@@ -4,6 +4,10 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.ZoneFeature;
 import org.dronemap.ws.service.ZoneService;
@@ -36,18 +40,21 @@ public class ZoneController {
     }
 
     @GetMapping
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(summary = "List the zones", description = "A GeoJSON FeatureCollection.")
     public ZoneFeature.ZoneCollection zones() {
         return zones.zones(current.principal());
     }
 
     @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(summary = "Look at one zone")
     public ZoneFeature zone(@PathVariable String id) {
         return zones.zone(current.principal(), id);
     }
 
     @PostMapping
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
     @Operation(
             summary = "Add a zone (supervisor)",
             description = "A GeoJSON feature: a Polygon with one ring, or a Point with properties.radius.")
@@ -57,6 +64,7 @@ public class ZoneController {
     }
 
     @PostMapping("/import")
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
     @ResponseStatus(HttpStatus.CREATED)
     @Operation(
             summary = "Add the zones of a GeoJSON or KML file (supervisor)",
@@ -67,12 +75,14 @@ public class ZoneController {
     }
 
     @PutMapping("/{id}")
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
     @Operation(summary = "Replace a zone (supervisor)", description = "Binds at once, drones in flight too.")
     public ZoneFeature replace(@PathVariable String id, @RequestBody ZoneFeature zone) {
         return zones.replace(current.principal(), id, zone);
     }
 
     @DeleteMapping("/{id}")
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove a zone (supervisor)")
     public void delete(@PathVariable String id) {

@@ -7,33 +7,35 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.Pattern;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.access.AccessRule;
+import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.Work;
+import org.dronemap.ws.service.Roles;
 import org.jspecify.annotations.Nullable;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/** Finds out who asks under /api/v1 and for /metrics before anything else happens, and turns away who may not. */
+/**
+ * Finds out who asks under /api/v1, for /metrics and wherever else a handler is, and turns away who may not: before the
+ * handler runs and before a body is read, by what {@link org.dronemap.ws.access.Access} says of it.
+ */
 public final class AccessFilter extends OncePerRequestFilter {
     private static final String API = "/api/v1/";
     private static final String METRICS = "/metrics";
     private static final String BEARER = "Bearer ";
-    private static final Set<String> OPEN = Set.of("health", "registrations", "session/oidc", "session/oidc/callback");
     private static final Set<String> READING = Set.of("GET", "HEAD", "OPTIONS");
 
-    /** What has no budget here: commands have one of their own, and control must never be lost for want of one. */
-    private static final Pattern ON_DRONES = Pattern.compile("(drones/[^/]+/)?commands|drones/[^/]+/control/.*");
-
-    private static final Pattern COSTLY =
-            Pattern.compile(".*/file|flights/logbook|backup|replays|recordings/[^/]+/replays|zones/import");
-
+    private final RestOperations operations;
     private final Authentication authentication;
     private final ProblemWriter problems;
     private final Budgets budgets;
 
-    public AccessFilter(Authentication authentication, Budgets budgets, ProblemWriter problems) {
+    public AccessFilter(
+            RestOperations operations, Authentication authentication, Budgets budgets, ProblemWriter problems) {
+        this.operations = operations;
         this.authentication = authentication;
         this.budgets = budgets;
         this.problems = problems;
@@ -41,7 +43,10 @@ public final class AccessFilter extends OncePerRequestFilter {
 
     @Override
     protected boolean shouldNotFilter(HttpServletRequest request) {
-        return !request.getRequestURI().startsWith(API) && !isMetrics(request);
+        String path = request.getRequestURI();
+        return !path.startsWith(API)
+                && !path.startsWith(METRICS)
+                && operations.rule(request).operation() == null;
     }
 
     @Override
@@ -56,39 +61,24 @@ public final class AccessFilter extends OncePerRequestFilter {
         chain.doFilter(request, response);
     }
 
-    /** However it is written: whatever leads there must be guarded. */
-    private static boolean isMetrics(HttpServletRequest request) {
-        return METRICS.equals(request.getServletPath())
-                || request.getRequestURI().startsWith(METRICS);
-    }
-
     private void admit(HttpServletRequest request) {
-        String path = isMetrics(request) ? METRICS : request.getRequestURI().substring(API.length());
-        if (isOpen(path, request.getMethod())) {
-            budgets.take(path.startsWith("session") ? Work.SIGN_IN : Work.REQUEST, request.getRemoteAddr());
+        AccessRule rule = operations.rule(request);
+        if (rule.from() == From.ANYBODY) {
+            pay(rule, request.getRemoteAddr());
             return;
         }
         SignedIn caller = identify(request).orElseThrow(() -> noCaller(request));
-        pay(caller, request.getMethod(), path);
-        if (!path.equals("session") && !path.startsWith("session/")) {
+        pay(rule, caller.principal().name());
+        Role least = rule.from().role();
+        if (least != null) {
             authentication.admit(caller);
+            Roles.requireRole(caller.principal(), least);
         }
         CurrentPrincipal.set(request, caller);
     }
 
-    private static boolean isOpen(String path, String method) {
-        return OPEN.contains(path) || (path.equals("session") && method.equals("POST"));
-    }
-
-    private void pay(SignedIn caller, String method, String path) {
-        String user = caller.principal().name();
-        if (method.equals("POST") && ON_DRONES.matcher(path).matches()) {
-            return;
-        }
-        budgets.take(Work.REQUEST, user);
-        if (COSTLY.matcher(path).matches()) {
-            budgets.take(Work.EXPORT, user);
-        }
+    private void pay(AccessRule rule, String who) {
+        rule.costs().work().forEach(work -> budgets.take(work, who));
     }
 
     private static Rejection noCaller(HttpServletRequest request) {

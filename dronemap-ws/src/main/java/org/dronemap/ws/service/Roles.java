@@ -20,6 +20,13 @@ public final class Roles {
 
     private Roles() {}
 
+    /** By the role alone: what keys and grants leave of it hangs on what it is for. */
+    public static void requireRole(Principal principal, Role needed) {
+        if (!principal.role().includes(needed)) {
+            throw Rejection.forbidden(lacking(principal, needed));
+        }
+    }
+
     public static void require(Principal principal, Role needed) {
         if (!principal.may(needed)) {
             throw Rejection.forbidden(lacking(principal, needed));

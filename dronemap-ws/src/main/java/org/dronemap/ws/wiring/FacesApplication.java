@@ -9,6 +9,7 @@ import org.springframework.context.annotation.Import;
 @EnableAutoConfiguration
 @Import({
     ServiceConfiguration.class,
+    AccessConfiguration.class,
     RestConfiguration.class,
     GrantConfiguration.class,
     StreamConfiguration.class,

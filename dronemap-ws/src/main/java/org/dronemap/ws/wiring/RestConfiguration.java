@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.Nulls;
 import io.swagger.v3.oas.models.OpenAPI;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
+import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.guard.BodyLimitFilter;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.guard.CrowdFilter;
@@ -15,7 +16,6 @@ import org.dronemap.ws.rest.ApiDescription;
 import org.dronemap.ws.rest.AuditController;
 import org.dronemap.ws.rest.AuditFilter;
 import org.dronemap.ws.rest.AuditedBodies;
-import org.dronemap.ws.rest.AuditedOperations;
 import org.dronemap.ws.rest.BackupController;
 import org.dronemap.ws.rest.BroadcastController;
 import org.dronemap.ws.rest.CommandController;
@@ -61,7 +61,6 @@ import org.dronemap.ws.security.RefusedByTomcat;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.stream.StreamCrowd;
-import org.springframework.beans.factory.ObjectProvider;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
 import org.springframework.boot.tomcat.ConfigurableTomcatWebServerFactory;
 import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
@@ -73,7 +72,6 @@ import org.springframework.context.annotation.Import;
 import org.springframework.core.Ordered;
 import org.springframework.web.filter.OncePerRequestFilter;
 import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
-import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
 import tools.jackson.databind.DeserializationFeature;
 
 /** Constructs the REST face and the filters before it. */
@@ -150,9 +148,8 @@ public class RestConfiguration {
 
     /** Before all that turn requests away. */
     @Bean
-    FilterRegistrationBean<OncePerRequestFilter> audit(
-            AuditDesk desk, ObjectProvider<RequestMappingHandlerMapping> dispatcher) {
-        return first(new AuditFilter(desk, new AuditedOperations(dispatcher::getObject)), 2);
+    FilterRegistrationBean<OncePerRequestFilter> audit(AuditDesk desk, RestOperations operations) {
+        return first(new AuditFilter(desk, operations), 2);
     }
 
     @Bean
@@ -201,8 +198,8 @@ public class RestConfiguration {
 
     @Bean
     FilterRegistrationBean<OncePerRequestFilter> access(
-            Authentication authentication, Budgets budgets, ProblemWriter problems) {
-        return first(new AccessFilter(authentication, budgets, problems), 6);
+            RestOperations operations, Authentication authentication, Budgets budgets, ProblemWriter problems) {
+        return first(new AccessFilter(operations, authentication, budgets, problems), 6);
     }
 
     @Bean

@@ -15,7 +15,7 @@ import org.dronemap.core.access.Role;
 /** What docs/security.md promises: for each operation from whom on it is open. */
 public final class RightsTable {
     private static final Path PAGE = Path.of("..", "docs", "security.md");
-    private static final Pattern ROW = Pattern.compile("\\| `([^`]+)` \\| ([a-z ]+?)(?:, [^|]*)? \\|");
+    private static final Pattern ROW = Pattern.compile("\\| `([^`]+)` \\| ([a-z ]+?)(?:, [^|]*)? \\|.*");
 
     private final Map<String, Integer> firstRank = new LinkedHashMap<>();
 

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -15,7 +14,7 @@ import java.util.regex.Pattern;
 /** What docs/security.md says that the operations of REST are about. */
 public final class WhoseTable {
     private static final Path PAGE = Path.of("..", "docs", "security.md");
-    private static final Pattern ROW = Pattern.compile("\\| `((?:[A-Z]+ )?/[^`]+)` \\| ([a-z]+) \\|");
+    private static final Pattern ROW = Pattern.compile("\\| `([A-Z]+ /[^`]+)` \\| [a-z ]+ \\| ([a-z]+) \\|.*");
 
     private final Map<String, Whose> rows = new LinkedHashMap<>();
 
@@ -34,7 +33,7 @@ public final class WhoseTable {
         try {
             for (String line : Files.readAllLines(PAGE)) {
                 if (line.startsWith("#")) {
-                    inside = line.equals("### Whose");
+                    inside = line.equals("### REST");
                 }
                 Matcher row = ROW.matcher(line);
                 if (inside && row.matches()) {
@@ -46,16 +45,8 @@ public final class WhoseTable {
         }
     }
 
-    /** Of an operation such as {@code GET /api/v1/drones/{id}}; empty when no row fits. */
+    /** Of an operation such as {@code GET /api/v1/drones/{id}}; empty when no row has it. */
     public Optional<Whose> of(String operation) {
-        String path = operation.substring(operation.indexOf(' ') + 1);
-        return rows.keySet().stream()
-                .filter(begin -> begins(path, begin) || begins(operation, begin))
-                .max(Comparator.comparing(String::length))
-                .map(rows::get);
-    }
-
-    private static boolean begins(String what, String begin) {
-        return what.equals(begin) || what.startsWith(begin + "/");
+        return Optional.ofNullable(rows.get(operation));
     }
 }

@@ -1,0 +1,26 @@
+package org.dronemap.ws.access;
+
+import java.lang.annotation.Documented;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+
+/**
+ * Who may call an operation of REST, what it is about, what it costs and what record it leaves. Each handler has it: a
+ * server with one that has not does not start. The filters act on it before a handler runs and before a body is read;
+ * services check what only they know, such as grants, and the role again, as the other faces call them too.
+ */
+@Documented
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.METHOD)
+public @interface Access {
+    /** The least that a caller must be. */
+    From from();
+
+    About about();
+
+    Cost costs() default Cost.REQUEST;
+
+    Audit audit() default Audit.BY_METHOD;
+}

@@ -1,0 +1,31 @@
+package org.dronemap.ws.access;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What holds for one request.
+ *
+ * @param operation what it is dispatched to; null: there is nothing at the address, or it does not take the method
+ */
+public record AccessRule(
+        From from, Cost costs, Audit audit, @Nullable RestOperation operation) {
+    static AccessRule of(RestOperation operation) {
+        Access access = operation.access();
+        return new AccessRule(access.from(), access.costs(), operation.audit(), operation);
+    }
+
+    /**
+     * For a request that no handler takes: who may not look learns nothing of addresses. {@code others} are what the address
+     * takes by other methods; where all of it is open, so is the answer that this method is not taken.
+     */
+    static AccessRule withoutHandler(String method, List<RestOperation> others) {
+        From strictest = others.stream()
+                .map(operation -> operation.access().from())
+                .reduce((one, other) -> one.compareTo(other) > 0 ? one : other)
+                .orElse(From.VIEWER);
+        From from = strictest.compareTo(From.VIEWER) > 0 ? From.VIEWER : strictest;
+        Cost costs = from == From.ANYBODY ? others.get(0).access().costs() : Cost.REQUEST;
+        return new AccessRule(from, costs, Audit.BY_METHOD.of(method), null);
+    }
+}

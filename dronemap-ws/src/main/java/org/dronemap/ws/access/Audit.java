@@ -1,0 +1,27 @@
+package org.dronemap.ws.access;
+
+import org.dronemap.ws.service.AuditRules;
+
+/** Which record a call leaves. */
+public enum Audit {
+    /** A method that only reads leaves none, any other does. */
+    BY_METHOD,
+    /** One, whatever becomes of the call. */
+    RECORDED,
+    /** One that says where the caller came from, in any case: of all others that is told of strangers only. */
+    RECORDED_WITH_PLACE,
+    /** One if it is turned away; what it brought about is told by another record. */
+    REFUSALS_ONLY,
+    /** None, whatever becomes of it, though it changes something. */
+    LEFT_OUT,
+    /** None, as it changes nothing. */
+    ONLY_LOOKS;
+
+    /** What that comes to for a method of HTTP. */
+    Audit of(String method) {
+        if (this != BY_METHOD) {
+            return this;
+        }
+        return AuditRules.onlyLooks(method) ? ONLY_LOOKS : RECORDED;
+    }
+}

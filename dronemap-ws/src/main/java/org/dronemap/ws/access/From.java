@@ -1,0 +1,27 @@
+package org.dronemap.ws.access;
+
+import org.dronemap.core.access.Role;
+import org.jspecify.annotations.Nullable;
+
+/** From whom on an operation is open; each may do all that the ones before it may. */
+public enum From {
+    ANYBODY(null),
+    /** Reporters and those with a one-time password included. */
+    SIGNED_IN(null),
+    VIEWER(Role.VIEWER),
+    PLANNER(Role.PLANNER),
+    OPERATOR(Role.OPERATOR),
+    SUPERVISOR(Role.SUPERVISOR),
+    ADMINISTRATOR(Role.ADMINISTRATOR);
+
+    private final @Nullable Role role;
+
+    From(@Nullable Role role) {
+        this.role = role;
+    }
+
+    /** Null: no role is asked for. */
+    public @Nullable Role role() {
+        return role;
+    }
+}

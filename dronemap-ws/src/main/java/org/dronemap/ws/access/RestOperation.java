@@ -1,0 +1,15 @@
+package org.dronemap.ws.access;
+
+import org.springframework.web.util.pattern.PathPattern;
+
+/** A method and an address that a handler is mapped to, and what its {@link Access} says. */
+public record RestOperation(String method, PathPattern pattern, Access access) {
+    /** As the table of who may do what has it. */
+    public String name() {
+        return method + " " + pattern.getPatternString();
+    }
+
+    public Audit audit() {
+        return access.audit().of(method);
+    }
+}

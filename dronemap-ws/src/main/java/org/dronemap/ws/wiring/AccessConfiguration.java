@@ -1,0 +1,29 @@
+package org.dronemap.ws.wiring;
+
+import org.dronemap.ws.access.RestOperations;
+import org.dronemap.ws.access.SameHandler;
+import org.springframework.beans.factory.ObjectProvider;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.web.servlet.config.annotation.InterceptorRegistry;
+import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
+import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
+
+/** Constructs what knows who may call which handler; the start fails where one does not say so. */
+@Configuration(proxyBeanMethods = false)
+public class AccessConfiguration {
+    @Bean
+    RestOperations restOperations(ObjectProvider<RequestMappingHandlerMapping> dispatcher) {
+        return new RestOperations(() -> dispatcher.getObject().getHandlerMethods());
+    }
+
+    @Bean
+    WebMvcConfigurer sameHandler(RestOperations operations) {
+        return new WebMvcConfigurer() {
+            @Override
+            public void addInterceptors(InterceptorRegistry registry) {
+                registry.addInterceptor(new SameHandler(operations));
+            }
+        };
+    }
+}
