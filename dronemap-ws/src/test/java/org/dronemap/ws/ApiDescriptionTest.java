@@ -55,6 +55,20 @@ class ApiDescriptionTest {
         assertThat(properties.propertyNames()).containsExactlyInAnyOrderElementsOf(List.of(members.split(" ")));
     }
 
+    /** springdoc makes names of methods unique by numbers, which change with every method that is added. */
+    @Test
+    void namesEachOperationByAVerbAndANameOfItsOwn() {
+        description
+                .path("paths")
+                .forEachEntry((path, operations) -> operations.forEachEntry((method, operation) -> {
+                    if (METHODS.contains(method)) {
+                        assertThat(operation.path("operationId").asString(""))
+                                .as(method + " " + path)
+                                .matches("[a-z]+([A-Z][a-z]+)*");
+                    }
+                }));
+    }
+
     @Test
     void hasASummaryForEachAddress() {
         JsonNode paths = description.path("paths");

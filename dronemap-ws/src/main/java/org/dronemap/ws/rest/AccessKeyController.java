@@ -42,14 +42,16 @@ public class AccessKeyController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.OWN)
-    @Operation(summary = "List one's own access keys")
+    @Operation(operationId = "listAccessKeys", summary = "List one's own access keys")
     public Keys keys() {
         return new Keys(keys.keys(current.principal()));
     }
 
     @PostMapping
     @Access(from = From.VIEWER, about = About.OWN)
+    @Answers(201)
     @Operation(
+            operationId = "makeAccessKey",
             summary = "Make an access key",
             description =
                     "The key itself is in this answer and never shown again. What is left out is as wide as you are;"
@@ -63,6 +65,7 @@ public class AccessKeyController {
     @PostMapping("/{id}/renew")
     @Access(from = From.VIEWER, about = About.OWN)
     @Operation(
+            operationId = "renewAccessKey",
             summary = "Renew an access key",
             description = "The same key with a new secret, which is in this answer and never shown again; the old one"
                     + " is void at once. Keys made from it stay.")
@@ -73,7 +76,9 @@ public class AccessKeyController {
     @DeleteMapping("/{id}")
     @Access(from = From.VIEWER, about = About.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove one of one's own access keys, with those made from it")
+    @Operation(
+            operationId = "deleteAccessKey",
+            summary = "Remove one of one's own access keys, with those made from it")
     public void deleteKey(@PathVariable String id) {
         keys.deleteKey(current.principal(), id);
     }

@@ -1,11 +1,14 @@
 package org.dronemap.ws.rest;
 
+import io.swagger.v3.core.converter.ModelConverters;
 import io.swagger.v3.oas.models.Components;
 import io.swagger.v3.oas.models.OpenAPI;
 import io.swagger.v3.oas.models.info.Info;
 import io.swagger.v3.oas.models.info.License;
 import io.swagger.v3.oas.models.security.SecurityRequirement;
 import io.swagger.v3.oas.models.security.SecurityScheme;
+import java.util.LinkedHashMap;
+import org.dronemap.ws.service.Problem;
 
 /** What stands at the head of the OpenAPI description. */
 public final class ApiDescription {
@@ -24,6 +27,8 @@ public final class ApiDescription {
                                         + " session has to send X-Dronemap: 1 with every change.")
                         .license(new License().name("Apache-2.0").url("https://www.apache.org/licenses/LICENSE-2.0")))
                 .components(new Components()
+                        .schemas(new LinkedHashMap<>(
+                                ModelConverters.getInstance(true).readAll(Problem.class)))
                         .addSecuritySchemes(
                                 "accessKey",
                                 new SecurityScheme()

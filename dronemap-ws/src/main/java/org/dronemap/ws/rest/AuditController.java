@@ -53,6 +53,7 @@ public class AuditController {
     @GetMapping
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
     @Operation(
+            operationId = "searchAudit",
             summary = "Look for records (supervisor)",
             description = "Newest first, 50 unless limit says otherwise (1 to 200); go on with before = next. Times are"
                     + " as 2026-03-04T05:06:07Z.")
@@ -66,6 +67,7 @@ public class AuditController {
     @GetMapping("/file")
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
     @Operation(
+            operationId = "exportAudit",
             summary = "Take all that are looked for along as a file (supervisor)",
             description = "form: csv, or jsonl for a line of JSON each. Newest first.")
     public void file(
@@ -86,6 +88,7 @@ public class AuditController {
     @GetMapping("/receipt")
     @Access(from = From.SUPERVISOR, about = About.SERVER)
     @Operation(
+            operationId = "getAuditReceipt",
             summary = "Get a receipt for all records up to now (supervisor)",
             description =
                     "Kept outside of the server, it shows later whether any of them was changed or removed, even by"
@@ -99,6 +102,7 @@ public class AuditController {
     @PostMapping("/verification")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
+            operationId = "verifyAudit",
             summary = "Verify all records, against a receipt too if one is sent (administrator)",
             description = "Names the first record that is not as it was.")
     public AuditService.VerdictView verify(@RequestBody(required = false) @Nullable ReceiptView receipt) {

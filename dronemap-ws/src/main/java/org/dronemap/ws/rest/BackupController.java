@@ -31,7 +31,10 @@ public class BackupController {
 
     @PostMapping
     @Access(from = From.ADMINISTRATOR, about = About.SERVER, costs = Cost.EXPORT)
-    @Operation(summary = "Make a backup (administrator)", description = "The answer is a zip of all that is stored.")
+    @Operation(
+            operationId = "makeBackup",
+            summary = "Make a backup (administrator)",
+            description = "The answer is a zip of all that is stored.")
     public void backup(HttpServletResponse response) throws IOException {
         Path file = backups.backup(current.principal());
         try {

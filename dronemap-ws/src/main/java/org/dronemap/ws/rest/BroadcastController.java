@@ -37,7 +37,9 @@ public class BroadcastController {
 
     @PostMapping
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
+    @Answers({200, 202})
     @Operation(
+            operationId = "broadcastCommand",
             summary = "Give one command to several drones or all (operator)",
             description = "One result for each drone, in the order asked: its command, refused, under way or ended."
                     + " 200 when none is under way any more, else 202.")

@@ -44,7 +44,9 @@ public class CommandController {
 
     @PostMapping("/drones/{id}/commands")
     @Access(from = From.PLANNER, about = About.DRONE, costs = Cost.NOTHING)
+    @Answers({200, 202})
     @Operation(
+            operationId = "giveCommand",
             summary = "Give a command (operator)",
             description = "202 with the command under way; with wait: 200 with its outcome if it ends in that time."
                     + " 409 when the drone's state does not allow it, with the sentence why.")
@@ -62,14 +64,17 @@ public class CommandController {
 
     @GetMapping("/drones/{id}/commands")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "List a drone's last commands", description = "Newest first, at most 50.")
+    @Operation(
+            operationId = "listCommands",
+            summary = "List a drone's last commands",
+            description = "Newest first, at most 50.")
     public Commands commandsOf(@PathVariable String id) {
         return new Commands(commands.commandsOf(current.principal(), id));
     }
 
     @GetMapping("/commands/{id}")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Look at one command")
+    @Operation(operationId = "getCommand", summary = "Look at one command")
     public CommandView command(@PathVariable String id) {
         return commands.command(current.principal(), id);
     }

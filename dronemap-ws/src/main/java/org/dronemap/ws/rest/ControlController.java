@@ -41,14 +41,16 @@ public class ControlController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "See who has control")
+    @Operation(operationId = "getControl", summary = "See who has control")
     public ControlView control(@PathVariable String id) {
         return controls.control(current.principal(), id);
     }
 
     @PostMapping("/take")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
+    @Answers({200, 202})
     @Operation(
+            operationId = "takeControl",
             summary = "Take control where nobody has it (operator)",
             description = "Also back from the pilot at the vehicle. Send the heartbeat every 2 s from then on.")
     public ResponseEntity<ControlView> take(@PathVariable String id) {
@@ -57,7 +59,9 @@ public class ControlController {
 
     @PostMapping("/request")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
+    @Answers({200, 202})
     @Operation(
+            operationId = "requestControl",
             summary = "Ask the holder for control (operator)",
             description = "202 while the holder decides, for up to a minute; 200 where control was free.")
     public ResponseEntity<ControlView> request(
@@ -67,42 +71,56 @@ public class ControlController {
 
     @PostMapping("/grant")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Operation(summary = "Give control to somebody who asks for it (holder)")
+    @Answers({200, 202})
+    @Operation(operationId = "grantControl", summary = "Give control to somebody who asks for it (holder)")
     public ResponseEntity<ControlView> grant(@PathVariable String id, @RequestBody ControlRequestView with) {
         return act(id, ControlAction.GRANT, with);
     }
 
     @PostMapping("/refuse")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Operation(summary = "Keep control from somebody who asks for it (holder)")
+    @Answers({200, 202})
+    @Operation(operationId = "refuseControl", summary = "Keep control from somebody who asks for it (holder)")
     public ResponseEntity<ControlView> refuse(@PathVariable String id, @RequestBody ControlRequestView with) {
         return act(id, ControlAction.REFUSE, with);
     }
 
     @PostMapping("/hand-over")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Operation(summary = "Give control to somebody (holder)", description = "They keep it for 30 s, or by using it.")
+    @Answers({200, 202})
+    @Operation(
+            operationId = "handOverControl",
+            summary = "Give control to somebody (holder)",
+            description = "They keep it for 30 s, or by using it.")
     public ResponseEntity<ControlView> handOver(@PathVariable String id, @RequestBody ControlRequestView with) {
         return act(id, ControlAction.HAND_OVER, with);
     }
 
     @PostMapping("/take-over")
     @Access(from = From.SUPERVISOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Operation(summary = "Take control from whoever has it, with a reason (supervisor)")
+    @Answers({200, 202})
+    @Operation(
+            operationId = "takeOverControl",
+            summary = "Take control from whoever has it, with a reason (supervisor)")
     public ResponseEntity<ControlView> takeOver(@PathVariable String id, @RequestBody ControlRequestView with) {
         return act(id, ControlAction.TAKE_OVER, with);
     }
 
     @PostMapping("/heartbeat")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING, audit = Audit.LEFT_OUT)
-    @Operation(summary = "Say that the holder is there (holder)", description = "Every 2 s; lost after 6 s without.")
+    @Answers({200, 202})
+    @Operation(
+            operationId = "keepControl",
+            summary = "Say that the holder is there (holder)",
+            description = "Every 2 s; lost after 6 s without.")
     public ResponseEntity<ControlView> heartbeat(@PathVariable String id, @RequestBody ControlRequestView with) {
         return act(id, ControlAction.HEARTBEAT, with);
     }
 
     @DeleteMapping
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Operation(summary = "Give control back (holder)")
+    @Answers({200, 202})
+    @Operation(operationId = "releaseControl", summary = "Give control back (holder)")
     public ResponseEntity<ControlView> release(@PathVariable String id) {
         return act(id, ControlAction.RELEASE, null);
     }

@@ -40,21 +40,21 @@ public class DroneController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "List the drones")
+    @Operation(operationId = "listDrones", summary = "List the drones")
     public Drones drones() {
         return new Drones(drones.drones(current.principal()));
     }
 
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Look at one drone")
+    @Operation(operationId = "getDrone", summary = "Look at one drone")
     public DroneView drone(@PathVariable String id) {
         return drones.drone(current.principal(), id);
     }
 
     @PatchMapping("/{id}")
     @Access(from = From.OPERATOR, about = About.DRONE)
-    @Operation(summary = "Give a drone another name (operator)")
+    @Operation(operationId = "renameDrone", summary = "Give a drone another name (operator)")
     public DroneView rename(@PathVariable String id, @RequestBody RenameRequest request) {
         return drones.rename(current.principal(), id, request);
     }
@@ -62,7 +62,7 @@ public class DroneController {
     @DeleteMapping("/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.DRONE)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Forget a lost drone (administrator)")
+    @Operation(operationId = "removeDrone", summary = "Forget a lost drone (administrator)")
     public void remove(@PathVariable String id) {
         drones.remove(current.principal(), id);
     }

@@ -36,28 +36,38 @@ public class FenceController {
 
     @GetMapping("/fence")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Look at the fence", description = "As last read from the vehicle; null until it first was.")
+    @Operation(
+            operationId = "getFence",
+            summary = "Look at the fence",
+            description = "As last read from the vehicle; null until it first was.")
     public FenceView fence(@PathVariable String id) {
         return fences.fence(current.principal(), id);
     }
 
     @PostMapping("/fence/refresh")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Operation(summary = "Read the fence from the vehicle (operator)")
+    @Answers({200, 202})
+    @Operation(operationId = "readFence", summary = "Read the fence from the vehicle (operator)")
     public ResponseEntity<CommandView> readFence(@PathVariable String id) {
         return CommandAnswer.of(fences.readFence(current.caller(), id));
     }
 
     @PutMapping("/fence")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Operation(summary = "Replace the fence (operator)", description = "Up to 50 polygons and circles.")
+    @Answers({200, 202})
+    @Operation(
+            operationId = "setFence",
+            summary = "Replace the fence (operator)",
+            description = "Up to 50 polygons and circles.")
     public ResponseEntity<CommandView> setFence(@PathVariable String id, @RequestBody FenceView fence) {
         return CommandAnswer.of(fences.setFence(current.caller(), id, fence));
     }
 
     @PutMapping("/fence/zones")
     @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers({200, 202})
     @Operation(
+            operationId = "setFenceFromZones",
             summary = "Make the cloud's zones the vehicle's own fence (planner)",
             description =
                     "All zones without floor and ceiling that bind this drone now, whoever flies it; they then hold"
@@ -69,28 +79,37 @@ public class FenceController {
 
     @DeleteMapping("/fence")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Operation(summary = "Take the fence away (operator)")
+    @Answers({200, 202})
+    @Operation(operationId = "clearFence", summary = "Take the fence away (operator)")
     public ResponseEntity<CommandView> clearFence(@PathVariable String id) {
         return CommandAnswer.of(fences.clearFence(current.caller(), id));
     }
 
     @GetMapping("/rally-points")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Look at the rally points", description = "As last read; null until they first were.")
+    @Operation(
+            operationId = "getRallyPoints",
+            summary = "Look at the rally points",
+            description = "As last read; null until they first were.")
     public FenceView.RallyView rallyPoints(@PathVariable String id) {
         return fences.rallyPoints(current.principal(), id);
     }
 
     @PostMapping("/rally-points/refresh")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Operation(summary = "Read the rally points from the vehicle (operator)")
+    @Answers({200, 202})
+    @Operation(operationId = "readRallyPoints", summary = "Read the rally points from the vehicle (operator)")
     public ResponseEntity<CommandView> readRallyPoints(@PathVariable String id) {
         return CommandAnswer.of(fences.readRallyPoints(current.caller(), id));
     }
 
     @PutMapping("/rally-points")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Operation(summary = "Replace the rally points (operator)", description = "Up to 50.")
+    @Answers({200, 202})
+    @Operation(
+            operationId = "setRallyPoints",
+            summary = "Replace the rally points (operator)",
+            description = "Up to 50.")
     public ResponseEntity<CommandView> setRallyPoints(
             @PathVariable String id, @RequestBody FenceView.RallyView points) {
         return CommandAnswer.of(fences.setRallyPoints(current.caller(), id, points));
@@ -98,7 +117,8 @@ public class FenceController {
 
     @DeleteMapping("/rally-points")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Operation(summary = "Take the rally points away (operator)")
+    @Answers({200, 202})
+    @Operation(operationId = "clearRallyPoints", summary = "Take the rally points away (operator)")
     public ResponseEntity<CommandView> clearRallyPoints(@PathVariable String id) {
         return CommandAnswer.of(fences.clearRallyPoints(current.caller(), id));
     }

@@ -61,6 +61,7 @@ public class FlightController {
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
+            operationId = "listFlights",
             summary = "Look for flights",
             description =
                     "Newest first, 50 unless limit says otherwise (1 to 200); go on with before = next. Times are as"
@@ -74,7 +75,7 @@ public class FlightController {
 
     @GetMapping("/logbook")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
-    @Operation(summary = "Take all flights that are looked for along as a table (CSV)")
+    @Operation(operationId = "exportLogbook", summary = "Take all flights that are looked for along as a table (CSV)")
     public void logbook(
             @ParameterObject @ModelAttribute FlightSearch search,
             @Parameter(hidden = true) HttpServletResponse response)
@@ -89,14 +90,14 @@ public class FlightController {
 
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Look at one flight")
+    @Operation(operationId = "getFlight", summary = "Look at one flight")
     public FlightView flight(@PathVariable String id) {
         return flights.flight(current.principal(), id);
     }
 
     @PatchMapping("/{id}")
     @Access(from = From.OPERATOR, about = About.DRONE)
-    @Operation(summary = "Write notes about a flight (operator)")
+    @Operation(operationId = "annotateFlight", summary = "Write notes about a flight (operator)")
     public FlightView annotate(@PathVariable String id, @RequestBody FlightNotes notes) {
         return flights.annotate(current.principal(), id, notes);
     }
@@ -104,6 +105,7 @@ public class FlightController {
     @GetMapping("/{id}/telemetry")
     @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
+            operationId = "getFlightTelemetry",
             summary = "Look at numbers over a flight",
             description =
                     "For each of the fields the least and the greatest value of each slot, 1000 slots unless asked"
@@ -115,6 +117,7 @@ public class FlightController {
     @GetMapping("/{id}/telemetry/points")
     @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
+            operationId = "listFlightTelemetryPoints",
             summary = "Look at the states of a flight",
             description =
                     "All that are kept, or when these are more than most (1 to 20000, usually 5000), so many evenly"
@@ -125,7 +128,9 @@ public class FlightController {
 
     @GetMapping("/{id}/telemetry/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
+    @Answers(refuses = 409)
     @Operation(
+            operationId = "exportFlightTelemetry",
             summary = "Take a flight along as a file",
             description =
                     "form: csv, geojson, kml, gpx, parquet (the columns of the archive) or tlog (where it was recorded).")
@@ -141,6 +146,7 @@ public class FlightController {
     @GetMapping("/{id}/events")
     @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
+            operationId = "listFlightEvents",
             summary = "Look at what happened in a flight",
             description =
                     "Messages, modes, commands with their outcomes and so on, from ten seconds before to ten after.")

@@ -48,6 +48,7 @@ public class FollowController {
     @GetMapping
     @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(
+            operationId = "listFollows",
             summary = "List follows",
             description = "Those of your organisation whose drones you see: under way, and the newest that are over.")
     public FollowList all() {
@@ -56,14 +57,16 @@ public class FollowController {
 
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.SHARED)
-    @Operation(summary = "Look at one follow")
+    @Operation(operationId = "getFollow", summary = "Look at one follow")
     public FollowView one(@PathVariable String id) {
         return follows.one(current.principal(), id);
     }
 
     @PostMapping
     @Access(from = From.OPERATOR, about = About.SHARED)
+    @Answers(value = 201, refuses = 404)
     @Operation(
+            operationId = "openFollow",
             summary = "Ask to be followed (operator)",
             description =
                     "Chooses the drone of the warehouse that is nearest and has enough in its battery, or takes the one that is"
@@ -76,7 +79,7 @@ public class FollowController {
 
     @PatchMapping("/{id}")
     @Access(from = From.OPERATOR, about = About.SHARED)
-    @Operation(summary = "Change where the drone stays (operator)")
+    @Operation(operationId = "changeFollow", summary = "Change where the drone stays (operator)")
     public FollowView change(@PathVariable String id, @RequestBody FollowRequest.PlaceRequest request) {
         return follows.change(current.principal(), id, request);
     }
@@ -84,6 +87,7 @@ public class FollowController {
     @PostMapping("/{id}/positions")
     @Access(from = From.OPERATOR, about = About.SHARED, audit = Audit.REFUSALS_ONLY)
     @Operation(
+            operationId = "reportFollowPositions",
             summary = "Say where the phone is (operator)",
             description =
                     "Once a second or so. What was said before may be said again: it counts once. Only the user who asked"
@@ -95,6 +99,7 @@ public class FollowController {
     @PostMapping("/{id}/start")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "startFollow",
             summary = "Start following (operator)",
             description = "The drone takes off and comes. 409 when it was started already.")
     public FollowView start(@PathVariable String id) {
@@ -104,6 +109,7 @@ public class FollowController {
     @PostMapping("/{id}/cancel")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "cancelFollow",
             summary = "Cancel a follow (operator)",
             description = "Before the drone follows: it is free again. 409 once it follows; stop it then.")
     public FollowView cancel(@PathVariable String id) {
@@ -113,6 +119,7 @@ public class FollowController {
     @PostMapping("/{id}/pause")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "pauseFollow",
             summary = "Pause a follow (operator)",
             description = "The drone stays where it is, in the air. 409 when it does not follow.")
     public FollowView pause(@PathVariable String id) {
@@ -122,6 +129,7 @@ public class FollowController {
     @PostMapping("/{id}/continue")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "continueFollow",
             summary = "Let a follow go on (operator)",
             description = "After a pause, or when somebody else had the drone. 409 when it is not paused.")
     public FollowView goOn(@PathVariable String id) {
@@ -130,7 +138,10 @@ public class FollowController {
 
     @PostMapping("/{id}/stop")
     @Access(from = From.OPERATOR, about = About.SHARED)
-    @Operation(summary = "Stop a follow (operator)", description = "The drone flies home; it is over when it is down.")
+    @Operation(
+            operationId = "stopFollow",
+            summary = "Stop a follow (operator)",
+            description = "The drone flies home; it is over when it is down.")
     public FollowView stop(@PathVariable String id) {
         return follows.stop(current.principal(), id);
     }

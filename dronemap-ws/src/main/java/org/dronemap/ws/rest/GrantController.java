@@ -44,14 +44,16 @@ public class GrantController {
 
     @GetMapping("/grants")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "List the grants")
+    @Operation(operationId = "listGrants", summary = "List the grants")
     public Grants grants() {
         return new Grants(grants.grants(current.principal()));
     }
 
     @PostMapping("/grants")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Answers(value = 201, refuses = 404)
     @Operation(
+            operationId = "addGrant",
             summary = "Grant something",
             description = "To a user or a group; of drones, a fleet or all; operations of view, plan, command and"
                     + " administer. It takes from what a role allows, and binds those who see only what they were"
@@ -64,7 +66,10 @@ public class GrantController {
     @DeleteMapping("/grants/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Take a grant back", description = "At once, on open streams too.")
+    @Operation(
+            operationId = "revokeGrant",
+            summary = "Take a grant back",
+            description = "At once, on open streams too.")
     public void takeBack(@PathVariable String id) {
         grants.takeBack(current.principal(), id);
     }
@@ -72,7 +77,9 @@ public class GrantController {
     @PutMapping("/users/{name}/only-granted")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Let a user see only what was granted, or all drones by the role")
+    @Operation(
+            operationId = "setUserOnlyGranted",
+            summary = "Let a user see only what was granted, or all drones by the role")
     public void setUserOnlyGranted(@PathVariable String name, @RequestBody GrantService.OnlyGrantedRequest request) {
         grants.setUserOnlyGranted(current.principal(), name, request);
     }
@@ -80,7 +87,9 @@ public class GrantController {
     @PutMapping("/groups/{id}/only-granted")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Let the members of a group see only what was granted, or all drones by their role")
+    @Operation(
+            operationId = "setGroupOnlyGranted",
+            summary = "Let the members of a group see only what was granted, or all drones by their role")
     public void setGroupOnlyGranted(@PathVariable String id, @RequestBody GrantService.OnlyGrantedRequest request) {
         grants.setGroupOnlyGranted(current.principal(), id, request);
     }

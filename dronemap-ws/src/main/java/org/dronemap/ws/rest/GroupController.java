@@ -45,14 +45,15 @@ public class GroupController {
 
     @GetMapping("/groups")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "List the groups of users")
+    @Operation(operationId = "listGroups", summary = "List the groups of users")
     public Groups groups() {
         return new Groups(groups.groups(current.principal()));
     }
 
     @PostMapping("/groups")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "Make a group of users")
+    @Answers(201)
+    @Operation(operationId = "addGroup", summary = "Make a group of users")
     public ResponseEntity<GroupService.GroupView> addGroup(@RequestBody GroupService.GroupRequest request) {
         GroupService.GroupView made = groups.addGroup(current.principal(), request);
         return ResponseEntity.created(URI.create("/api/v1/groups/" + made.id())).body(made);
@@ -60,7 +61,7 @@ public class GroupController {
 
     @PutMapping("/groups/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "Change the name and the members of a group")
+    @Operation(operationId = "replaceGroup", summary = "Change the name and the members of a group")
     public GroupService.GroupView replaceGroup(
             @PathVariable String id, @RequestBody GroupService.GroupRequest request) {
         return groups.replaceGroup(current.principal(), id, request);
@@ -69,21 +70,22 @@ public class GroupController {
     @DeleteMapping("/groups/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove a group, with what was granted to it")
+    @Operation(operationId = "deleteGroup", summary = "Remove a group, with what was granted to it")
     public void deleteGroup(@PathVariable String id) {
         groups.deleteGroup(current.principal(), id);
     }
 
     @GetMapping("/fleets")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "List the fleets")
+    @Operation(operationId = "listFleets", summary = "List the fleets")
     public Fleets fleets() {
         return new Fleets(groups.fleets(current.principal()));
     }
 
     @PostMapping("/fleets")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "Make a fleet of drones")
+    @Answers(201)
+    @Operation(operationId = "addFleet", summary = "Make a fleet of drones")
     public ResponseEntity<GroupService.FleetView> addFleet(@RequestBody GroupService.FleetRequest request) {
         GroupService.FleetView made = groups.addFleet(current.principal(), request);
         return ResponseEntity.created(URI.create("/api/v1/fleets/" + made.id())).body(made);
@@ -91,7 +93,7 @@ public class GroupController {
 
     @PutMapping("/fleets/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "Change the name and the drones of a fleet")
+    @Operation(operationId = "replaceFleet", summary = "Change the name and the drones of a fleet")
     public GroupService.FleetView replaceFleet(
             @PathVariable String id, @RequestBody GroupService.FleetRequest request) {
         return groups.replaceFleet(current.principal(), id, request);
@@ -100,7 +102,7 @@ public class GroupController {
     @DeleteMapping("/fleets/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove a fleet, with all grants of it")
+    @Operation(operationId = "deleteFleet", summary = "Remove a fleet, with all grants of it")
     public void deleteFleet(@PathVariable String id) {
         groups.deleteFleet(current.principal(), id);
     }

@@ -39,14 +39,16 @@ public class InvitationController {
 
     @GetMapping
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "List the open invitations")
+    @Operation(operationId = "listInvitations", summary = "List the open invitations")
     public Invitations invitations() {
         return new Invitations(invitations.invitations(current.principal()));
     }
 
     @PostMapping
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Answers(201)
     @Operation(
+            operationId = "addInvitation",
             summary = "Invite somebody",
             description = "The code is in this answer and never shown again; it serves once. The page takes it as"
                     + " /#invitation=CODE.")
@@ -58,7 +60,7 @@ public class InvitationController {
     @DeleteMapping("/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Withdraw an invitation")
+    @Operation(operationId = "withdrawInvitation", summary = "Withdraw an invitation")
     public void withdraw(@PathVariable String id) {
         invitations.withdraw(current.principal(), id);
     }

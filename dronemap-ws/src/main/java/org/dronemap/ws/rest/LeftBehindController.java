@@ -33,6 +33,7 @@ public class LeftBehindController {
     @GetMapping
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
+            operationId = "listLeftBehind",
             summary = "List removed drones with what their owners had set (administrator)",
             description = "What the cloud had changed on them was not put back before they were removed.")
     public LeftBehind leftBehind() {

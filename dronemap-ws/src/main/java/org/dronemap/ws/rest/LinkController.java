@@ -53,21 +53,25 @@ public class LinkController {
 
     @GetMapping("/endpoints")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "List the endpoints with their state and counters (administrator)")
+    @Operation(
+            operationId = "listEndpoints",
+            summary = "List the endpoints with their state and counters (administrator)")
     public Endpoints endpoints() {
         return new Endpoints(links.endpoints(current.principal()));
     }
 
     @GetMapping("/endpoints/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "Look at one endpoint (administrator)")
+    @Operation(operationId = "getEndpoint", summary = "Look at one endpoint (administrator)")
     public EndpointView endpoint(@PathVariable String id) {
         return links.endpoint(current.principal(), id);
     }
 
     @PostMapping("/endpoints")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Answers(201)
     @Operation(
+            operationId = "addEndpoint",
             summary = "Add an endpoint (administrator)",
             description = "It stays over restarts. While it cannot open it is listed as failed, and tried again.")
     public ResponseEntity<EndpointView> add(@RequestBody LinkService.EndpointRequest request) {
@@ -79,28 +83,30 @@ public class LinkController {
     @DeleteMapping("/endpoints/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove an endpoint that was added (administrator)")
+    @Operation(operationId = "removeEndpoint", summary = "Remove an endpoint that was added (administrator)")
     public void remove(@PathVariable String id) {
         links.remove(current.principal(), id);
     }
 
     @GetMapping("/traffic")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "What went over the link of each vehicle (administrator)")
+    @Operation(operationId = "getTraffic", summary = "What went over the link of each vehicle (administrator)")
     public Traffic traffic() {
         return new Traffic(links.traffic(current.principal()));
     }
 
     @GetMapping("/dtls-keys")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "List the DTLS keys of vehicles (administrator)")
+    @Operation(operationId = "listDtlsKeys", summary = "List the DTLS keys of vehicles (administrator)")
     public DtlsKeys dtlsKeys() {
         return new DtlsKeys(keys.keys(current.principal()));
     }
 
     @PostMapping("/dtls-keys")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Answers(value = 201, refuses = 404)
     @Operation(
+            operationId = "makeDtlsKey",
             summary = "Make the DTLS key of a vehicle (administrator)",
             description = "The secret is in this answer and never shown again; a drone's key before is void.")
     public ResponseEntity<DtlsKeyService.DtlsKeyView> makeKey(@RequestBody DtlsKeyService.DtlsKeyRequest request) {
@@ -112,7 +118,9 @@ public class LinkController {
     @DeleteMapping("/dtls-keys/{identity}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Revoke the DTLS key of a vehicle; its links end at once (administrator)")
+    @Operation(
+            operationId = "deleteDtlsKey",
+            summary = "Revoke the DTLS key of a vehicle; its links end at once (administrator)")
     public void revoke(@PathVariable String identity) {
         keys.revoke(current.principal(), identity);
     }

@@ -37,21 +37,23 @@ public class LinkSecurityController {
 
     @GetMapping("/link-security")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Look at how a drone's link is secured, and what was refused")
+    @Operation(operationId = "getLinkSecurity", summary = "Look at how a drone's link is secured, and what was refused")
     public LinkSecurityView look(@PathVariable String id) {
         return links.look(current.principal(), id);
     }
 
     @PutMapping("/link-security")
     @Access(from = From.ADMINISTRATOR, about = About.DRONE)
-    @Operation(summary = "Set the policy: off, optional or required (administrator)")
+    @Operation(operationId = "setLinkSecurity", summary = "Set the policy: off, optional or required (administrator)")
     public LinkSecurityView policy(@PathVariable String id, @RequestBody LinkSecurityService.PolicyRequest request) {
         return links.setPolicy(current.principal(), id, request);
     }
 
     @PostMapping("/link-key")
     @Access(from = From.ADMINISTRATOR, about = About.DRONE)
+    @Answers(201)
     @Operation(
+            operationId = "makeLinkKey",
             summary = "Make a key, or bring one along (administrator)",
             description = "The key is in this answer and never shown again; it is not on the vehicle yet.")
     public ResponseEntity<LinkSecurityService.MadeKey> make(
@@ -64,7 +66,9 @@ public class LinkSecurityController {
 
     @PostMapping("/link-key/install")
     @Access(from = From.ADMINISTRATOR, about = About.DRONE)
+    @Answers({200, 202})
     @Operation(
+            operationId = "installLinkKey",
             summary = "Give the vehicle its key and hear that it signs (administrator)",
             description = "Over a safe link only, unless confirmed. 202: still under way.")
     public ResponseEntity<LinkSecurityView> install(
@@ -75,7 +79,9 @@ public class LinkSecurityController {
 
     @PostMapping("/link-key/rotate")
     @Access(from = From.ADMINISTRATOR, about = About.DRONE)
+    @Answers({200, 202})
     @Operation(
+            operationId = "rotateLinkKey",
             summary = "Change the vehicle over to a new key (administrator)",
             description = "Both keys are accepted meanwhile; on failure the old one stays. 202: still under way.")
     public ResponseEntity<LinkSecurityView> rotate(
@@ -86,7 +92,9 @@ public class LinkSecurityController {
 
     @DeleteMapping("/link-key")
     @Access(from = From.ADMINISTRATOR, about = About.DRONE)
+    @Answers({200, 202})
     @Operation(
+            operationId = "deleteLinkKey",
             summary = "Take the key off the vehicle (administrator)",
             description = "With vehicle=false it is forgotten here only. The policy becomes off. 202: still under way.")
     public ResponseEntity<LinkSecurityView> revoke(

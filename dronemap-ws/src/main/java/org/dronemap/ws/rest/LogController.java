@@ -41,21 +41,27 @@ public class LogController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "List the logs on board", description = "As last listed; null until they first were.")
+    @Operation(
+            operationId = "listLogs",
+            summary = "List the logs on board",
+            description = "As last listed; null until they first were.")
     public LogsView logs(@PathVariable String id) {
         return logs.logs(current.principal(), id);
     }
 
     @PostMapping("/refresh")
     @Access(from = From.OPERATOR, about = About.DRONE)
-    @Operation(summary = "Ask the vehicle for the list of its logs (operator)")
+    @Answers({200, 202})
+    @Operation(operationId = "readLogs", summary = "Ask the vehicle for the list of its logs (operator)")
     public ResponseEntity<CommandView> refresh(@PathVariable String id) {
         return CommandAnswer.of(logs.refresh(current.caller(), id));
     }
 
     @PostMapping("/{number}/download")
     @Access(from = From.OPERATOR, about = About.DRONE)
+    @Answers({200, 202})
     @Operation(
+            operationId = "downloadLog",
             summary = "Fetch a log from the vehicle (operator)",
             description =
                     "The command's progress counts bytes and is streamed; a later attempt goes on where one ended.")
@@ -65,7 +71,8 @@ public class LogController {
 
     @GetMapping("/{number}/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
-    @Operation(summary = "Save a log that was fetched")
+    @Answers(refuses = 409)
+    @Operation(operationId = "getLogFile", summary = "Save a log that was fetched")
     public ResponseEntity<Resource> file(@PathVariable String id, @PathVariable int number) {
         Path file = logs.file(current.principal(), id, number);
         return ResponseEntity.ok()
@@ -82,7 +89,7 @@ public class LogController {
     @DeleteMapping("/{number}/file")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.EXPORT)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove the server's copy of a log (operator)")
+    @Operation(operationId = "deleteLogFile", summary = "Remove the server's copy of a log (operator)")
     public void remove(@PathVariable String id, @PathVariable int number) {
         logs.remove(current.caller(), id, number);
     }

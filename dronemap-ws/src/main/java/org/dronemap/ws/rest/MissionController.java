@@ -41,21 +41,22 @@ public class MissionController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.SHARED)
-    @Operation(summary = "List the saved missions")
+    @Operation(operationId = "listMissions", summary = "List the saved missions")
     public Missions missions() {
         return new Missions(missions.missions(current.principal()));
     }
 
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.SHARED)
-    @Operation(summary = "Look at one saved mission")
+    @Operation(operationId = "getMission", summary = "Look at one saved mission")
     public MissionService.SavedMissionView mission(@PathVariable String id) {
         return missions.mission(current.principal(), id);
     }
 
     @PostMapping
     @Access(from = From.PLANNER, about = About.SHARED)
-    @Operation(summary = "Save a mission (operator)")
+    @Answers(201)
+    @Operation(operationId = "addMission", summary = "Save a mission (operator)")
     public ResponseEntity<MissionService.SavedMissionView> add(@RequestBody MissionService.MissionRequest request) {
         MissionService.SavedMissionView saved = missions.add(current.principal(), request);
         return ResponseEntity.created(URI.create("/api/v1/missions/" + saved.id()))
@@ -64,7 +65,7 @@ public class MissionController {
 
     @PutMapping("/{id}")
     @Access(from = From.PLANNER, about = About.SHARED)
-    @Operation(summary = "Replace a saved mission (operator)")
+    @Operation(operationId = "replaceMission", summary = "Replace a saved mission (operator)")
     public MissionService.SavedMissionView replace(
             @PathVariable String id, @RequestBody MissionService.MissionRequest request) {
         return missions.replace(current.principal(), id, request);
@@ -73,7 +74,7 @@ public class MissionController {
     @DeleteMapping("/{id}")
     @Access(from = From.PLANNER, about = About.SHARED)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove a saved mission (operator)")
+    @Operation(operationId = "deleteMission", summary = "Remove a saved mission (operator)")
     public void delete(@PathVariable String id) {
         missions.delete(current.principal(), id);
     }

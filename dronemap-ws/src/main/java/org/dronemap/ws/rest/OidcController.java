@@ -46,7 +46,11 @@ public class OidcController {
 
     @GetMapping
     @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN)
-    @Operation(summary = "Go to the provider to sign in", description = "For browsers; 404 when there is none.")
+    @Answers(value = 302, refuses = 404)
+    @Operation(
+            operationId = "startSignInElsewhere",
+            summary = "Go to the provider to sign in",
+            description = "For browsers; 404 when there is none.")
     public ResponseEntity<Void> start(HttpServletRequest request) {
         OidcSignIn.Start start = oidc().start();
         return ResponseEntity.status(HttpStatus.FOUND)
@@ -57,7 +61,11 @@ public class OidcController {
 
     @GetMapping("/callback")
     @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED)
-    @Operation(summary = "Come back from the provider", description = "For browsers; leads to the page.")
+    @Answers(value = 302, refuses = 404)
+    @Operation(
+            operationId = "finishSignInElsewhere",
+            summary = "Come back from the provider",
+            description = "For browsers; leads to the page.")
     public ResponseEntity<Void> finish(
             @RequestParam(required = false) @Nullable String code,
             @RequestParam(required = false) @Nullable String state,

@@ -49,14 +49,19 @@ public class OrganisationController {
 
     @GetMapping
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "List the organisations", description = "With how many users and drones each has.")
+    @Operation(
+            operationId = "listOrganisations",
+            summary = "List the organisations",
+            description = "With how many users and drones each has.")
     public Organisations organisations() {
         return new Organisations(organisations.organisations(current.principal()));
     }
 
     @PostMapping
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Answers(201)
     @Operation(
+            operationId = "addOrganisation",
             summary = "Make an organisation",
             description = "Its first administrator comes by an invitation into it (POST /invitations).")
     public ResponseEntity<OrganisationService.OrganisationView> add(
@@ -68,7 +73,7 @@ public class OrganisationController {
 
     @PatchMapping("/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "Rename an organisation")
+    @Operation(operationId = "renameOrganisation", summary = "Rename an organisation")
     public OrganisationService.OrganisationView rename(
             @PathVariable String id, @RequestBody OrganisationService.NameRequest request) {
         return organisations.rename(current.principal(), id, request);
@@ -77,6 +82,7 @@ public class OrganisationController {
     @GetMapping("/{id}/drones")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
+            operationId = "listGivenDrones",
             summary = "List the drones that were given to an organisation and that it still has",
             description = "As they were called when they were given.")
     public GiftService.Gifts gifts(@PathVariable String id) {
@@ -86,6 +92,7 @@ public class OrganisationController {
     @PutMapping("/{id}/drones/{drone}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
+            operationId = "giveDrone",
             summary = "Give a drone of your own organisation to another one",
             description =
                     "On the ground, disarmed, and out of every operation and the warehouse. Only its new owners see"
@@ -102,6 +109,7 @@ public class OrganisationController {
     @DeleteMapping("/{id}/drones/{drone}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @Operation(
+            operationId = "takeBackDrone",
             summary = "Take a drone back that was given to an organisation",
             description =
                     "On the ground, disarmed, and out of every operation and the warehouse. What it did meanwhile is"
@@ -113,7 +121,7 @@ public class OrganisationController {
     @DeleteMapping("/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove an organisation that has neither users nor drones")
+    @Operation(operationId = "deleteOrganisation", summary = "Remove an organisation that has neither users nor drones")
     public void delete(@PathVariable String id) {
         organisations.delete(current.principal(), id);
     }

@@ -36,7 +36,9 @@ public class OutletController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.OWN)
-    @Operation(summary = "Where to attach, whether a passphrase is set, and one's own programs that are attached")
+    @Operation(
+            operationId = "getOutlet",
+            summary = "Where to attach, whether a passphrase is set, and one's own programs that are attached")
     public OutletService.OwnOutletView own() {
         return outlet.own(current.principal());
     }
@@ -44,6 +46,7 @@ public class OutletController {
     @PutMapping("/passphrase")
     @Access(from = From.VIEWER, about = About.OWN)
     @Operation(
+            operationId = "setOutletPassphrase",
             summary = "Set one's own signing passphrase",
             description = "Without one given it is made up. It is in this answer and never shown again; programs that"
                     + " use the one before are disconnected.")
@@ -57,6 +60,7 @@ public class OutletController {
     @Access(from = From.VIEWER, about = About.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
+            operationId = "clearOutletPassphrase",
             summary = "Take one's own signing passphrase away",
             description = "Programs that use it are disconnected.")
     public void clear() {
@@ -67,6 +71,7 @@ public class OutletController {
     @Access(from = From.VIEWER, about = About.OWN)
     @ResponseStatus(HttpStatus.CREATED)
     @Operation(
+            operationId = "openOutletPort",
             summary = "Open a personal port, view-only, for a program that cannot sign",
             description = "The first to speak there from that address or network has it, until it is closed, its hours"
                     + " are over or the server is restarted. It shows unsigned what you may see; nothing sent there"
@@ -78,14 +83,18 @@ public class OutletController {
     @DeleteMapping("/ports/{id}")
     @Access(from = From.VIEWER, about = About.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Close a personal port of one's own, or as an administrator anybody's")
+    @Operation(
+            operationId = "closeOutletPort",
+            summary = "Close a personal port of one's own, or as an administrator anybody's")
     public void closePort(@PathVariable String id) {
         outlet.closePort(current.principal(), id);
     }
 
     @GetMapping("/clients")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "List all that is attached, and what was refused (administrator)")
+    @Operation(
+            operationId = "listOutletClients",
+            summary = "List all that is attached, and what was refused (administrator)")
     public OutletView clients() {
         return outlet.all(current.principal());
     }
@@ -94,6 +103,7 @@ public class OutletController {
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
+            operationId = "disconnectOutletClient",
             summary = "Disconnect what is attached (administrator)",
             description = "It may attach again after a minute; taking the passphrase away, or disabling the user, is"
                     + " what keeps it out.")

@@ -49,6 +49,7 @@ public class ParameterController {
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
+            operationId = "listParameters",
             summary = "List or search the parameters",
             description = "As last heard from the vehicle; readAt is null until they were first read.")
     public ParametersView parameters(
@@ -60,7 +61,11 @@ public class ParameterController {
 
     @PostMapping("/refresh")
     @Access(from = From.OPERATOR, about = About.DRONE)
-    @Operation(summary = "Read all parameters from the vehicle (operator)", description = "Its progress is streamed.")
+    @Answers({200, 202})
+    @Operation(
+            operationId = "readParameters",
+            summary = "Read all parameters from the vehicle (operator)",
+            description = "Its progress is streamed.")
     public CompletableFuture<ResponseEntity<CommandView>> refresh(
             @PathVariable String id, @RequestParam(required = false) @Nullable Double wait) {
         Duration longest = CommandAnswer.wait(wait);
@@ -69,7 +74,9 @@ public class ParameterController {
 
     @PutMapping("/{name}")
     @Access(from = From.OPERATOR, about = About.DRONE)
+    @Answers({200, 202})
     @Operation(
+            operationId = "setParameter",
             summary = "Change a parameter (operator)",
             description = "It is read back: when the vehicle holds something else, the command fails and says what.")
     public CompletableFuture<ResponseEntity<CommandView>> set(
@@ -83,7 +90,9 @@ public class ParameterController {
 
     @GetMapping("/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
+    @Answers(refuses = 409)
     @Operation(
+            operationId = "exportParameters",
             summary = "Save the parameters as a file",
             description = "form: list (the default; Mission Planner, MAVProxy) or table (QGroundControl).")
     public ResponseEntity<String> file(@PathVariable String id, @RequestParam(required = false) @Nullable String form) {
@@ -99,7 +108,9 @@ public class ParameterController {
 
     @PostMapping("/file")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.EXPORT)
+    @Answers({200, 202})
     @Operation(
+            operationId = "importParameters",
             summary = "Compare with a file, or load it (operator)",
             description = "The body is the file as text/plain, in either form, up to 1 MB. With dryRun=true nothing is"
                     + " sent; else what differs is changed and read back.")

@@ -52,7 +52,10 @@ public class PlanController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.SHARED)
-    @Operation(summary = "List your plans", description = "Without their ways. Forgotten an hour after they ended.")
+    @Operation(
+            operationId = "listPlans",
+            summary = "List your plans",
+            description = "Without their ways. Forgotten an hour after they ended.")
     public PlanList all() {
         return new PlanList(plans.all(current.principal()));
     }
@@ -60,6 +63,7 @@ public class PlanController {
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(
+            operationId = "getPlan",
             summary = "Look at one plan",
             description = "How far the search is, and once it is finished who flies where and when.")
     public PlanView one(@PathVariable String id) {
@@ -68,7 +72,9 @@ public class PlanController {
 
     @PostMapping
     @Access(from = From.PLANNER, about = About.SHARED)
+    @Answers(value = 202, refuses = 404)
     @Operation(
+            operationId = "makePlan",
             summary = "Ask for a plan (planner)",
             description = "Answered at once; look at it until it is finished, or hear of it on the stream. Where drones"
                     + " are, their homes, batteries, links and kinds are those that the cloud knows now: whatever is not"
@@ -84,6 +90,7 @@ public class PlanController {
     @Access(from = From.PLANNER, about = About.SHARED)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
+            operationId = "removePlan",
             summary = "Cancel or forget a plan (planner)",
             description = "Cancels one that is queued or running; forgets one that has ended.")
     public void remove(@PathVariable String id) {
@@ -92,7 +99,9 @@ public class PlanController {
 
     @PostMapping("/{id}/accept")
     @Access(from = From.PLANNER, about = About.SHARED)
+    @Answers({200, 202})
     @Operation(
+            operationId = "acceptPlan",
             summary = "Accept a plan (planner; to start it operator)",
             description =
                     "Uploads each drone's mission: one outcome for each drone. With start the drones are armed and"
@@ -112,6 +121,7 @@ public class PlanController {
     @PostMapping("/{id}/stop")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "stopPlan",
             summary = "Stop the start of a plan (operator)",
             description =
                     "Drones that have not been started yet are not started, and disarmed where they were armed for"

@@ -43,7 +43,9 @@ public class RecordingController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "List the recordings, newest first, and the room that they take")
+    @Operation(
+            operationId = "listRecordings",
+            summary = "List the recordings, newest first, and the room that they take")
     public RecordingView.Page recordings(
             @Parameter(description = "only those of this drone") @RequestParam(required = false) @Nullable
                     String drone) {
@@ -52,14 +54,16 @@ public class RecordingController {
 
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Look at one recording")
+    @Operation(operationId = "getRecording", summary = "Look at one recording")
     public RecordingView recording(@PathVariable String id) {
         return recordings.recording(current.principal(), id);
     }
 
     @GetMapping("/{id}/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
+    @Answers(refuses = 409)
     @Operation(
+            operationId = "getRecordingFile",
             summary = "Download a recording",
             description = "While the flight goes on: all that was heard so far. A tlog, which"
                     + " other programs read, or of robots a line of JSON for each message (.jsonl).")
@@ -72,7 +76,9 @@ public class RecordingController {
 
     @GetMapping("/{id}/sent")
     @Access(from = From.VIEWER, about = About.DRONE)
+    @Answers(refuses = 409)
     @Operation(
+            operationId = "getRecordingSent",
             summary = "Download who sent what in a recording (tab-separated)",
             description = "A line for each frame that went to the vehicle: its place in the file of the recording"
                     + " (bytes), the command that it was sent for, the epoch of control, and the user.")
@@ -108,7 +114,8 @@ public class RecordingController {
 
     @PostMapping("/{id}/replays")
     @Access(from = From.OPERATOR, about = About.ORGANISATION, costs = Cost.EXPORT)
-    @Operation(summary = "Play a recording on the map (operator)")
+    @Answers(202)
+    @Operation(operationId = "replayRecording", summary = "Play a recording on the map (operator)")
     public ResponseEntity<ReplayView> replay(
             @PathVariable String id,
             @Parameter(description = "1 to 100 times real time") @RequestParam(required = false) @Nullable Double speed)
@@ -122,7 +129,7 @@ public class RecordingController {
     @DeleteMapping("/{id}")
     @Access(from = From.OPERATOR, about = About.DRONE)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Delete a recording for ever (operator)")
+    @Operation(operationId = "deleteRecording", summary = "Delete a recording for ever (operator)")
     public void delete(
             @PathVariable String id,
             @Parameter(description = "must be true") @RequestParam(required = false) @Nullable Boolean confirm)

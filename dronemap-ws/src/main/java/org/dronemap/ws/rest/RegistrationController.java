@@ -45,7 +45,10 @@ public class RegistrationController {
 
     @GetMapping
     @Access(from = From.ANYBODY, about = About.NONE)
-    @Operation(summary = "How accounts are made here", description = "approval, invitation or off; needs no sign-in.")
+    @Operation(
+            operationId = "getRegistrationPolicy",
+            summary = "How accounts are made here",
+            description = "approval, invitation or off; needs no sign-in.")
     public Policy policy() {
         return new Policy(
                 registrations.policyName(), oidc.map(OidcSignIn::label).orElse(null));
@@ -53,7 +56,9 @@ public class RegistrationController {
 
     @PostMapping
     @Access(from = From.ANYBODY, about = About.NONE, audit = Audit.RECORDED_WITH_PLACE)
+    @Answers({201, 202})
     @Operation(
+            operationId = "register",
             summary = "Ask for an account",
             description = "Needs no sign-in. 201: with an invitation, sign in now. 202: an administrator decides."
                     + " At most ten from one address in ten minutes.")

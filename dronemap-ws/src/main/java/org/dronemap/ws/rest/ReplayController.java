@@ -46,7 +46,9 @@ public class ReplayController {
 
     @PostMapping
     @Access(from = From.OPERATOR, about = About.ORGANISATION, costs = Cost.EXPORT)
+    @Answers(value = 202, refuses = 404)
     @Operation(
+            operationId = "startReplay",
             summary = "Play a recording (operator)",
             description = "The body is the tlog, up to 512 MB, as application/octet-stream.")
     public ResponseEntity<ReplayView> start(
@@ -62,14 +64,14 @@ public class ReplayController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.ORGANISATION, costs = Cost.EXPORT)
-    @Operation(summary = "List the replays")
+    @Operation(operationId = "listReplays", summary = "List the replays")
     public Replays replays() {
         return new Replays(replays.replays(current.principal()));
     }
 
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.ORGANISATION)
-    @Operation(summary = "Look at one replay")
+    @Operation(operationId = "getReplay", summary = "Look at one replay")
     public ReplayView replay(@PathVariable String id) {
         return replays.replay(current.principal(), id);
     }
@@ -77,7 +79,7 @@ public class ReplayController {
     @DeleteMapping("/{id}")
     @Access(from = From.OPERATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "End a replay and remove its drones (operator)")
+    @Operation(operationId = "removeReplay", summary = "End a replay and remove its drones (operator)")
     public void remove(@PathVariable String id) {
         replays.remove(current.principal(), id);
     }

@@ -41,14 +41,16 @@ public class RobotKeyController {
 
     @GetMapping
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "List the keys of robots (administrator)")
+    @Operation(operationId = "listRobotKeys", summary = "List the keys of robots (administrator)")
     public RobotKeys robotKeys() {
         return new RobotKeys(keys.keys(current.principal()));
     }
 
     @PostMapping
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Answers(value = 201, refuses = 404)
     @Operation(
+            operationId = "issueRobotKey",
             summary = "Issue the key of a robot (administrator)",
             description =
                     "The key is in this answer and never shown again. With \"drone\" it replaces that robot's key,"
@@ -64,6 +66,7 @@ public class RobotKeyController {
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
+            operationId = "revokeRobotKey",
             summary = "Revoke the key of a robot (administrator)",
             description = "Its links end at once. Its drone stays, with all that is known of it.")
     public void revoke(@PathVariable String id) {

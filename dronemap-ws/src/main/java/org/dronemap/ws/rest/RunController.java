@@ -54,6 +54,7 @@ public class RunController {
     @GetMapping
     @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(
+            operationId = "listRuns",
             summary = "List mission runs",
             description = "Those of your organisation all of whose drones you see: under way, and the newest that are"
                     + " over. Forgotten 90 days after their end.")
@@ -64,6 +65,7 @@ public class RunController {
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.SHARED)
     @Operation(
+            operationId = "getRun",
             summary = "Look at one mission run",
             description = "How it stands with each waypoint and drone, and what was decided why.")
     public RunView one(@PathVariable String id) {
@@ -72,7 +74,9 @@ public class RunController {
 
     @PostMapping
     @Access(from = From.OPERATOR, about = About.SHARED)
+    @Answers(value = 201, refuses = 404)
     @Operation(
+            operationId = "startRun",
             summary = "Fly a plan (operator)",
             description =
                     "Takes control of the plan's drones, brings them their missions, starts them and conducts them to the"
@@ -86,6 +90,7 @@ public class RunController {
     @PostMapping("/{id}/waypoints")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "addRunWaypoints",
             summary = "Add waypoints to a mission run (operator)",
             description = "Shared out among the drones that fly.")
     public RunView add(@PathVariable String id, @RequestBody RunRequest.WaypointsRequest request) {
@@ -95,6 +100,7 @@ public class RunController {
     @PatchMapping("/{id}/waypoints/{waypoint}")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "moveRunWaypoint",
             summary = "Move a waypoint of a mission run (operator)",
             description = "What is left out of latitude, longitude and altitude stays; one of them is needed.")
     public RunView move(
@@ -104,7 +110,7 @@ public class RunController {
 
     @DeleteMapping("/{id}/waypoints/{waypoint}")
     @Access(from = From.OPERATOR, about = About.SHARED)
-    @Operation(summary = "Cancel a waypoint of a mission run (operator)")
+    @Operation(operationId = "cancelRunWaypoint", summary = "Cancel a waypoint of a mission run (operator)")
     public RunView cancel(@PathVariable String id, @PathVariable String waypoint) {
         return runs.cancel(current.principal(), id, waypoint);
     }
@@ -112,6 +118,7 @@ public class RunController {
     @PostMapping("/{id}/barriers")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "addRunBarrier",
             summary = "Add a zone to a mission run (operator)",
             description =
                     "A GeoJSON feature as of a zone of the cloud; binds all drones of the run at once, until it is over.")
@@ -122,6 +129,7 @@ public class RunController {
     @PostMapping("/{id}/drones")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "joinRun",
             summary = "Have a further drone join a mission run (operator)",
             description = "One that stands on the ground and that nobody else has control of.")
     public RunView join(@PathVariable String id, @RequestBody RunRequest.JoinRequest request) {
@@ -131,6 +139,7 @@ public class RunController {
     @PostMapping("/{id}/drones/{drone}/resume")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "resumeRunDrone",
             summary = "Give a drone back to its mission run (operator)",
             description = "One that a pilot or somebody else took. Nothing else gives control back to the run.")
     public RunView resume(@PathVariable String id, @PathVariable String drone) {
@@ -140,6 +149,7 @@ public class RunController {
     @PostMapping("/{id}/drones/{drone}/give-up")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "giveUpRunDrone",
             summary = "Take a drone out of a mission run (operator)",
             description = "It is called home, and others fly its waypoints.")
     public RunView giveUp(@PathVariable String id, @PathVariable String drone) {
@@ -149,6 +159,7 @@ public class RunController {
     @PostMapping("/{id}/answers/{proposal}")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "answerRun",
             summary = "Answer a proposal of a mission run (operator)",
             description = "By its number. 409 when another one waits by now, or none.")
     public RunView answer(
@@ -159,6 +170,7 @@ public class RunController {
     @PostMapping("/{id}/pause")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "pauseRun",
             summary = "Pause a mission run (operator)",
             description = "Its drones in the air hold where they are, those on the ground stay there; who is on its way"
                     + " home, or has nothing left to visit, comes down. 409 when it is paused already.")
@@ -169,6 +181,7 @@ public class RunController {
     @PostMapping("/{id}/continue")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "continueRun",
             summary = "Let a paused mission run go on (operator)",
             description = "All go on where they stopped. 409 when it is not paused.")
     public RunView goOn(@PathVariable String id) {
@@ -178,6 +191,7 @@ public class RunController {
     @PostMapping("/{id}/stop")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "stopRun",
             summary = "Stop a mission run (operator)",
             description = "Its drones return; it is over when all are down.")
     public RunView stop(@PathVariable String id) {
@@ -187,6 +201,7 @@ public class RunController {
     @GetMapping("/{id}/journal")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "getRunJournal",
             summary = "Read the journal of a mission run (operator)",
             description = "All that befell it and what it decided, up to 200 entries at once.")
     public RunJournalService.JournalView journal(
@@ -201,6 +216,7 @@ public class RunController {
     @GetMapping("/{id}/journal/replay")
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Operation(
+            operationId = "replayRunJournal",
             summary = "Replay the journal of a mission run (operator)",
             description =
                     "Decides once more on all that befell it, and tells the first decision that differs by a letter.")

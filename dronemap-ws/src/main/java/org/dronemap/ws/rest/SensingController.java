@@ -34,6 +34,7 @@ public class SensingController {
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
+            operationId = "getSensed",
             summary = "Look at what its sensors brought last",
             description = "Each kind is counted; the drone in the stream says the newest numbers.")
     public SensedView sensed(@PathVariable String id) {
@@ -42,14 +43,22 @@ public class SensingController {
 
     @GetMapping("/picture")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "The newest picture of its camera", description = "JPEG or PNG; 204 when there was none yet.")
+    @Answers({200, 204})
+    @Operation(
+            operationId = "getSensedPicture",
+            summary = "The newest picture of its camera",
+            description = "JPEG or PNG; 204 when there was none yet.")
     public ResponseEntity<byte[]> picture(@PathVariable String id) {
         return answer(sensing.picture(current.principal(), id));
     }
 
     @GetMapping("/map")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Its map, drawn from above", description = "JPEG or PNG; 204 when there was none yet.")
+    @Answers({200, 204})
+    @Operation(
+            operationId = "getSensedMap",
+            summary = "Its map, drawn from above",
+            description = "JPEG or PNG; 204 when there was none yet.")
     public ResponseEntity<byte[]> map(@PathVariable String id) {
         return answer(sensing.map(current.principal(), id));
     }

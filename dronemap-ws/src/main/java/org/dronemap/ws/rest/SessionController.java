@@ -39,7 +39,11 @@ public class SessionController {
 
     @PostMapping
     @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED_WITH_PLACE)
-    @Operation(summary = "Sign in", description = "After five wrong passwords in a row: 429 for 30 s.")
+    @Answers(refuses = {401, 403})
+    @Operation(
+            operationId = "signIn",
+            summary = "Sign in",
+            description = "After five wrong passwords in a row: 429 for 30 s.")
     public ResponseEntity<Authentication.SessionView> signIn(
             @RequestBody Authentication.Credentials credentials, HttpServletRequest request) {
         Authentication.NewSession session = authentication.signIn(credentials, request.getRemoteAddr());
@@ -50,14 +54,18 @@ public class SessionController {
 
     @GetMapping
     @Access(from = From.SIGNED_IN, about = About.OWN)
-    @Operation(summary = "Who is signed in")
+    @Operation(operationId = "getSession", summary = "Who is signed in")
     public Authentication.SessionView session() {
         return authentication.session(current.signedIn());
     }
 
     @DeleteMapping
     @Access(from = From.SIGNED_IN, about = About.OWN)
-    @Operation(summary = "Sign out", description = "Ends this session, and the streams that were opened with it.")
+    @Answers(204)
+    @Operation(
+            operationId = "signOut",
+            summary = "Sign out",
+            description = "Ends this session, and the streams that were opened with it.")
     public ResponseEntity<Void> signOut(HttpServletRequest request) {
         SignedIn caller = current.signedIn();
         authentication.signOut(caller);
@@ -69,7 +77,9 @@ public class SessionController {
 
     @PostMapping("/password")
     @Access(from = From.SIGNED_IN, about = About.OWN)
+    @Answers(204)
     @Operation(
+            operationId = "changePassword",
             summary = "Change one's own password",
             description =
                     "Ends all other sessions of the user. After five wrong present passwords in a row: 429 for 30 s.")
@@ -83,7 +93,9 @@ public class SessionController {
 
     @PostMapping("/sign-out-everywhere")
     @Access(from = From.SIGNED_IN, about = About.OWN)
+    @Answers(204)
     @Operation(
+            operationId = "signOutEverywhere",
             summary = "Sign out everywhere",
             description = "Ends all one's own sessions, this one too, and their open streams; access keys stay.")
     public ResponseEntity<Void> signOutEverywhere(HttpServletRequest request) {

@@ -31,7 +31,10 @@ public class StreamTicketController {
 
     @PostMapping
     @Access(from = From.VIEWER, about = About.OWN)
-    @Operation(summary = "Get a ticket for the stream", description = "Good for one connection within 30 s.")
+    @Operation(
+            operationId = "makeStreamTicket",
+            summary = "Get a ticket for the stream",
+            description = "Good for one connection within 30 s.")
     public Ticket ticket() {
         return new Ticket(tickets.issue(current.signedIn()));
     }

@@ -30,28 +30,33 @@ public class SystemController {
 
     @GetMapping("/health")
     @Access(from = From.ANYBODY, about = About.NONE)
-    @Operation(summary = "Is the server well? (no sign-in)", description = "ready counts the drones that can be armed.")
+    @Operation(
+            operationId = "getHealth",
+            summary = "Is the server well? (no sign-in)",
+            description = "ready counts the drones that can be armed.")
     public HealthView health() {
         return system.health();
     }
 
     @GetMapping("/health/parts")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "How each part of the server is, and why it ended last (administrator)")
+    @Operation(
+            operationId = "getHealthParts",
+            summary = "How each part of the server is, and why it ended last (administrator)")
     public HealthView.Details parts() {
         return system.details(current.principal());
     }
 
     @GetMapping("/history")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "Is all that drones do written down? (administrator)")
+    @Operation(operationId = "getHistory", summary = "Is all that drones do written down? (administrator)")
     public HistoryService.HistoryView history() {
         return history.status(current.principal());
     }
 
     @GetMapping("/settings")
     @Access(from = From.VIEWER, about = About.NONE)
-    @Operation(summary = "What a client has to know of the server")
+    @Operation(operationId = "getSettings", summary = "What a client has to know of the server")
     public SystemService.SettingsView settings() {
         current.requireSignedIn();
         return system.settings();

@@ -46,6 +46,7 @@ public class TelemetryController {
     @GetMapping("/telemetry")
     @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
+            operationId = "getDroneTelemetry",
             summary = "Look at numbers over time",
             description =
                     "For each of the fields the least and the greatest value of each slot, 1000 slots unless asked"
@@ -57,6 +58,7 @@ public class TelemetryController {
     @GetMapping("/telemetry/points")
     @Access(from = From.VIEWER, about = About.DRONE)
     @Operation(
+            operationId = "listDroneTelemetryPoints",
             summary = "Look at states over time",
             description =
                     "All that are kept, or when these are more than most (1 to 20000, usually 5000), so many evenly"
@@ -67,7 +69,9 @@ public class TelemetryController {
 
     @GetMapping("/telemetry/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
+    @Answers(refuses = 409)
     @Operation(
+            operationId = "exportDroneTelemetry",
             summary = "Take telemetry along as a file",
             description =
                     "form: csv, geojson, kml, gpx, parquet (the columns of the archive) or tlog (where it was recorded).")
@@ -82,7 +86,10 @@ public class TelemetryController {
 
     @GetMapping("/events")
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "Look at what happened to a drone", description = "Oldest first, at most 5000.")
+    @Operation(
+            operationId = "listDroneEvents",
+            summary = "Look at what happened to a drone",
+            description = "Oldest first, at most 5000.")
     public EventView.Events events(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearch search) {
         return telemetry.events(telemetry.drone(current.principal(), id), search);
     }

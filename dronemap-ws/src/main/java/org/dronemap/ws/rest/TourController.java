@@ -30,7 +30,9 @@ public class TourController {
 
     @PostMapping
     @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers(refuses = 404)
     @Operation(
+            operationId = "orderTour",
             summary = "Put the waypoints of one drone into a good order (planner)",
             description = "From where the drone is, round the zones that bind it; nothing is sent to it. Answered after"
                     + " the seconds of the search, at once where there are few waypoints. 409 while another one of"

@@ -47,14 +47,19 @@ public class UserController {
 
     @GetMapping
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "List the users", description = "With those who wait until they are let in.")
+    @Operation(
+            operationId = "listUsers",
+            summary = "List the users",
+            description = "With those who wait until they are let in.")
     public Users users() {
         return new Users(users.users(current.principal()));
     }
 
     @PostMapping
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Answers(201)
     @Operation(
+            operationId = "addUser",
             summary = "Add a user",
             description = "The password serves for the first sign-in; the user then has to take another one.")
     public ResponseEntity<UserView> add(@RequestBody UserService.NewUser request) {
@@ -64,6 +69,7 @@ public class UserController {
     @PatchMapping("/{name}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(
+            operationId = "changeUser",
             summary = "Change a user's role, let a waiting one in, disable one",
             description = "Disabling ends sessions and streams and makes access keys void until the user is active"
                     + " again.")
@@ -74,6 +80,7 @@ public class UserController {
     @PostMapping("/{name}/password")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @Operation(
+            operationId = "resetPassword",
             summary = "Give a user a one-time password",
             description = "It is in this answer and never shown again; it serves until the user has taken another one.")
     public UserService.OneTimePassword resetPassword(@PathVariable String name) {
@@ -83,14 +90,20 @@ public class UserController {
     @PostMapping("/{name}/sign-out")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "End all sessions of a user", description = "Access keys stay; see those.")
+    @Operation(
+            operationId = "signOutUser",
+            summary = "End all sessions of a user",
+            description = "Access keys stay; see those.")
     public void signOut(@PathVariable String name) {
         users.signOut(current.principal(), name);
     }
 
     @GetMapping("/{name}/access-keys")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Operation(summary = "List a user's access keys", description = "What they may do and when they were last used.")
+    @Operation(
+            operationId = "listUserAccessKeys",
+            summary = "List a user's access keys",
+            description = "What they may do and when they were last used.")
     public AccessKeyController.Keys accessKeys(@PathVariable String name) {
         return new AccessKeyController.Keys(keys.keysOf(current.principal(), name));
     }
@@ -98,7 +111,7 @@ public class UserController {
     @DeleteMapping("/{name}/access-keys/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove an access key of a user, with those made from it")
+    @Operation(operationId = "deleteUserAccessKey", summary = "Remove an access key of a user, with those made from it")
     public void deleteAccessKey(@PathVariable String name, @PathVariable String id) {
         keys.deleteKeyOf(current.principal(), name, id);
     }
@@ -106,7 +119,7 @@ public class UserController {
     @DeleteMapping("/{name}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove a user with sessions and keys")
+    @Operation(operationId = "deleteUser", summary = "Remove a user with sessions and keys")
     public void delete(@PathVariable String name) {
         users.delete(current.principal(), name);
     }

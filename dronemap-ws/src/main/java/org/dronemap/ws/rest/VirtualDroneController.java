@@ -47,21 +47,26 @@ public class VirtualDroneController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.SHARED)
-    @Operation(summary = "List your virtual drones", description = "Supervisors see those of all users.")
+    @Operation(
+            operationId = "listVirtualDrones",
+            summary = "List your virtual drones",
+            description = "Supervisors see those of all users.")
     public VirtualDroneList all() {
         return new VirtualDroneList(virtuals.all(current.principal()));
     }
 
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.SHARED)
-    @Operation(summary = "Look at one virtual drone")
+    @Operation(operationId = "getVirtualDrone", summary = "Look at one virtual drone")
     public VirtualDroneView one(@PathVariable String id) {
         return virtuals.one(current.principal(), id);
     }
 
     @PostMapping
     @Access(from = From.PLANNER, about = About.SHARED)
+    @Answers(201)
     @Operation(
+            operationId = "addVirtualDrone",
             summary = "Make a virtual drone (planner)",
             description = "With what it needs, and its mission if it is known.")
     public ResponseEntity<VirtualDroneView> add(@RequestBody VirtualDroneRequest request) {
@@ -73,6 +78,7 @@ public class VirtualDroneController {
     @PutMapping("/{id}")
     @Access(from = From.PLANNER, about = About.SHARED)
     @Operation(
+            operationId = "replaceVirtualDrone",
             summary = "Name it, say what it needs, plan its mission (planner)",
             description = "Holds from the next start on. No drone needs to be there.")
     public VirtualDroneView replace(@PathVariable String id, @RequestBody VirtualDroneRequest request) {
@@ -82,7 +88,10 @@ public class VirtualDroneController {
     @DeleteMapping("/{id}")
     @Access(from = From.PLANNER, about = About.SHARED)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove a virtual drone (planner)", description = "Only while its mission is not under way.")
+    @Operation(
+            operationId = "removeVirtualDrone",
+            summary = "Remove a virtual drone (planner)",
+            description = "Only while its mission is not under way.")
     public void remove(@PathVariable String id) {
         virtuals.remove(current.principal(), id);
     }
@@ -91,6 +100,7 @@ public class VirtualDroneController {
     @Access(from = From.OPERATOR, about = About.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
+            operationId = "startVirtualDrone",
             summary = "Have its mission flown (operator)",
             description = "By the best drone that is free; else it waits, and its place in the queue is told.")
     public VirtualDroneView start(
@@ -103,6 +113,7 @@ public class VirtualDroneController {
     @Access(from = From.OPERATOR, about = About.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
+            operationId = "stopVirtualDrone",
             summary = "Stop its mission (operator; supervisors any)",
             description = "The drone that serves it comes home.")
     public VirtualDroneView stop(@PathVariable String id) {
@@ -113,6 +124,7 @@ public class VirtualDroneController {
     @Access(from = From.OPERATOR, about = About.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
+            operationId = "resumeVirtualDrone",
             summary = "Go on with what is not flown yet (operator)",
             description = "After somebody who goes first took the drone, or drone after drone could not go on.")
     public VirtualDroneView resume(@PathVariable String id) {

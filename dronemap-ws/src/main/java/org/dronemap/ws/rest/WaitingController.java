@@ -43,14 +43,15 @@ public class WaitingController {
 
     @GetMapping
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "List the vehicles that wait (administrator)")
+    @Operation(operationId = "listWaiting", summary = "List the vehicles that wait (administrator)")
     public Waitings waiting() {
         return new Waitings(waiting.waiting(current.principal()));
     }
 
     @PostMapping("/{id}/enrol")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Operation(summary = "Let a vehicle in as a drone (administrator)")
+    @Answers(201)
+    @Operation(operationId = "enrolWaiting", summary = "Let a vehicle in as a drone (administrator)")
     public ResponseEntity<DroneView> enrol(
             @PathVariable String id, @RequestBody(required = false) WaitingService.@Nullable EnrolRequest request) {
         DroneView drone =
@@ -64,6 +65,7 @@ public class WaitingController {
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
+            operationId = "dismissWaiting",
             summary = "Take a vehicle off the list (administrator)",
             description = "It comes again when it is heard.")
     public void dismiss(@PathVariable String id) {

@@ -34,7 +34,10 @@ public class WarehouseController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
-    @Operation(summary = "List the drones of the warehouse", description = "Those that you may see.")
+    @Operation(
+            operationId = "listWarehouse",
+            summary = "List the drones of the warehouse",
+            description = "Those that you may see.")
     public WarehouseService.WarehouseView all() {
         return warehouse.warehouse(current.principal());
     }
@@ -42,6 +45,7 @@ public class WarehouseController {
     @GetMapping("/{id}/prospects")
     @Access(from = From.OPERATOR, about = About.DRONE)
     @Operation(
+            operationId = "getProspects",
             summary = "What would follow if a drone were put into the warehouse (operator)",
             description =
                     "What waits for a drone, the first in turn first, and what this one would arm and take off for at"
@@ -52,7 +56,7 @@ public class WarehouseController {
 
     @PutMapping("/{id}")
     @Access(from = From.SUPERVISOR, about = About.DRONE)
-    @Operation(summary = "Let a drone serve virtual ones (supervisor)")
+    @Operation(operationId = "putIntoWarehouse", summary = "Let a drone serve virtual ones (supervisor)")
     public WarehouseService.WarehouseView put(@PathVariable String id) {
         return warehouse.put(current.principal(), id);
     }
@@ -61,6 +65,7 @@ public class WarehouseController {
     @Access(from = From.SUPERVISOR, about = About.DRONE)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
+            operationId = "takeFromWarehouse",
             summary = "Let a drone serve virtual ones no more (supervisor)",
             description = "What it serves now it serves to the end.")
     public void take(@PathVariable String id) {

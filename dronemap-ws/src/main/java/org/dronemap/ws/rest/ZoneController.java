@@ -41,21 +41,23 @@ public class ZoneController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.SHARED)
-    @Operation(summary = "List the zones", description = "A GeoJSON FeatureCollection.")
+    @Operation(operationId = "listZones", summary = "List the zones", description = "A GeoJSON FeatureCollection.")
     public ZoneFeature.ZoneCollection zones() {
         return zones.zones(current.principal());
     }
 
     @GetMapping("/{id}")
     @Access(from = From.VIEWER, about = About.SHARED)
-    @Operation(summary = "Look at one zone")
+    @Operation(operationId = "getZone", summary = "Look at one zone")
     public ZoneFeature zone(@PathVariable String id) {
         return zones.zone(current.principal(), id);
     }
 
     @PostMapping
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
+    @Answers(201)
     @Operation(
+            operationId = "addZone",
             summary = "Add a zone (supervisor)",
             description = "A GeoJSON feature: a Polygon with one ring, or a Point with properties.radius.")
     public ResponseEntity<ZoneFeature> add(@RequestBody ZoneFeature zone) {
@@ -67,6 +69,7 @@ public class ZoneController {
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
     @ResponseStatus(HttpStatus.CREATED)
     @Operation(
+            operationId = "importZones",
             summary = "Add the zones of a GeoJSON or KML file (supervisor)",
             description = "All of them, or none. Members of other programs are passed over, a MultiPolygon becomes"
                     + " several zones, what has no name gets one.")
@@ -76,7 +79,10 @@ public class ZoneController {
 
     @PutMapping("/{id}")
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
-    @Operation(summary = "Replace a zone (supervisor)", description = "Binds at once, drones in flight too.")
+    @Operation(
+            operationId = "replaceZone",
+            summary = "Replace a zone (supervisor)",
+            description = "Binds at once, drones in flight too.")
     public ZoneFeature replace(@PathVariable String id, @RequestBody ZoneFeature zone) {
         return zones.replace(current.principal(), id, zone);
     }
@@ -84,7 +90,7 @@ public class ZoneController {
     @DeleteMapping("/{id}")
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove a zone (supervisor)")
+    @Operation(operationId = "deleteZone", summary = "Remove a zone (supervisor)")
     public void delete(@PathVariable String id) {
         zones.delete(current.principal(), id);
     }

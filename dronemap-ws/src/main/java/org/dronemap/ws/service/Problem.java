@@ -8,12 +8,18 @@ import org.jspecify.annotations.Nullable;
 
 /** A rejection as clients see it (RFC 9457). */
 @JsonInclude(JsonInclude.Include.NON_NULL)
-@Schema(description = "Why a request was not carried out (RFC 9457); the detail is a sentence for people.")
+@Schema(
+        name = "Problem",
+        description = "Why a request was not carried out (RFC 9457); the detail is a sentence for people.")
 public record Problem(
-        String type,
-        String title,
-        int status,
-        String detail,
+        @Schema(requiredMode = Schema.RequiredMode.REQUIRED) String type,
+
+        @Schema(requiredMode = Schema.RequiredMode.REQUIRED) String title,
+
+        @Schema(requiredMode = Schema.RequiredMode.REQUIRED) int status,
+
+        @Schema(requiredMode = Schema.RequiredMode.REQUIRED) String detail,
+
         @Nullable String field,
         @Nullable String allowed,
         @Nullable String commandId,

@@ -22,6 +22,7 @@ import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.ControlController;
 import org.dronemap.ws.rest.DescribedNulls;
 import org.dronemap.ws.rest.DescribedRecords;
+import org.dronemap.ws.rest.DescribedStatuses;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.FenceController;
@@ -215,6 +216,11 @@ public class RestConfiguration {
     @Bean
     DescribedRecords describedRecords() {
         return new DescribedRecords();
+    }
+
+    @Bean
+    DescribedStatuses describedStatuses() {
+        return new DescribedStatuses();
     }
 
     @Bean

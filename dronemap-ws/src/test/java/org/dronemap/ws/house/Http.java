@@ -59,8 +59,9 @@ public final class Http {
             builder.header("Authorization", "Bearer " + key);
         }
         try {
-            HttpResponse<String> response =
-                    CLIENT.send(how.apply(builder).build(), HttpResponse.BodyHandlers.ofString());
+            HttpRequest request = how.apply(builder).build();
+            HttpResponse<String> response = CLIENT.send(request, HttpResponse.BodyHandlers.ofString());
+            ListedStatuses.check(request.method(), request.uri().getRawPath(), response.statusCode());
             boolean isJson = response.headers()
                     .firstValue("Content-Type")
                     .map(type -> type.contains("json") && !type.contains("jsonl"))
