@@ -106,7 +106,7 @@ class Relay:
 
     def _is_news(self, method: str, path: str) -> bool:
         """A page asks again and again: once between two things that a person does is enough."""
-        # What rules and runs ordered meanwhile is among a drone's orders, in an order that is a matter of luck.
+        # What rules and runs ordered meanwhile is among the orders of a drone, as luck has it.
         if (method, path) in self._asked or (method == "GET" and path.split("?")[0].endswith("/commands")):
             return False
         if method != "GET" and not path.endswith("/heartbeat"):
