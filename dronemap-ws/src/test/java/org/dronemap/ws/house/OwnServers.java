@@ -5,7 +5,7 @@ import java.util.List;
 /** The classes of tests that start servers of their own, how many, and why the shared one will not do. */
 public final class OwnServers {
     /** In one run of the module's tests. */
-    public static final int MOST = 15;
+    public static final int MOST = 16;
 
     /** Each JVM that tests run in has a shared one: two, as there are on a machine of two cores. */
     public static final int SHARED = 2;
@@ -14,6 +14,7 @@ public final class OwnServers {
             new Own("AccessTest", 1, "open to the network, and its first password is changed"),
             new Own("CanaryTest", 1, "looks for secrets in all that a server logs from its start to its end"),
             new Own("DeedTrial", 2, "signs in with a provider; two classes of tests extend it"),
+            new Own("ExchangesTest", 1, "replays what was recorded on a server that had seen nothing before"),
             new Own("FloodTest", 1, "bounds the work of users, and wrong passwords shut its address out for a while"),
             new Own("HiddenDroneTest", 1, "looks for the words of one drone in all that a server tells"),
             new Own("OidcTest", 2, "signs in with a provider, with roles of its own and with accounts that wait"),

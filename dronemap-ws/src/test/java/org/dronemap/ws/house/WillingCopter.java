@@ -47,6 +47,7 @@ public final class WillingCopter {
     private final ScriptedVehicle vehicle;
     private final Geodetic stand;
     private volatile @Nullable Class<? extends Command> unwilling;
+    private volatile Runnable before = () -> {};
     private volatile boolean armed;
     private volatile boolean grounded;
 
@@ -91,7 +92,13 @@ public final class WillingCopter {
         unwilling = kind;
     }
 
+    /** Does this before it does what it is told. */
+    void waitsFor(Runnable first) {
+        before = first;
+    }
+
     private Outcome obey(Command command) {
+        before.run();
         Class<? extends Command> not = unwilling;
         if (not != null && not.isInstance(command)) {
             return new Outcome.Failed("It does not want to.");

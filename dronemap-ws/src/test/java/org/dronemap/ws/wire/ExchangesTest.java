@@ -1,0 +1,211 @@
+package org.dronemap.ws.wire;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dronemap.ws.house.Gate;
+import org.dronemap.ws.house.GatedPlans;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ObedientCopter;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.wiring.StreamPort;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * What curl, zeep, PHP's SoapClient and the page in a browser said to a server once is said again, in the same order, to a
+ * server with two copters that do at once what they are told. What is answered is compared with the files, to the letter.
+ */
+class ExchangesTest {
+    private static final String FOLDER = "exchanges";
+    private static final List<String> TOLD =
+            List.of("Allow", "Location", "Retry-After", "Set-Cookie", "WWW-Authenticate");
+    /** For all looks together that wait for what a server does beside its answers. */
+    private static final Duration PATIENCE = Duration.ofSeconds(6);
+
+    private final List<ObedientCopter> copters = new ArrayList<>();
+    private final Gate acting = new Gate();
+    private final Gate planning = new Gate();
+    private final Placeholders names = new Placeholders();
+    private Duration patience = PATIENCE;
+
+    @Test
+    void areAnsweredAsApproved(@TempDir Path data) throws IOException {
+        List<Exchange> exchanges = recorded();
+        try (TestHouse house = new TestHouse(data, false)) {
+            GatedPlans.of(house, planning);
+            copters.add(new ObedientCopter(house.cloud(), 14_551, "ArduCopter 1", acting));
+            copters.add(new ObedientCopter(house.cloud(), 14_552, "ArduCopter 2", acting));
+            names.bind(
+                    "<local-key>", Files.readString(data.resolve("local-key")).strip());
+            names.bind(
+                    "<first-password>",
+                    Files.readString(data.resolve("first-password.txt")).split("\\s")[1]);
+            names.bind(
+                    "<stream-port>", String.valueOf(house.bean(StreamPort.class).number()));
+            names.bind("<port>", String.valueOf(house.httpPort()));
+
+            replay(exchanges, new Http(house, ""));
+        }
+    }
+
+    private void replay(List<Exchange> exchanges, Http nobody) {
+        List<String> different = new ArrayList<>();
+        int highest = Placeholders.highest(exchanges);
+        String chosen = exchanges.stream().map(Exchange::asked).collect(Collectors.joining());
+        for (Exchange exchange : exchanges) {
+            String actual = asked(exchange, nobody);
+            names.learn(exchange.answer(), actual);
+            if (Approved.isApproving()) {
+                highest = names.name(actual, chosen, highest);
+            }
+            String shown = names.shown(actual);
+            if (Approved.isApproving()) {
+                Approved.write(Approved.folder(FOLDER).resolve(exchange.name()), exchange.saying(shown));
+            } else if (!shown.equals(exchange.answer())) {
+                different.add(exchange.name() + difference(exchange.answer(), shown));
+            }
+        }
+        assertThat(different)
+                .as("If callers shall see this, approve it: docs/how-to-add/wire.md")
+                .isEmpty();
+    }
+
+    private String asked(Exchange exchange, Http nobody) {
+        if (exchange.isLook()) {
+            return looked(exchange, nobody);
+        }
+        Gate held = exchange.asksForAPlan() ? planning : exchange.waitsForNothing() ? acting : new Gate();
+        held.shut();
+        try {
+            return answer(exchange, nobody);
+        } finally {
+            held.open();
+            awaitOutcomes(nobody);
+            copters.forEach(ObedientCopter::comesDown);
+        }
+    }
+
+    /** Before anything else is asked, all orders have their outcome. */
+    private void awaitOutcomes(Http nobody) {
+        for (ObedientCopter copter : copters) {
+            Waiting.until(
+                    "all orders are carried out",
+                    () -> Optional.of(nobody.send(
+                                    "/api/v1/drones/" + copter.id() + "/commands?limit=10",
+                                    request ->
+                                            request.header("Authorization", "Bearer " + names.filled("<local-key>"))))
+                            .filter(answer -> !answer.raw().body().contains("\"outcome\":null")));
+        }
+    }
+
+    /** Taken again until it shows what is expected; when something else is to be written, until nothing changes any more. */
+    private String looked(Exchange exchange, Http nobody) {
+        long began = System.nanoTime();
+        String before = "";
+        String actual = answer(exchange, nobody);
+        while (!isExpected(exchange, actual)) {
+            Duration waited = Duration.ofNanos(System.nanoTime() - began);
+            if (Approved.isApproving() ? isSettled(exchange, before, actual, waited) : waited.compareTo(patience) > 0) {
+                break;
+            }
+            before = actual;
+            pause();
+            copters.forEach(ObedientCopter::comesDown);
+            actual = answer(exchange, nobody);
+        }
+        patience = patience.minusNanos(System.nanoTime() - began);
+        return actual;
+    }
+
+    private boolean isExpected(Exchange exchange, String actual) {
+        Placeholders tried = names.copy();
+        tried.learn(exchange.answer(), actual);
+        return tried.shown(actual).equals(exchange.answer());
+    }
+
+    private boolean isSettled(Exchange exchange, String before, String actual, Duration waited) {
+        boolean far = stateOf(names.shown(actual)).equals(stateOf(exchange.answer()));
+        boolean still = names.shown(before).equals(names.shown(actual));
+        return waited.compareTo(Duration.ofMillis(far && still ? 700 : 3_000)) > 0;
+    }
+
+    /** Of a plan, a run or a follow: it goes on by itself. */
+    private static String stateOf(String answer) {
+        return answer.lines()
+                .filter(line -> line.contains("\"state\" :") || line.contains("<state>"))
+                .findFirst()
+                .orElse("");
+    }
+
+    private static void pause() {
+        try {
+            Thread.sleep(30);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private String answer(Exchange exchange, Http nobody) {
+        String body = names.filled(exchange.body());
+        Http.Answer answer = nobody.send(names.filled(exchange.address()), request -> {
+            exchange.headers().forEach(header -> {
+                String[] parts = names.filled(header).split(": ?", 2);
+                request.header(parts[0], parts[1]);
+            });
+            return request.method(
+                    exchange.method(),
+                    body.isEmpty() ? HttpRequest.BodyPublishers.noBody() : HttpRequest.BodyPublishers.ofString(body));
+        });
+        return readable(answer.raw());
+    }
+
+    private static String readable(HttpResponse<String> answer) {
+        String type = answer.headers().firstValue("Content-Type").orElse("");
+        StringBuilder text = new StringBuilder((answer.statusCode() + " " + type).strip() + "\n");
+        for (String name : TOLD) {
+            answer.headers().allValues(name).forEach(value -> text.append(name + ": " + value + "\n"));
+        }
+        String body = answer.body();
+        if (type.contains("json") && !body.isEmpty()) {
+            body = PrettyJson.of(PrettyJson.tree(body));
+        } else if (type.contains("xml")) {
+            body = body.replace("><", ">\n<");
+        }
+        return (text + "\n" + body).stripTrailing() + "\n";
+    }
+
+    private static String difference(String expected, String actual) {
+        List<String> then = expected.lines().toList();
+        List<String> now = actual.lines().toList();
+        int at = 0;
+        while (at < then.size() && at < now.size() && then.get(at).equals(now.get(at))) {
+            at++;
+        }
+        return "\n  line " + (at + 1) + " of the answer was: " + line(then, at) + "\n  and is: " + line(now, at);
+    }
+
+    private static String line(List<String> lines, int at) {
+        return at < lines.size() ? lines.get(at) : "(nothing)";
+    }
+
+    private static List<Exchange> recorded() {
+        try (Stream<Path> files = Files.list(Approved.folder(FOLDER))) {
+            return files.sorted().map(Exchange::read).toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
