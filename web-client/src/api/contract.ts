@@ -2960,8 +2960,8 @@ export interface components {
             /** Format: int64 */
             latencyMillis: number | null;
             operation: string;
-            /** @description underWay, succeeded, refused, failed, timedOut, superseded or unknown */
-            outcome: string;
+            /** @enum {string} */
+            outcome: "underWay" | "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown";
             parameters: string;
             reason: string | null;
             /** Format: int64 */
@@ -2989,9 +2989,11 @@ export interface components {
             results: components["schemas"]["BroadcastResult"][];
         };
         CommandOutcomeView: {
-            by: string | null;
+            /** @enum {string|null} */
+            by: "gate" | "vehicle" | null;
             reason: string | null;
-            result: string;
+            /** @enum {string} */
+            result: "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown";
         };
         CommandParameterRequest: {
             name?: string | null;
@@ -3011,8 +3013,11 @@ export interface components {
              * @description takeOff, goTo, setHome: metres
              */
             altitude?: number | null;
-            /** @description goTo, setHome: home as it is now (the default) or amsl */
-            altitudeReference?: string | null;
+            /**
+             * @description goTo, setHome: home as it is now (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
             /**
              * Format: double
              * @description turn: degrees from where it looks now, clockwise when positive
@@ -3041,8 +3046,11 @@ export interface components {
             longitude?: number | null;
             /** @description setMode: one of the drone's modes */
             mode?: string | null;
-            /** @description startMission: what the vehicle does by itself when it no longer hears the cloud: continue (the default) or rtl */
-            onCloudLoss?: string | null;
+            /**
+             * @description startMission: what the vehicle does by itself when it no longer hears the cloud: continue (the default) or rtl
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
             /** @description setParameters: what is to be changed */
             parameters?: components["schemas"]["CommandParameterRequest"][] | null;
             /**
@@ -3050,10 +3058,13 @@ export interface components {
              * @description setRelay: 0 to 15
              */
             relay?: number | null;
-            /** @description setRelay: off, on or toggle */
-            setting?: string | null;
-            /** @description one of arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission, startMission, pauseMission, clearMission, turn, takePicture, setRelay, setHome, readHome, readParameters, setParameters, readLogs, goToLocal, emergencyStop, readMap */
-            type: string;
+            /**
+             * @description setRelay
+             * @enum {string|null}
+             */
+            setting?: "off" | "on" | "toggle" | null;
+            /** @enum {string} */
+            type: "arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "goTo" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "turn" | "takePicture" | "setRelay" | "setHome" | "readHome" | "readParameters" | "setParameters" | "readLogs" | "goToLocal" | "emergencyStop" | "readMap";
             /**
              * Format: double
              * @description goToLocal: metres along the x axis of the vehicle's own map
@@ -3080,10 +3091,12 @@ export interface components {
             finishedAt: string | null;
             id: string;
             outcome: components["schemas"]["CommandOutcomeView"] | null;
-            phase: string;
+            /** @enum {string} */
+            phase: "sent" | "accepted" | "done";
             progress: components["schemas"]["CommandProgressView"] | null;
             summary: string;
-            type: string;
+            /** @enum {string} */
+            type: "arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "emergencyStop" | "goTo" | "goToLocal" | "turn" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "setHome" | "readHome" | "takePicture" | "setRelay" | "readParameters" | "setParameters" | "setReturnHeight" | "returnOnLoss" | "setCloudLoss" | "putBack" | "readLogs" | "downloadLog" | "readFence" | "setFence" | "readRallyPoints" | "setRallyPoints" | "readMap";
             /** @description What may be a slip of the hand, such as a far place; told once, to who gave the command */
             warnings: string[];
         };
@@ -3122,8 +3135,11 @@ export interface components {
             requests: components["schemas"]["ControlAskedView"][];
             /** Format: date-time */
             since: string | null;
-            /** @description free; held: by the user in holder; pilot: by whoever flies it at the vehicle */
-            state: string;
+            /**
+             * @description held: by the user in holder; pilot: by whoever flies it at the vehicle
+             * @enum {string}
+             */
+            state: "free" | "held" | "pilot";
         };
         Credentials: {
             name?: string | null;
@@ -3160,10 +3176,12 @@ export interface components {
             /** Format: double */
             returnHeight: number | null;
             sentence: string;
-            state: string;
+            /** @enum {string} */
+            state: "set" | "notSet" | "cannotBeSet";
         };
         DroneGpsView: {
-            fix: string;
+            /** @enum {string} */
+            fix: "none" | "2D" | "3D" | "DGPS" | "RTK float" | "RTK fixed";
             /** Format: double */
             hdop: number | null;
             /** Format: int32 */
@@ -3178,7 +3196,8 @@ export interface components {
             longitude: number;
         };
         DroneIdentityView: {
-            evidence: string;
+            /** @enum {string} */
+            evidence: "address" | "hardware" | "signature" | "link";
             hardwareId: string | null;
             proved: boolean;
         };
@@ -3191,7 +3210,8 @@ export interface components {
             /** Format: int32 */
             port: number;
             quality: components["schemas"]["DroneQualityView"];
-            state: string;
+            /** @enum {string} */
+            state: "live" | "suspect" | "lost" | "ended";
             /** Format: int32 */
             systemId: number;
             transport: string;
@@ -3209,7 +3229,8 @@ export interface components {
         DroneMessageView: {
             /** Format: date-time */
             at: string;
-            severity: string;
+            /** @enum {string} */
+            severity: "emergency" | "alert" | "critical" | "error" | "warning" | "notice" | "info" | "debug";
             text: string;
         };
         DroneMissionView: {
@@ -3220,7 +3241,8 @@ export interface components {
             notice: string | null;
             reached: number[];
             running: boolean;
-            state: string | null;
+            /** @enum {string|null} */
+            state: "stopped" | "running" | "paused" | "complete" | null;
             /** Format: int32 */
             total: number | null;
         };
@@ -3280,12 +3302,14 @@ export interface components {
             cloudLoss: components["schemas"]["DroneCloudLossView"];
             control: components["schemas"]["ControlView"];
             firmware: string | null;
-            flight: string | null;
+            /** @enum {string|null} */
+            flight: "onGround" | "takingOff" | "inAir" | "landing" | null;
             gps: components["schemas"]["DroneGpsView"] | null;
             home: components["schemas"]["DroneHomeView"] | null;
             id: string;
             identity: components["schemas"]["DroneIdentityView"];
-            kind: string;
+            /** @enum {string} */
+            kind: "multicopter" | "helicopter" | "fixedWing" | "vtol" | "rover" | "boat" | "submarine" | "airship" | "unknown";
             /** Format: date-time */
             lastUpdate: string;
             link: components["schemas"]["DroneLinkView"];
@@ -3378,10 +3402,12 @@ export interface components {
             addedBy: string | null;
             counts: components["schemas"]["EndpointCounts"];
             id: string;
-            origin: string;
+            /** @enum {string} */
+            origin: "configured" | "added";
             peers: components["schemas"]["EndpointPeerView"][];
             reason: string | null;
-            state: string;
+            /** @enum {string} */
+            state: "open" | "connecting" | "failed";
             transport: string;
             url: string;
         };
@@ -3398,12 +3424,13 @@ export interface components {
             by: string | null;
             /** @description Id of the command */
             command: string | null;
-            /** @description armed, disarmed, mode, phase, message, command, mission or control */
-            kind: string;
+            /** @enum {string} */
+            kind: "armed" | "disarmed" | "mode" | "phase" | "message" | "command" | "mission" | "control";
             reason: string | null;
-            /** @description succeeded, refused, failed, timedOut, superseded or unknown */
-            result: string | null;
-            severity: string | null;
+            /** @enum {string|null} */
+            result: "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown" | null;
+            /** @enum {string|null} */
+            severity: "emergency" | "alert" | "critical" | "error" | "warning" | "notice" | "info" | "debug" | null;
             text: string;
         };
         Events: {
@@ -3441,11 +3468,12 @@ export interface components {
             inside?: boolean | null;
             /** Format: double */
             radius?: number | null;
-            type?: string | null;
+            /** @enum {string|null} */
+            type?: "polygon" | "circle" | null;
         };
         FieldSeries: {
-            least: number[];
-            most: number[];
+            least: (number | null)[];
+            most: (number | null)[];
             name: string;
             unit: string;
         };
@@ -3519,8 +3547,8 @@ export interface components {
             seconds: number;
             /** Format: date-time */
             start: string;
-            /** @description running, lost or ended */
-            state: string;
+            /** @enum {string} */
+            state: "running" | "lost" | "ended";
             takeOff: components["schemas"]["FlightSpotView"] | null;
             /** @description Who commanded it; empty: nobody here */
             users: string[];
@@ -3551,8 +3579,11 @@ export interface components {
              */
             height: number | null;
             phone: components["schemas"]["FollowPhoneView"] | null;
-            /** @description How the phone is reached on the stream: speaks; asleep, its page stands still; cut, it has no network; gone, its page was closed. null: it does not speak there */
-            reach: string | null;
+            /**
+             * @description How the phone is reached on the stream: vague: where it says it is is of no use; asleep: its page stands still; cut: it has no network; gone: its page was closed; null: it does not speak there
+             * @enum {string|null}
+             */
+            reach: "speaks" | "vague" | "asleep" | "cut" | "gone" | null;
             /**
              * Format: int32
              * @description until the drone has to fly home with what is in its battery, if it stays as far away
@@ -3597,8 +3628,11 @@ export interface components {
             comes: boolean;
             drone: string;
             droneName: string;
-            /** @description starting, tracking, suspended or returning, as of a follow */
-            state: string;
+            /**
+             * @description As of a follow: starting, tracking, suspended or returning
+             * @enum {string}
+             */
+            state: "allocated" | "starting" | "tracking" | "paused" | "suspended" | "returning" | "over";
         };
         FollowPhoneView: {
             /**
@@ -3635,8 +3669,11 @@ export interface components {
              * @description metres above the drone's home, 5 to 120; left out at first: 15
              */
             height?: number | null;
-            /** @description behind, ahead, fixed or orbit; left out at first: behind */
-            side?: string | null;
+            /**
+             * @description left out at first: behind
+             * @enum {string|null}
+             */
+            side?: "behind" | "ahead" | "fixed" | "orbit" | null;
             /**
              * Format: double
              * @description degrees a second clockwise, -30 to 30, for orbit
@@ -3659,8 +3696,8 @@ export interface components {
              * @description metres above the drone's home
              */
             height: number;
-            /** @description behind, ahead, fixed or orbit */
-            side: string;
+            /** @enum {string} */
+            side: "behind" | "ahead" | "fixed" | "orbit";
             /**
              * Format: double
              * @description degrees a second clockwise, for orbit
@@ -3786,8 +3823,11 @@ export interface components {
             place: components["schemas"]["FollowPlaceView"];
             /** Format: date-time */
             since: string;
-            /** @description allocated: a drone is kept on the ground; starting, tracking, paused, suspended: somebody else has the drone; returning or over */
-            state: string;
+            /**
+             * @description allocated: a drone is kept on the ground; suspended: somebody else has the drone
+             * @enum {string}
+             */
+            state: "allocated" | "starting" | "tracking" | "paused" | "suspended" | "returning" | "over";
             /** @description What it said, the newest 30, the oldest first; first why this drone was chosen */
             told: components["schemas"]["FollowToldView"][];
         };
@@ -3819,7 +3859,7 @@ export interface components {
             fleet?: string | null;
             from?: string | null;
             group?: string | null;
-            operations?: string[] | null;
+            operations?: ("view" | "plan" | "command" | "administer")[] | null;
             until?: string | null;
             user?: string | null;
             virtual?: boolean | null;
@@ -3835,8 +3875,9 @@ export interface components {
             from: string;
             group: string | null;
             id: string;
-            operations: string[];
-            state: string;
+            operations: ("view" | "plan" | "command" | "administer")[];
+            /** @enum {string} */
+            state: "inForce" | "toCome" | "over";
             /** Format: date-time */
             until: string | null;
             user: string | null;
@@ -3939,7 +3980,8 @@ export interface components {
             id: string;
             invitedBy: string;
             label: string;
-            role: string;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
         };
         Invitations: {
             invitations: components["schemas"]["InvitationView"][];
@@ -3965,11 +4007,15 @@ export interface components {
              * @description Point: metres, 1 to 100000
              */
             radius?: number | null;
-            /** @description Polygon (one ring) or Point, the middle of a circle */
-            type?: string | null;
+            /**
+             * @description Polygon: one ring; Point: the middle of a circle
+             * @enum {string|null}
+             */
+            type?: "Polygon" | "Point" | null;
         };
         KeyRequest: {
-            altitudeReference?: string | null;
+            /** @enum {string|null} */
+            altitudeReference?: "home" | "amsl" | null;
             area?: components["schemas"]["KeyArea"] | null;
             /** Format: double */
             ceiling?: number | null;
@@ -3979,11 +4025,13 @@ export interface components {
             /** Format: double */
             floor?: number | null;
             label?: string | null;
-            operations?: string[] | null;
-            role?: string | null;
+            operations?: ("view" | "plan" | "command" | "administer")[] | null;
+            /** @enum {string|null} */
+            role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
         };
         KeyView: {
-            altitudeReference: string | null;
+            /** @enum {string|null} */
+            altitudeReference: "home" | "amsl" | null;
             area: components["schemas"]["KeyArea"] | null;
             /** Format: double */
             ceiling: number | null;
@@ -3999,9 +4047,10 @@ export interface components {
             label: string;
             /** Format: date-time */
             lastUsedAt: string | null;
-            operations: string[];
+            operations: ("view" | "plan" | "command" | "administer")[];
             parent: string | null;
-            role: string;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
         };
         LeftBehind: {
             drones: components["schemas"]["LeftBehindView"][];
@@ -4038,18 +4087,22 @@ export interface components {
             valid: number;
         };
         LinkSecurityPolicyRequest: {
-            policy?: string | null;
+            /** @enum {string|null} */
+            policy?: "off" | "optional" | "required" | null;
         };
         /** @description How a drone's link is secured; a key shows its fingerprint only. */
         LinkSecurityView: {
-            /** @description install, rotate or revoke while that is under way */
-            changing: string | null;
+            /**
+             * @description While that is under way
+             * @enum {string|null}
+             */
+            changing: "install" | "rotate" | "revoke" | null;
             key: components["schemas"]["LinkSecurityKey"] | null;
             messages: components["schemas"]["LinkSecurityMessages"];
             /** @description Fingerprint of the key that is being changed over to */
             nextKey: string | null;
-            /** @description off, optional or required */
-            policy: string;
+            /** @enum {string} */
+            policy: "off" | "optional" | "required";
             /** @description Whether a key may be sent over the present link; null: there is none */
             safeLink: boolean | null;
         };
@@ -4079,8 +4132,11 @@ export interface components {
              * @description takeOff, waypoint, lookAt: metres
              */
             altitude?: number | null;
-            /** @description waypoint, lookAt: home (the default) or amsl */
-            altitudeReference?: string | null;
+            /**
+             * @description waypoint, lookAt: home (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
             /** @description other: what it is */
             description?: string | null;
             /**
@@ -4108,8 +4164,11 @@ export interface components {
              * @description setServo: length of its pulses in microseconds, 500 to 2500
              */
             pulse?: number | null;
-            /** @description takeOff, waypoint, returnToLaunch, land, wait, takePhoto, setServo, lookAt, lookAhead; read only: other */
-            type?: string | null;
+            /**
+             * @description other: read only
+             * @enum {string|null}
+             */
+            type?: "takeOff" | "waypoint" | "returnToLaunch" | "land" | "wait" | "takePhoto" | "setServo" | "lookAt" | "lookAhead" | "other" | null;
         };
         MissionRequest: {
             items?: components["schemas"]["MissionItemView"][] | null;
@@ -4123,12 +4182,14 @@ export interface components {
             days?: number | null;
             label?: string | null;
             organisation?: string | null;
-            role?: string | null;
+            /** @enum {string|null} */
+            role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
         };
         NewUser: {
             name?: string | null;
             password?: string | null;
-            role?: string | null;
+            /** @enum {string|null} */
+            role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
         };
         OneTimePassword: {
             name: string;
@@ -4242,8 +4303,11 @@ export interface components {
              * @description When it is brought home unless somebody takes control; null: it does not come to that now
              */
             returnsAt: string | null;
-            /** @description kept: somebody has it; waits: nobody has, and it is brought home unless somebody takes it; returns: it is on its way home or down; helpless: nobody has it, and nothing can be done for it; leftAlone: a pilot or another ground station flies it, or the rules say so */
-            state: string;
+            /**
+             * @description kept: somebody has it; waits: nobody has, and it is brought home unless somebody takes it; returns: it is on its way home or down; helpless: nobody has it, and nothing can be done for it; leftAlone: a pilot or another ground station flies it, or the rules say so
+             * @enum {string}
+             */
+            state: "kept" | "waits" | "returns" | "helpless" | "leftAlone";
             /** @description A sentence: what happens then */
             then: string;
         };
@@ -4260,7 +4324,8 @@ export interface components {
         };
         ParameterView: {
             name: string;
-            type: string;
+            /** @enum {string} */
+            type: "uint8" | "int8" | "uint16" | "int16" | "uint32" | "int32" | "uint64" | "int64" | "real32" | "real64";
             /** Format: double */
             value: number;
         };
@@ -4268,7 +4333,8 @@ export interface components {
             /** Format: double */
             held: number;
             name: string;
-            type: string;
+            /** @enum {string} */
+            type: "uint8" | "int8" | "uint16" | "int16" | "uint32" | "int32" | "uint64" | "int64" | "real32" | "real64";
             /** Format: double */
             wanted: number;
         };
@@ -4299,8 +4365,11 @@ export interface components {
         };
         /** @description How a plan is accepted. */
         PlanAcceptRequest: {
-            /** @description what a drone does by itself when it no longer hears the cloud: continue or rtl */
-            onCloudLoss?: string | null;
+            /**
+             * @description what a drone does by itself when it no longer hears the cloud
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
             /** @description Whether the drones are armed and started, each when the plan says, once all have their missions; left out: no */
             start?: boolean | null;
         };
@@ -4313,8 +4382,8 @@ export interface components {
             command: string | null;
             drone: string;
             name: string;
-            /** @description uploading, uploaded, waiting, arming, starting, started, heldBack or failed */
-            stage: string;
+            /** @enum {string} */
+            stage: "uploading" | "uploaded" | "waiting" | "arming" | "starting" | "started" | "heldBack" | "failed";
             why: string | null;
         };
         PlanLaunchView: {
@@ -4329,15 +4398,18 @@ export interface components {
         PlanObjectiveRequest: {
             /** @description Whether each drone must fly; left out: drones may stay where they are */
             everyDrone?: boolean | null;
-            /** @description earliestEnd, leastTime, leastDistance, leastEnergy or weighted */
-            kind?: string | null;
+            /** @enum {string|null} */
+            kind?: "earliestEnd" | "leastTime" | "leastDistance" | "leastEnergy" | "weighted" | null;
             /**
              * Format: double
              * @description weighted: of the longest tour's seconds
              */
             longestWeight?: number | null;
-            /** @description weighted: what is summed: seconds, meters or joules; left out: seconds */
-            measure?: string | null;
+            /**
+             * @description weighted: what is summed; left out: seconds
+             * @enum {string|null}
+             */
+            measure?: "seconds" | "meters" | "joules" | null;
             /**
              * Format: double
              * @description weighted: of the sum over all tours
@@ -4470,8 +4542,8 @@ export interface components {
              * @description readSensors: for how long, 1 to 3600; left out: 5
              */
             seconds?: number | null;
-            /** @description photo, servo, lookAt or readSensors */
-            type: string;
+            /** @enum {string} */
+            type: "photo" | "servo" | "lookAt" | "readSensors";
         };
         PlanTourView: {
             /** @description From the last stop to the end: the end is the last place */
@@ -4525,8 +4597,8 @@ export interface components {
             seconds: number;
             /** Format: int64 */
             seed: number;
-            /** @description queued, running, finished, cancelled or failed */
-            state: string;
+            /** @enum {string} */
+            state: "queued" | "running" | "finished" | "cancelled" | "failed";
             /**
              * Format: int32
              * @description How many waypoints there are to visit
@@ -4542,8 +4614,11 @@ export interface components {
              * @description metres
              */
             altitude?: number | null;
-            /** @description home (the default): above the highest home of these drones, which must lie within 20 m; or amsl */
-            altitudeReference?: string | null;
+            /**
+             * @description home (the default): above the highest home of these drones, which must lie within 20 m; or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
             /**
              * Format: double
              * @description Seconds that the drone stays there, 0 to 3600; left out: 0
@@ -4610,14 +4685,16 @@ export interface components {
             batteryPercent: number | null;
             /** Format: double */
             climbRate: number | null;
-            flight: string | null;
+            /** @enum {string|null} */
+            flight: "onGround" | "takingOff" | "inAir" | "landing" | null;
             /** Format: double */
             groundSpeed: number | null;
             /** Format: double */
             heading: number | null;
             /** Format: double */
             latitude: number | null;
-            link: string;
+            /** @enum {string} */
+            link: "live" | "suspect" | "lost" | "ended";
             /** Format: double */
             longitude: number | null;
             mode: string | null;
@@ -4670,15 +4747,19 @@ export interface components {
             seconds: number | null;
             /** Format: date-time */
             start: string;
-            state: string;
+            /** @enum {string} */
+            state: "running" | "complete" | "incomplete";
         };
         RegistrationAnswer: {
             name: string;
-            role: string;
-            state: string;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
+            /** @enum {string} */
+            state: "active" | "waiting";
         };
         RegistrationPolicy: {
-            policy: string;
+            /** @enum {string} */
+            policy: "approval" | "invitation" | "off";
             signInWith: string | null;
         };
         RegistrationRequest: {
@@ -4706,7 +4787,8 @@ export interface components {
             records: number;
             /** Format: double */
             speed: number;
-            state: string;
+            /** @enum {string} */
+            state: "running" | "finished" | "cancelled" | "failed";
         };
         Replays: {
             replays: components["schemas"]["ReplayView"][];
@@ -4772,8 +4854,8 @@ export interface components {
             note: string | null;
             /** Format: date-time */
             since: string;
-            /** @description landed, uploading, ready, arming, starting, flying, holding, replacing, continuing, returning, silent, suspended, crashed, gone or left */
-            stage: string;
+            /** @enum {string} */
+            stage: "landed" | "uploading" | "ready" | "arming" | "starting" | "flying" | "holding" | "replacing" | "continuing" | "resuming" | "returning" | "silent" | "suspended" | "crashed" | "gone" | "left";
             /** Format: int32 */
             visited: number;
         };
@@ -4786,8 +4868,11 @@ export interface components {
             moved: components["schemas"]["RunMovedView"][];
             /** Format: int32 */
             number: number;
-            /** @description What it was decided for, such as lost or lowBattery */
-            trigger: string;
+            /**
+             * @description What it was decided for
+             * @enum {string}
+             */
+            trigger: "start" | "takenOver" | "lost" | "heardAgain" | "gone" | "crashed" | "lowBattery" | "wentHome" | "cameDown" | "removed" | "offPath" | "late" | "commandFailed" | "waypointsAdded" | "waypointMoved" | "waypointCancelled" | "fenceAdded" | "joined" | "resumed" | "givenUp" | "tooNear" | "betterPlan" | "answered" | "restarted" | "paused" | "wentOn" | "stopped" | "ended";
             words: string;
         };
         RunFiguresView: {
@@ -4825,8 +4910,11 @@ export interface components {
              * @description metres
              */
             altitude?: number | null;
-            /** @description home (the default): above the highest home of the run's drones; or amsl */
-            altitudeReference?: string | null;
+            /**
+             * @description home (the default): above the highest home of the run's drones; or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
             /**
              * Format: double
              * @description degrees
@@ -4873,12 +4961,18 @@ export interface components {
         };
         /** @description A finished plan of yours that is to be flown, and how. */
         RunStartRequest: {
-            /** @description automatic (the default): a changed plan is flown at once; askFirst: it waits for an answer, but for what is unsafe for a drone */
-            mode?: string | null;
+            /**
+             * @description automatic (the default): a changed plan is flown at once; askFirst: it waits for an answer, but for what is unsafe for a drone
+             * @enum {string|null}
+             */
+            mode?: "automatic" | "askFirst" | null;
             /** @description For people, up to 60 characters; left out: Mission run */
             name?: string | null;
-            /** @description What drones do when they no longer hear the cloud: continue (the default) or rtl */
-            onCloudLoss?: string | null;
+            /**
+             * @description What drones do when they no longer hear the cloud; left out: continue
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
             /** @description The id of the plan */
             plan: string;
             /**
@@ -4900,10 +4994,13 @@ export interface components {
              * @description The number of the photo, by the drone's own count
              */
             photo: number | null;
-            /** @description open, underWay, done, notKnown: a drone was told to and nothing shows what came of it; or notAvailable: nothing of the kind is told by it */
-            result: string;
-            /** @description photo, servo, lookAt or readSensors */
-            type: string;
+            /**
+             * @description notKnown: a drone was told to and nothing shows what came of it; notAvailable: nothing of the kind is told by it
+             * @enum {string}
+             */
+            result: "underWay" | "done" | "notKnown" | "notAvailable" | "open";
+            /** @enum {string} */
+            type: "photo" | "servo" | "lookAt" | "readSensors";
             /** @description What came of it, as a sentence */
             words: string | null;
         };
@@ -4930,17 +5027,17 @@ export interface components {
              * @description The number of the newest entry of its journal
              */
             journal: number;
-            /** @description automatic or askFirst */
-            mode: string;
+            /** @enum {string} */
+            mode: "automatic" | "askFirst";
             name: string;
-            /** @description continue or rtl */
-            onCloudLoss: string;
+            /** @enum {string} */
+            onCloudLoss: "continue" | "rtl";
             /** @description The user whom it is flown for */
             owner: string;
             /** @description A changed plan that waits for an answer; null: none does */
             proposal: components["schemas"]["RunProposalView"] | null;
-            /** @description running, paused, stopping or over */
-            state: string;
+            /** @enum {string} */
+            state: "running" | "paused" | "stopping" | "over";
             waypoints: components["schemas"]["RunWaypointView"][];
         };
         RunVisitView: {
@@ -4966,8 +5063,8 @@ export interface components {
             latitude: number;
             /** Format: double */
             longitude: number;
-            /** @description waiting, assigned, reserved, visited, unserved or cancelled */
-            state: string;
+            /** @enum {string} */
+            state: "waiting" | "assigned" | "reserved" | "visited" | "unserved" | "cancelled";
             /** @description What is done there, and what became of it */
             tasks: components["schemas"]["RunTaskView"][];
             visits: components["schemas"]["RunVisitView"][];
@@ -5019,7 +5116,7 @@ export interface components {
             /** Format: int64 */
             number: number;
             /** @description Metres; null where nothing was met */
-            ranges: number[];
+            ranges: (number | null)[];
         };
         SensedView: {
             map: components["schemas"]["SensedMapView"] | null;
@@ -5042,7 +5139,8 @@ export interface components {
             mustChangePassword: boolean;
             name: string;
             organisation: string | null;
-            role: string;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
         };
         SettingsView: {
             phonePage: string | null;
@@ -5068,8 +5166,11 @@ export interface components {
         TourRequest: {
             /** @description The id of the drone */
             drone: string;
-            /** @description hold or land: the last waypoint stays the last, since the drone ends there; returnToLaunch (left out): it ends at its home */
-            ending?: string | null;
+            /**
+             * @description hold or land: the last waypoint stays the last, since the drone ends there; returnToLaunch (left out): it ends at its home
+             * @enum {string|null}
+             */
+            ending?: "hold" | "land" | "returnToLaunch" | null;
             /**
              * Format: double
              * @description Seconds to search, 0.1 to 5; left out: 1
@@ -5114,15 +5215,19 @@ export interface components {
             transport: string;
         };
         UserChange: {
-            role?: string | null;
-            state?: string | null;
+            /** @enum {string|null} */
+            role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
+            /** @enum {string|null} */
+            state?: "active" | "disabled" | null;
         };
         UserView: {
             mustChangePassword: boolean;
             name: string;
             onlyGranted: boolean;
-            role: string;
-            state: string;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
+            /** @enum {string} */
+            state: "waiting" | "active" | "disabled";
         };
         Users: {
             users: components["schemas"]["UserView"][];
@@ -5158,10 +5263,12 @@ export interface components {
              * @description per cent
              */
             battery: number | null;
-            flight: string | null;
-            kind: string;
-            /** @description live, suspect or lost */
-            link: string;
+            /** @enum {string|null} */
+            flight: "onGround" | "takingOff" | "inAir" | "landing" | null;
+            /** @enum {string} */
+            kind: "multicopter" | "helicopter" | "fixedWing" | "vtol" | "rover" | "boat" | "submarine" | "airship" | "unknown";
+            /** @enum {string} */
+            link: "live" | "suspect" | "lost" | "ended";
             motion: components["schemas"]["DroneMotionView"] | null;
             position: components["schemas"]["DronePositionView"] | null;
         };
@@ -5169,15 +5276,18 @@ export interface components {
         VirtualDroneNeedsView: {
             /** @description where it has to stand; null: anywhere */
             area?: components["schemas"]["VirtualDroneAreaView"] | null;
-            /** @description names of actions, such as takePicture */
-            capabilities?: string[] | null;
+            /** @description names of actions */
+            capabilities?: ("arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "goTo" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "turn" | "takePicture" | "setRelay" | "readParameters" | "setParameters" | "readLogs" | "fence" | "rallyPoints" | "setHome" | "readHome" | "goToLocal" | "emergencyStop" | "readMap" | "velocity" | "sticks" | "track")[] | null;
             /**
              * Format: int32
              * @description minutes in the air with what is in its battery; null: what the mission takes
              */
             enduranceMinutes?: number | null;
-            /** @description multicopter, fixedWing …; null: any */
-            kind?: string | null;
+            /**
+             * @description null: any
+             * @enum {string|null}
+             */
+            kind?: "multicopter" | "helicopter" | "fixedWing" | "vtol" | "rover" | "boat" | "submarine" | "airship" | "unknown" | null;
         };
         VirtualDronePlaceView: {
             /** Format: int32 */
@@ -5206,13 +5316,14 @@ export interface components {
              * @description Waypoints that are flown
              */
             flown: number;
-            onCloudLoss: string;
+            /** @enum {string} */
+            onCloudLoss: "continue" | "rtl";
             /** @description Place in the queue, counted from 1; null: it does not wait */
             queue: components["schemas"]["VirtualDronePlaceView"] | null;
             /** @description How it is, for people */
             sentence: string;
-            /** @description queued, uploading, arming, starting, flying, returning, givingUp, stopping, suspended, done, failed or stopped */
-            state: string;
+            /** @enum {string} */
+            state: "queued" | "uploading" | "arming" | "starting" | "flying" | "returning" | "givingUp" | "stopping" | "suspended" | "done" | "failed" | "stopped";
             /**
              * Format: int32
              * @description Waypoints in all
@@ -5224,8 +5335,11 @@ export interface components {
             why: string | null;
         };
         VirtualDroneStartRequest: {
-            /** @description what a drone does by itself when it no longer hears the cloud: continue or rtl */
-            onCloudLoss?: string | null;
+            /**
+             * @description what a drone does by itself when it no longer hears the cloud
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
         };
         VirtualDroneUnfitView: {
             drone: components["schemas"]["VirtualDroneDroneName"];
@@ -5256,13 +5370,17 @@ export interface components {
             firmware: string | null;
             hardwareId: string | null;
             id: string;
-            kind: string;
+            /** @enum {string} */
+            kind: "multicopter" | "helicopter" | "fixedWing" | "vtol" | "rover" | "boat" | "submarine" | "airship" | "unknown";
             /** Format: date-time */
             lastHeard: string;
             /** Format: int32 */
             port: number;
-            /** @description unknown, or quarantined: it says that it is a drone which it does not prove to be */
-            reason: string;
+            /**
+             * @description quarantined: it says that it is a drone which it does not prove to be
+             * @enum {string}
+             */
+            reason: "unknown" | "quarantined";
             /** Format: date-time */
             since: string;
             /** Format: int32 */
@@ -5291,8 +5409,8 @@ export interface components {
         };
         ZoneCollection: {
             features: components["schemas"]["ZoneFeature"][] | null;
-            /** @description FeatureCollection */
-            type: string | null;
+            /** @enum {string|null} */
+            type: "FeatureCollection" | null;
         };
         /** @description A zone as a GeoJSON feature: a Polygon, or a Point with a radius. */
         ZoneFeature: {
@@ -5300,18 +5418,24 @@ export interface components {
             /** @description Given by the server */
             id?: string | null;
             properties?: components["schemas"]["ZoneProperties"] | null;
-            /** @description Feature */
-            type?: string | null;
+            /** @enum {string|null} */
+            type?: "Feature" | null;
         };
         ZoneGeometry: {
             /** @description Degrees, longitude first */
             coordinates?: unknown;
-            /** @description Polygon (one ring) or Point, the middle of a circle */
-            type?: string | null;
+            /**
+             * @description Polygon: one ring; Point: the middle of a circle
+             * @enum {string|null}
+             */
+            type?: "Polygon" | "Point" | null;
         };
         ZoneProperties: {
-            /** @description what floor and ceiling are measured from: home (the default) or amsl */
-            altitudeReference?: string | null;
+            /**
+             * @description what floor and ceiling are measured from: home (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
             /** @description Who changed it last; given by the server */
             by?: string | null;
             /**
@@ -5330,11 +5454,17 @@ export interface components {
             floor?: number | null;
             /** @description ISO 8601; null: already */
             from?: string | null;
-            /** @description exclusion (keep out; the default) or inclusion (stay in) */
-            kind?: string | null;
+            /**
+             * @description exclusion: keep out, the default; inclusion: stay in
+             * @enum {string|null}
+             */
+            kind?: "exclusion" | "inclusion" | null;
             name?: string | null;
-            /** @description hold (the default), returnToLaunch or land */
-            onBreach?: string | null;
+            /**
+             * @description left out: hold
+             * @enum {string|null}
+             */
+            onBreach?: "hold" | "returnToLaunch" | "land" | null;
             /**
              * Format: double
              * @description Point: metres, 1 to 100000

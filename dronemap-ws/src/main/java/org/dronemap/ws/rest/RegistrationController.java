@@ -6,7 +6,9 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.Optional;
 import org.dronemap.ws.security.oidc.OidcSignIn;
+import org.dronemap.ws.service.Registration;
 import org.dronemap.ws.service.RegistrationService;
+import org.dronemap.ws.service.ValuesOf;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -32,7 +34,9 @@ public class RegistrationController {
      * @param signInWith the provider that people can sign in with; null: none
      */
     @Schema(name = "RegistrationPolicy")
-    public record Policy(String policy, @Nullable String signInWith) {}
+    public record Policy(
+            @ValuesOf(Registration.class) String policy,
+            @Nullable String signInWith) {}
 
     public RegistrationController(RegistrationService registrations, Optional<OidcSignIn> oidc) {
         this.oidc = oidc;
