@@ -117,6 +117,7 @@ function signIn(body: { name: string; password: string }): Session {
     name: body.name,
     role: body.name === 'viewer' ? 'viewer' : 'administrator',
     mustChangePassword: body.password === 'first-password',
+    organisation: null,
   };
   return session;
 }
@@ -145,7 +146,9 @@ function newKey(given: Record<string, unknown>): AccessKey {
     altitudeReference: (given['altitudeReference'] as AccessKey['altitudeReference'] | undefined) ?? null,
     expiresAt: days === undefined ? null : new Date(Date.now() + days * 86_400_000).toISOString(),
     parent: null,
+    createdAt: new Date().toISOString(),
     lastUsedAt: null,
+    key: null,
   };
 }
 

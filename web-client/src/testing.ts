@@ -1,4 +1,4 @@
-import type { Outlook } from './api/control';
+import type { Outlook, WithoutCloud } from './api/control';
 import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
 import type { Command, Drone } from './api/types';
@@ -39,6 +39,19 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
     outlook: null,
     lastUpdate: '2026-01-01T12:00:00Z',
     version: 1,
+    ...change,
+  };
+}
+
+/** Set to come home when it does not hear the cloud. */
+export function aCloudLoss(change: Partial<WithoutCloud> = {}): WithoutCloud {
+  return {
+    state: 'set',
+    action: 'it returns home',
+    afterSeconds: 20,
+    returnHeight: null,
+    sentence: 'When it does not hear the cloud any more, it returns home after 20 s.',
+    outstanding: [],
     ...change,
   };
 }

@@ -14,7 +14,7 @@ const ROOFS: Prospect = { name: 'Roofs', owner: 'olga', waypoints: 6, flies: tru
 
 function aStation(): Station {
   const station = new Station();
-  station.session = { name: 'ann', role: 'supervisor', mustChangePassword: false };
+  station.session = { name: 'ann', role: 'supervisor', mustChangePassword: false, organisation: null };
   station.connection.up();
   return station;
 }

@@ -24,7 +24,7 @@ function flyable(change: Partial<Drone> = {}): Drone {
 function stationWithLink(): Station {
   const station = new Station();
   station.connection.up();
-  station.session = { name: 'olga', role: 'operator', mustChangePassword: false };
+  station.session = { name: 'olga', role: 'operator', mustChangePassword: false, organisation: null };
   return station;
 }
 

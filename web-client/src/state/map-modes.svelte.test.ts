@@ -25,7 +25,7 @@ const BEGIN: Record<string, () => void> = {
 
 beforeEach(() => {
   station = new Station();
-  station.session = { name: 'ann', role: 'administrator', mustChangePassword: false };
+  station.session = { name: 'ann', role: 'administrator', mustChangePassword: false, organisation: null };
   station.fleet.replaceAll([aDrone(), aDrone({ id: 'd2', name: 'Copter 2' })]);
   leave = $effect.root(() => keepMapModes(station));
   flushSync();
@@ -54,7 +54,7 @@ describe('each use of the map', () => {
   it.each(MAP_MODES.map((mode) => [mode.name]))('%s ends when its user may do that no more', (name) => {
     BEGIN[name]?.();
     flushSync();
-    station.session = { name: 'ann', role: 'viewer', mustChangePassword: false };
+    station.session = { name: 'ann', role: 'viewer', mustChangePassword: false, organisation: null };
     flushSync();
     expect(mapMode(station)).toBeNull();
   });

@@ -17,7 +17,7 @@ describe('steer section', () => {
     said = [];
     made = new Station();
     made.connection.up();
-    made.session = { name: 'olga', role: 'operator', mustChangePassword: false };
+    made.session = { name: 'olga', role: 'operator', mustChangePassword: false, organisation: null };
     vi.spyOn(made, 'steering').mockImplementation((_, onRefused) => {
       refuse = onRefused;
       return {
