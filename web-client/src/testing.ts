@@ -197,6 +197,8 @@ export function aZone(change: Partial<Zone['properties']> = {}): Zone {
       from: null,
       until: null,
       onBreach: 'hold',
+      by: 'ann',
+      changedAt: '2026-01-01T11:00:00Z',
       ...change,
     },
   };

@@ -208,6 +208,8 @@ describe('a mission run on the map', () => {
         from: null,
         until: null,
         onBreach: 'hold',
+        by: null,
+        changedAt: '2026-01-01T11:00:00Z',
       },
     };
     const run = aRun({ barriers: [school, circle('Crane', 8.1)] });
