@@ -80,6 +80,8 @@ function command(drone: MockDrone, request: CommandRequest & { id?: string }): C
     outcome: null,
     finishedAt: null,
     progress: null,
+    epoch: null,
+    warnings: [],
   };
   const put = (change: Partial<Command>): void => {
     record = { ...record, ...change };

@@ -1,7 +1,7 @@
 import { AccessKeyCalls } from './access-keys';
 import { AccountCalls, type Session } from './accounts';
 import { AuditCalls } from './audit';
-import type { DtlsKeys, Endpoints, RobotKeys, StreamTicket, Waitings } from './contract';
+import type { Commands, DtlsKeys, Endpoints, RobotKeys, StreamTicket, Waitings } from './contract';
 import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint, NewRobotKey, RobotKey } from './endpoints';
 import { FlightCalls } from './flights';
@@ -140,10 +140,7 @@ export class RestClient {
   }
 
   async commandsOf(drone: string): Promise<Command[]> {
-    const answer = await this.#call<{ commands: Command[] }>(
-      'GET',
-      `/drones/${encodeURIComponent(drone)}/commands`,
-    );
+    const answer = await this.#call<Commands>('GET', `/drones/${encodeURIComponent(drone)}/commands`);
     return answer.commands;
   }
 

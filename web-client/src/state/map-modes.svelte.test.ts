@@ -1,6 +1,6 @@
 import { flushSync } from 'svelte';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { aDrone, aRun, aRunWaypoint, aZone } from '../testing';
+import { aDrone, aMission, aRun, aRunWaypoint, aZone } from '../testing';
 import { draftOf, newZone } from '../zones/zone-draft';
 import { keepMapModes, MAP_MODES, mapMode } from './map-modes.svelte';
 import { Station } from './station.svelte';
@@ -84,15 +84,7 @@ describe('planning', () => {
     station.planner.begin('d1');
     flushSync();
     expect(station.planner.droneId).toBe('d1');
-    const mission = {
-      items: null,
-      current: 0,
-      reached: [],
-      total: 1,
-      running: true,
-      state: null,
-      notice: null,
-    };
+    const mission = aMission({ current: 0, total: 1, running: true });
     station.fleet.replaceAll([aDrone({ mission, version: 2 })]);
     flushSync();
     expect(station.planner.droneId).toBeNull();
