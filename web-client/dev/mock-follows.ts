@@ -21,10 +21,22 @@ const PATIENCE_SECONDS = 60;
 const USUAL_PLACE: Follow['place'] = { side: 'behind', bearing: null, turn: null, distance: 8, height: 15 };
 const REASONS: Record<PhoneReach, string> = {
   speaks: 'The phone does not know where it is: it lets its page find no position.',
+  vague: 'The phone knows its place to no better than 50 m.',
   asleep: 'The phone’s page stands still: the screen is off, or something else is in front of it.',
   cut: 'The phone cannot be reached: it has no network.',
   gone: 'The phone’s page was closed, or has crashed.',
 };
+/** What is left out stays as it is. */
+function placed(was: Follow['place'], change: PlaceChange): Follow['place'] {
+  return {
+    side: change.side ?? was.side,
+    bearing: change.bearing ?? was.bearing,
+    turn: change.turn ?? was.turn,
+    distance: change.distance ?? was.distance,
+    height: change.height ?? was.height,
+  };
+}
+
 /** What each wish makes of each stage; left out: it is refused. */
 const WISHES: Record<string, Partial<Record<FollowStage, FollowStage>>> = {
   start: { allocated: 'starting' },
@@ -62,7 +74,7 @@ export class MockFollows {
     'POST follows': (body: FollowOrder) => this.#open(body),
     'PATCH follows/*': (body: PlaceChange, id) => {
       const follow = this.#find(id);
-      return this.#put({ ...follow, place: { ...follow.place, ...body } });
+      return this.#put({ ...follow, place: placed(follow.place, body) });
     },
     'POST follows/*/positions': (body: Positions, id) => this.hear(id, body),
     ...Object.fromEntries(
@@ -90,7 +102,8 @@ export class MockFollows {
       return { upTo: null };
     }
     this.#positionAt = this.#saidAt;
-    const { latitude, longitude, accuracy } = newest;
+    const { latitude, longitude } = newest;
+    const accuracy = newest.accuracy ?? 10;
     const heard = new Date().toISOString();
     const phone = { at: { latitude, longitude }, accuracy, id: Date.parse(newest.at), heard };
     this.#tell({ ...follow, now: { ...follow.now, phone } });
@@ -182,7 +195,7 @@ export class MockFollows {
       end: null,
       drone: drone.beginning.id,
       droneName: drone.beginning.name,
-      place: { ...USUAL_PLACE, ...place },
+      place: placed(USUAL_PLACE, place ?? {}),
       patience: PATIENCE_SECONDS,
       others: [],
       told: [{ at, words: `${drone.beginning.name} was chosen: it is the nearest one.` }],

@@ -80,6 +80,8 @@ function command(drone: MockDrone, request: CommandRequest & { id?: string }): C
     outcome: null,
     finishedAt: null,
     progress: null,
+    epoch: null,
+    warnings: [],
   };
   const put = (change: Partial<Command>): void => {
     record = { ...record, ...change };
@@ -117,6 +119,7 @@ function signIn(body: { name: string; password: string }): Session {
     name: body.name,
     role: body.name === 'viewer' ? 'viewer' : 'administrator',
     mustChangePassword: body.password === 'first-password',
+    organisation: null,
   };
   return session;
 }
@@ -145,7 +148,9 @@ function newKey(given: Record<string, unknown>): AccessKey {
     altitudeReference: (given['altitudeReference'] as AccessKey['altitudeReference'] | undefined) ?? null,
     expiresAt: days === undefined ? null : new Date(Date.now() + days * 86_400_000).toISOString(),
     parent: null,
+    createdAt: new Date().toISOString(),
     lastUsedAt: null,
+    key: null,
   };
 }
 

@@ -18,7 +18,10 @@ export function snapshotOf(drone: MockDrone): Drone {
       transport: 'udp',
       state: silence > 5000 ? 'lost' : silence > 1500 ? 'suspect' : 'live',
       lastHeard: new Date(drone.lastHeard).toISOString(),
+      quality: { lossShort: null, lossLong: null, rttMs: null },
+      others: [],
     },
+    identity: { evidence: 'address', proved: false, hardwareId: null },
     kind: beginning.kind,
     autopilot: 'ArduPilot',
     vehicle: beginning.vehicle,
@@ -26,6 +29,7 @@ export function snapshotOf(drone: MockDrone): Drone {
     mode: drone.mode,
     modes: ['STABILIZE', 'ALT_HOLD', 'LOITER', 'GUIDED', 'AUTO', 'RTL', 'LAND', 'BRAKE'],
     armed: drone.armed,
+    readyToArm: null,
     flight: !flying
       ? 'onGround'
       : drone.mode === 'LAND'
@@ -39,6 +43,8 @@ export function snapshotOf(drone: MockDrone): Drone {
       altitudeAmsl: 488 + drone.up,
       altitudeAboveHome: drone.up,
     },
+    local: null,
+    sensed: null,
     place: beginning.place,
     motion: { groundSpeed: drone.speed, airSpeed: null, climbRate: drone.climb, heading: drone.heading },
     attitude: { roll: drone.speed * 0.6, pitch: -drone.speed, yaw: drone.heading },
@@ -57,9 +63,19 @@ export function snapshotOf(drone: MockDrone): Drone {
       state: null,
       running: drone.mode === 'AUTO',
       notice: null,
+      hash: null,
     },
     messages: drone.messages,
     actions: actionsOf(drone),
+    control: { state: 'free', holder: null, explicit: false, since: null, epoch: 0, requests: [] },
+    cloudLoss: {
+      state: 'notSet',
+      action: null,
+      afterSeconds: null,
+      returnHeight: null,
+      sentence: 'It is not known what it does when it does not hear the cloud any more.',
+      outstanding: [],
+    },
     outlook: flying ? outlookOf(drone) : null,
     lastUpdate: new Date(drone.lastHeard).toISOString(),
     version: drone.version,
@@ -99,6 +115,6 @@ function actionsOf(drone: MockDrone): Record<CommandKind, Action> {
     'clearMission',
   ];
   return Object.fromEntries(
-    kinds.map((kind) => [kind, { allowed: drone.why(kind) === null, why: drone.why(kind) }]),
+    kinds.map((kind) => [kind, { allowed: drone.why(kind) === null, why: drone.why(kind), mode: null }]),
   ) as Record<CommandKind, Action>;
 }

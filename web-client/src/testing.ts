@@ -1,7 +1,7 @@
-import type { Outlook } from './api/control';
+import type { Outlook, WithoutCloud } from './api/control';
 import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
-import type { Command, Drone } from './api/types';
+import type { Action, Command, Drone, VehicleMission } from './api/types';
 import type { Zone } from './api/zones';
 
 /** A drone on the ground in Zürich, for tests. */
@@ -17,7 +17,10 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
       transport: 'udp',
       state: 'live',
       lastHeard: '2026-01-01T12:00:00Z',
+      quality: { lossShort: null, lossLong: null, rttMs: null },
+      others: [],
     },
+    identity: { evidence: 'address', proved: false, hardwareId: null },
     kind: 'multicopter',
     autopilot: 'ArduPilot',
     vehicle: 'ArduCopter',
@@ -25,20 +28,58 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
     mode: 'LOITER',
     modes: ['LOITER', 'GUIDED'],
     armed: false,
+    readyToArm: null,
     flight: 'onGround',
     position: { latitude: 47.3977, longitude: 8.5456, altitudeAmsl: 488, altitudeAboveHome: 0 },
+    local: null,
+    sensed: null,
     place: '2 km NE of Zürich, CH',
     motion: { groundSpeed: 0, airSpeed: null, climbRate: 0, heading: 40 },
     attitude: null,
     battery: null,
     gps: null,
     home: { latitude: 47.3977, longitude: 8.5456, altitudeAmsl: 488 },
-    mission: null,
+    mission: aMission(),
     messages: [],
-    actions: { arm: { allowed: true, why: null }, takeOff: { allowed: false, why: 'Arm first.' } },
+    actions: { arm: anAction(), takeOff: anAction('Arm first.') },
+    control: { state: 'free', holder: null, explicit: false, since: null, epoch: 0, requests: [] },
+    cloudLoss: aCloudLoss(),
     outlook: null,
     lastUpdate: '2026-01-01T12:00:00Z',
     version: 1,
+    ...change,
+  };
+}
+
+/** What may be done now, unless there is something against it. */
+export function anAction(why: string | null = null): Action {
+  return { allowed: why === null, why, mode: null };
+}
+
+/** What a vehicle holds that was not asked yet. */
+export function aMission(change: Partial<VehicleMission> = {}): VehicleMission {
+  return {
+    items: null,
+    current: null,
+    reached: [],
+    total: null,
+    running: false,
+    state: null,
+    notice: null,
+    hash: null,
+    ...change,
+  };
+}
+
+/** Set to come home when it does not hear the cloud. */
+export function aCloudLoss(change: Partial<WithoutCloud> = {}): WithoutCloud {
+  return {
+    state: 'set',
+    action: 'it returns home',
+    afterSeconds: 20,
+    returnHeight: null,
+    sentence: 'When it does not hear the cloud any more, it returns home after 20 s.',
+    outstanding: [],
     ...change,
   };
 }
@@ -70,6 +111,8 @@ export function aCommand(change: Partial<Command> = {}): Command {
     outcome: null,
     finishedAt: null,
     progress: null,
+    epoch: null,
+    warnings: [],
     ...change,
   };
 }
@@ -184,6 +227,8 @@ export function aZone(change: Partial<Zone['properties']> = {}): Zone {
       from: null,
       until: null,
       onBreach: 'hold',
+      by: 'ann',
+      changedAt: '2026-01-01T11:00:00Z',
       ...change,
     },
   };

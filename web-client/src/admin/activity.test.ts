@@ -28,7 +28,7 @@ function record(sequence: number, more: Partial<AuditRecord> = {}): AuditRecord 
 
 function show(pages: { records: AuditRecord[]; next: number | null }[], role: Role = 'supervisor') {
   const station = new Station();
-  station.session = { name: 'root', role, mustChangePassword: false };
+  station.session = { name: 'root', role, mustChangePassword: false, organisation: null };
   const page = vi.spyOn(station.rest.audit, 'page');
   for (const one of pages) {
     page.mockResolvedValueOnce(one);

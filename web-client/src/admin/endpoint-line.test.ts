@@ -8,6 +8,8 @@ const QUIET: Endpoint = {
   transport: 'udp',
   origin: 'added',
   addedBy: 'alice',
+  addedAt: null,
+  peers: [],
   state: 'open',
   reason: null,
   counts: {

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Zone } from '../api/zones';
 import { boundsLine, boundsRequest, unbounded } from './key-bounds';
 
-const POINT = { type: 'Point', coordinates: [8.5, 47.4] };
+const POINT = { type: 'Point' as const, coordinates: [8.5, 47.4] };
 
 const ZONE = {
   type: 'Feature',

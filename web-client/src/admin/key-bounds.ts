@@ -70,7 +70,8 @@ function geometry(of: unknown): KeyArea {
   }
   const radius = of['radius'];
   return {
-    type: of['type'],
+    // The cloud has a sentence for what it does not take.
+    type: of['type'] as NonNullable<KeyArea['type']>,
     coordinates: of['coordinates'],
     ...(typeof radius === 'number' ? { radius } : {}),
   };

@@ -17,6 +17,8 @@ function key(more: Partial<AccessKey> = {}): AccessKey {
     altitudeReference: null,
     expiresAt: null,
     parent: null,
+    createdAt: '2026-04-01T12:00:00Z',
+    key: null,
     lastUsedAt: null,
     ...more,
   };

@@ -21,13 +21,14 @@ describe('the administration', () => {
   it('offers a user who was added a moment ago in every list of users', async () => {
     vi.stubGlobal('fetch', () => Promise.reject(new Error('no server here')));
     const station = new Station();
-    station.session = { name: 'root', role: 'administrator', mustChangePassword: false };
+    station.session = { name: 'root', role: 'administrator', mustChangePassword: false, organisation: null };
     station.connection.up();
     const kept = [user('root'), user('ann')];
     vi.spyOn(station.rest.accounts, 'users').mockImplementation(() => Promise.resolve([...kept]));
     vi.spyOn(station.rest.accounts, 'add').mockImplementation(({ name }) => {
-      kept.push(user(name));
-      return Promise.resolve(user(name));
+      const added = user(name ?? '');
+      kept.push(added);
+      return Promise.resolve(added);
     });
     vi.spyOn(station.rest.grants, 'all').mockResolvedValue([]);
     vi.spyOn(station.rest.grants, 'groups').mockResolvedValue([]);

@@ -11,7 +11,7 @@ function user(name: string, more: Partial<User> = {}): User {
 
 function show(list: User[]): Station {
   const station = new Station();
-  station.session = { name: 'root', role: 'administrator', mustChangePassword: false };
+  station.session = { name: 'root', role: 'administrator', mustChangePassword: false, organisation: null };
   vi.spyOn(station.rest.accounts, 'users').mockResolvedValue(list);
   render(Users, { context: new Map([[STATION, station]]) });
   return station;

@@ -1,53 +1,15 @@
-import type { Role } from './accounts';
+import type { KeyView as AccessKey, KeyRequest as AccessKeyRequest, AccessKeys } from './contract';
 
-export type KeyOperation = 'view' | 'plan' | 'command' | 'administer';
-
-/** As in GeoJSON, longitude first; a circle is a point with a radius in metres. */
-export interface KeyArea {
-  type: string;
-  coordinates: unknown;
-  radius?: number | null;
-}
-
-/** Metres; what is null is no bound. */
-export interface KeyBounds {
-  area: KeyArea | null;
-  floor: number | null;
-  ceiling: number | null;
-  altitudeReference: 'home' | 'amsl' | null;
-}
-
-export interface AccessKey extends KeyBounds {
-  id: string;
-  label: string;
-  role: Role;
-  operations: KeyOperation[];
-  /** null: all, also those to come. */
-  drones: string[] | null;
-  /** null: it does not end by itself. */
-  expiresAt: string | null;
-  /** The key that it was made with; null: none. */
-  parent: string | null;
-  /** To about a minute; null: not used yet. */
-  lastUsedAt: string | null;
-}
+export type { AccessKey, AccessKeyRequest };
+export type { KeyArea } from './contract';
 
 /** What making or renewing a key answers: the key itself is shown this once and never again. */
-export interface NewAccessKey extends AccessKey {
-  key: string;
-}
+export type NewAccessKey = AccessKey & { key: string };
 
-/** What is left out is as wide as who asks. */
-export interface AccessKeyRequest {
-  label: string;
-  operations: KeyOperation[];
-  drones?: string[];
-  area?: KeyArea;
-  floor?: number;
-  ceiling?: number;
-  altitudeReference?: 'home' | 'amsl';
-  days?: number;
-}
+export type KeyOperation = AccessKey['operations'][number];
+
+/** Metres; what is null is no bound. */
+export type KeyBounds = Pick<AccessKey, 'area' | 'floor' | 'ceiling' | 'altitudeReference'>;
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
@@ -60,7 +22,7 @@ export class AccessKeyCalls {
   }
 
   async all(): Promise<AccessKey[]> {
-    return (await this.#call<{ accessKeys: AccessKey[] }>('GET', '/access-keys')).accessKeys;
+    return (await this.#call<AccessKeys>('GET', '/access-keys')).accessKeys;
   }
 
   make(request: AccessKeyRequest): Promise<NewAccessKey> {

@@ -1,6 +1,26 @@
 import type { AccessKey } from './access-keys';
+import type {
+  AccessKeys,
+  InvitationView as Invitation,
+  Invitations,
+  NewUser,
+  OneTimePassword,
+  RegistrationAnswer as Registered,
+  SessionView as Session,
+  UserView as User,
+  UserChange,
+  Users,
+  RegistrationPolicy as WaysIn,
+} from './contract';
 
-export type Role = 'reporter' | 'viewer' | 'planner' | 'operator' | 'supervisor' | 'administrator';
+export type { Invitation, NewUser, OneTimePassword, Registered, Session, User, WaysIn };
+
+export type Role = Session['role'];
+
+/** What making an invitation answers: the code is shown this once and never again. */
+export type NewInvitation = Invitation & { code: string };
+
+export type RegistrationPolicy = WaysIn['policy'];
 
 /** Least first; each may do all that the ones before it may. */
 export const ROLES: readonly Role[] = [
@@ -25,63 +45,8 @@ export function mayAct(role: Role | undefined, needed: Role): boolean {
   return role !== undefined && ROLES.indexOf(role) >= ROLES.indexOf(needed);
 }
 
-export interface Session {
-  name: string;
-  role: Role;
-  mustChangePassword: boolean;
-  /** The name of the organisation; null: the one that runs the server. */
-  organisation?: string | null;
-}
-
-export interface User {
-  name: string;
-  role: Role;
-  state: 'waiting' | 'active' | 'disabled';
-  mustChangePassword: boolean;
-  /** Sees no drone by the role alone. */
-  onlyGranted: boolean;
-}
-
-export interface NewUser {
-  name: string;
-  role: Role;
-  password: string;
-}
-
-export interface OneTimePassword {
-  name: string;
-  password: string;
-}
-
-export interface Invitation {
-  id: string;
-  label: string;
-  role: Role;
-  invitedBy: string;
-  expiresAt: string;
-}
-
-/** The code is shown this once and never again. */
-export interface NewInvitation extends Invitation {
-  code: string;
-}
-
-export type RegistrationPolicy = 'approval' | 'invitation' | 'off';
-
-/** How people come in: by an account that they ask for, by a provider that they sign in with. */
-export interface WaysIn {
-  policy: RegistrationPolicy;
-  signInWith: string | null;
-}
-
 /** Where a browser goes to sign in with the provider. */
 export const PROVIDER_ADDRESS = '/api/v1/session/oidc';
-
-export interface Registered {
-  name: string;
-  role: Role;
-  state: 'waiting' | 'active';
-}
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
@@ -94,14 +59,14 @@ export class AccountCalls {
   }
 
   async users(): Promise<User[]> {
-    return (await this.#call<{ users: User[] }>('GET', '/users')).users;
+    return (await this.#call<Users>('GET', '/users')).users;
   }
 
   add(user: NewUser): Promise<User> {
     return this.#call('POST', '/users', user);
   }
 
-  change(name: string, change: { role?: Role; state?: 'active' | 'disabled' }): Promise<User> {
+  change(name: string, change: UserChange): Promise<User> {
     return this.#call('PATCH', `/users/${encodeURIComponent(name)}`, change);
   }
 
@@ -115,7 +80,7 @@ export class AccountCalls {
 
   async keysOf(name: string): Promise<AccessKey[]> {
     const path = `/users/${encodeURIComponent(name)}/access-keys`;
-    return (await this.#call<{ accessKeys: AccessKey[] }>('GET', path)).accessKeys;
+    return (await this.#call<AccessKeys>('GET', path)).accessKeys;
   }
 
   revokeKeyOf(name: string, id: string): Promise<void> {
@@ -127,7 +92,7 @@ export class AccountCalls {
   }
 
   async invitations(): Promise<Invitation[]> {
-    return (await this.#call<{ invitations: Invitation[] }>('GET', '/invitations')).invitations;
+    return (await this.#call<Invitations>('GET', '/invitations')).invitations;
   }
 
   /** Into an organisation other than one's own only for those who run the server. */

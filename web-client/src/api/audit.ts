@@ -1,30 +1,8 @@
-export type AuditOutcome =
-  'underWay' | 'succeeded' | 'refused' | 'failed' | 'timedOut' | 'superseded' | 'unknown';
+import type { AuditPage, AuditView as AuditRecord, AuditVerdictView as AuditVerdict } from './contract';
 
-/** What was done, or asked for and refused; null: not known, or none. */
-export interface AuditRecord {
-  sequence: number;
-  at: string;
-  /** null: nobody who could prove to be a user. */
-  by: string | null;
-  accessKey: string | null;
-  face: string;
-  operation: string;
-  drone: string | null;
-  epoch: number | null;
-  command: string | null;
-  parameters: string;
-  outcome: AuditOutcome;
-  reason: string | null;
-  latencyMillis: number | null;
-  hash: string;
-}
+export type { AuditPage, AuditRecord, AuditVerdict };
 
-/** `next`: what to go on with; null: that was all. */
-export interface AuditPage {
-  records: AuditRecord[];
-  next: number | null;
-}
+export type AuditOutcome = AuditRecord['outcome'];
 
 /** Empty: whatever it is. */
 export interface AuditSearch {
@@ -35,13 +13,6 @@ export interface AuditSearch {
   /** Local time as a field of the page has it. */
   from: string;
   until: string;
-}
-
-export interface AuditVerdict {
-  sound: boolean;
-  records: number;
-  firstBad: number | null;
-  detail: string;
 }
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;

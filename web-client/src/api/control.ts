@@ -1,40 +1,11 @@
-/** Somebody asks the holder for control. */
-export interface ControlRequest {
-  by: string;
-  reason: string | null;
-  at: string;
-}
+import type { ControlView as Control } from './contract';
 
-/** Who commands a drone. `explicit`: taken on purpose and kept by heartbeats; else it came with a command. */
-export interface Control {
-  state: 'free' | 'held' | 'pilot';
-  holder: string | null;
-  explicit: boolean;
-  since: string | null;
-  epoch: number;
-  requests: ControlRequest[];
-}
-
-/** What becomes of a drone in the air when whoever has it has it no more. */
-export interface Outlook {
-  /** Whose it is: nobody has one that waits, returns or is helpless. */
-  state: 'kept' | 'waits' | 'returns' | 'helpless' | 'leftAlone';
-  /** A sentence. */
-  then: string;
-  /** When it is brought home unless somebody takes control; null: it does not come to that now. */
-  returnsAt: string | null;
-  latitude: number | null;
-  longitude: number | null;
-  /** What the place is called; null: it would not be brought down, or circles at home. */
-  comesDown: string | null;
-  emptyAt: string | null;
-}
-
-/** What a drone does by itself when it does not hear the cloud any more. */
-export interface WithoutCloud {
-  state: 'set' | 'notSet' | 'cannotBeSet';
-  sentence: string;
-}
+export type { Control };
+export type {
+  ControlAskedView as ControlRequest,
+  OutlookView as Outlook,
+  DroneCloudLossView as WithoutCloud,
+} from './contract';
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 

@@ -1,34 +1,15 @@
-/** A flight from arming to disarming, or until the drone was heard no more; null: not known, or none. */
-export interface Flight {
-  id: string;
-  drone: string;
-  droneName: string;
-  start: string;
-  /** null while it goes on. */
-  end: string | null;
-  state: 'running' | 'lost' | 'ended';
-  seconds: number;
-  /** Along the ground, in metres. */
-  distance: number;
-  /** Above home, in metres. */
-  highest: number | null;
-  /** Over ground, in m/s. */
-  fastest: number | null;
-  farthest: number | null;
-  battery: { first: number | null; last: number | null; used: number | null };
-  takeOff: { latitude: number; longitude: number } | null;
-  last: { latitude: number; longitude: number } | null;
-  users: string[];
-  operation: string | null;
-  notice: string | null;
-  notes: string;
-  recordings: string[];
-}
+import type {
+  Events,
+  FlightView as Flight,
+  EventView as FlightEvent,
+  Flights as FlightPage,
+  Points,
+  SeriesView as Series,
+  PointView as TrackPoint,
+} from './contract';
 
-export interface FlightPage {
-  flights: Flight[];
-  next: string | null;
-}
+export type { Flight, FlightEvent, FlightPage, Series, TrackPoint };
+export type { FieldSeries as SeriesField } from './contract';
 
 /** Empty: whatever it is. */
 export interface FlightSearch {
@@ -38,50 +19,6 @@ export interface FlightSearch {
   /** Local time as a field of the page has it. */
   from: string;
   until: string;
-}
-
-/** The least and the greatest value of each slot; null: not known then. */
-export interface SeriesField {
-  name: string;
-  unit: string;
-  least: (number | null)[];
-  most: (number | null)[];
-}
-
-export interface Series {
-  drone: string;
-  from: string;
-  until: string;
-  slotSeconds: number;
-  times: string[];
-  fields: SeriesField[];
-}
-
-export interface TrackPoint {
-  at: string;
-  latitude: number | null;
-  longitude: number | null;
-  altitudeAmsl: number | null;
-  altitudeAboveHome: number | null;
-  heading: number | null;
-  groundSpeed: number | null;
-  climbRate: number | null;
-  batteryPercent: number | null;
-  armed: boolean | null;
-  mode: string | null;
-  flight: string | null;
-  link: string;
-}
-
-export interface FlightEvent {
-  at: string;
-  kind: 'armed' | 'disarmed' | 'mode' | 'phase' | 'message' | 'command' | 'mission' | 'control';
-  text: string;
-  severity: string | null;
-  by: string | null;
-  command: string | null;
-  result: string | null;
-  reason: string | null;
 }
 
 export type TrackForm = 'csv' | 'geojson' | 'kml' | 'gpx' | 'parquet' | 'tlog';
@@ -135,12 +72,12 @@ export class FlightCalls {
 
   async points(id: string): Promise<TrackPoint[]> {
     const path = `/flights/${encodeURIComponent(id)}/telemetry/points?most=20000`;
-    return (await this.#call<{ points: TrackPoint[] }>('GET', path)).points;
+    return (await this.#call<Points>('GET', path)).points;
   }
 
   async events(id: string): Promise<FlightEvent[]> {
     const path = `/flights/${encodeURIComponent(id)}/events`;
-    return (await this.#call<{ events: FlightEvent[] }>('GET', path)).events;
+    return (await this.#call<Events>('GET', path)).events;
   }
 
   /** Where the browser downloads the track from. */

@@ -1,73 +1,21 @@
-import type { KeyOperation } from './access-keys';
+import type {
+  FleetView as Fleet,
+  Fleets,
+  GiftView as Gift,
+  Gifts,
+  GrantView as Grant,
+  GrantRequest,
+  Grants,
+  GroupView as Group,
+  Groups,
+  OrganisationView as Organisation,
+  Organisations,
+} from './contract';
 
-export interface Group {
-  id: string;
-  name: string;
-  members: string[];
-  /** Its members see nothing but what they, or it, were granted. */
-  onlyGranted: boolean;
-}
-
-export interface Fleet {
-  id: string;
-  name: string;
-  drones: string[];
-}
+export type { Fleet, Gift, Grant, GrantRequest, Group, Organisation };
 
 /** Whom a grant is for: one of them is null. */
-export interface Subject {
-  user: string | null;
-  group: string | null;
-}
-
-export interface Grant extends Subject {
-  id: string;
-  all: boolean;
-  /** Their own virtual drones alone. */
-  virtual: boolean;
-  drones: string[] | null;
-  /** The id of a fleet. */
-  fleet: string | null;
-  operations: KeyOperation[];
-  from: string;
-  /** null: until it is taken back. */
-  until: string | null;
-  state: 'inForce' | 'toCome' | 'over';
-  by: string;
-  at: string;
-}
-
-/** From now on, with exactly one of all, virtual, drones and fleet. */
-export interface GrantRequest {
-  user?: string;
-  group?: string;
-  all?: true;
-  virtual?: true;
-  drones?: string[];
-  fleet?: string;
-  operations: KeyOperation[];
-  until?: string;
-}
-
-export interface Organisation {
-  id: string;
-  name: string;
-  users: number;
-  drones: number;
-  /** null: the one that is always there. */
-  madeAt: string | null;
-}
-
-/** A drone that was given to an organisation. */
-export interface Gift {
-  drone: string;
-  droneName: string;
-  at: string;
-  /** Whether what it did before went along. */
-  histories: boolean;
-  /** What goes along and what does not, sentences. */
-  notice: string;
-}
+export type Subject = Pick<Grant, 'user' | 'group'>;
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
@@ -80,7 +28,7 @@ export class GrantCalls {
   }
 
   async all(): Promise<Grant[]> {
-    return (await this.#call<{ grants: Grant[] }>('GET', '/grants')).grants;
+    return (await this.#call<Grants>('GET', '/grants')).grants;
   }
 
   add(grant: GrantRequest): Promise<Grant> {
@@ -97,7 +45,7 @@ export class GrantCalls {
   }
 
   async groups(): Promise<Group[]> {
-    return (await this.#call<{ groups: Group[] }>('GET', '/groups')).groups;
+    return (await this.#call<Groups>('GET', '/groups')).groups;
   }
 
   /** Without an id a new one. */
@@ -112,7 +60,7 @@ export class GrantCalls {
   }
 
   async fleets(): Promise<Fleet[]> {
-    return (await this.#call<{ fleets: Fleet[] }>('GET', '/fleets')).fleets;
+    return (await this.#call<Fleets>('GET', '/fleets')).fleets;
   }
 
   /** Without an id a new one. */
@@ -127,7 +75,7 @@ export class GrantCalls {
   }
 
   async organisations(): Promise<Organisation[]> {
-    return (await this.#call<{ organisations: Organisation[] }>('GET', '/organisations')).organisations;
+    return (await this.#call<Organisations>('GET', '/organisations')).organisations;
   }
 
   addOrganisation(name: string): Promise<Organisation> {
@@ -139,7 +87,7 @@ export class GrantCalls {
   }
 
   async givenTo(organisation: string): Promise<Gift[]> {
-    return (await this.#call<{ gifts: Gift[] }>('GET', `${of(organisation)}/drones`)).gifts;
+    return (await this.#call<Gifts>('GET', `${of(organisation)}/drones`)).gifts;
   }
 
   giveDrone(organisation: string, drone: string, histories: boolean): Promise<Gift> {

@@ -1,6 +1,7 @@
 import { AccessKeyCalls } from './access-keys';
 import { AccountCalls, type Session } from './accounts';
 import { AuditCalls } from './audit';
+import type { Commands, DtlsKeys, Endpoints, RobotKeys, StreamTicket, Waitings } from './contract';
 import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint, NewRobotKey, RobotKey } from './endpoints';
 import { FlightCalls } from './flights';
@@ -85,7 +86,7 @@ export class RestClient {
     return this.#call('GET', '/settings');
   }
 
-  streamTicket(): Promise<{ ticket: string }> {
+  streamTicket(): Promise<StreamTicket> {
     return this.#call('POST', '/stream-tickets', undefined, TICKET_MILLISECONDS);
   }
 
@@ -123,7 +124,7 @@ export class RestClient {
   }
 
   async waiting(): Promise<WaitingVehicle[]> {
-    return (await this.#call<{ waiting: WaitingVehicle[] }>('GET', '/waiting')).waiting;
+    return (await this.#call<Waitings>('GET', '/waiting')).waiting;
   }
 
   enrol(id: string): Promise<Drone> {
@@ -139,10 +140,7 @@ export class RestClient {
   }
 
   async commandsOf(drone: string): Promise<Command[]> {
-    const answer = await this.#call<{ commands: Command[] }>(
-      'GET',
-      `/drones/${encodeURIComponent(drone)}/commands`,
-    );
+    const answer = await this.#call<Commands>('GET', `/drones/${encodeURIComponent(drone)}/commands`);
     return answer.commands;
   }
 
@@ -204,7 +202,7 @@ export class RestClient {
   }
 
   async endpoints(): Promise<Endpoint[]> {
-    return (await this.#call<{ endpoints: Endpoint[] }>('GET', '/endpoints')).endpoints;
+    return (await this.#call<Endpoints>('GET', '/endpoints')).endpoints;
   }
 
   addEndpoint(url: string): Promise<Endpoint> {
@@ -216,7 +214,7 @@ export class RestClient {
   }
 
   async dtlsKeys(): Promise<DtlsKey[]> {
-    return (await this.#call<{ dtlsKeys: DtlsKey[] }>('GET', '/dtls-keys')).dtlsKeys;
+    return (await this.#call<DtlsKeys>('GET', '/dtls-keys')).dtlsKeys;
   }
 
   createDtlsKey(label: string): Promise<DtlsKey> {
@@ -237,7 +235,7 @@ export class RestClient {
   }
 
   async robotKeys(): Promise<RobotKey[]> {
-    return (await this.#call<{ robotKeys: RobotKey[] }>('GET', '/robot-keys')).robotKeys;
+    return (await this.#call<RobotKeys>('GET', '/robot-keys')).robotKeys;
   }
 
   issueRobotKey(robot: NewRobotKey): Promise<RobotKey> {

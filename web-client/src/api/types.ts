@@ -1,185 +1,92 @@
 // The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
+//
+// What REST answers and takes comes from contract.ts, which is written from its description. Written by hand are the
+// messages of the stream, StreamMessage, StreamRequest and Velocity, and ProblemBody.
 
 import type { Role } from './accounts';
-import type { Control, Outlook, WithoutCloud } from './control';
-import type { AltitudeReference, MissionItem } from './items';
+import type { Control } from './control';
+import type { MissionItem, WithItems } from './items';
 import type { FleetPlan } from './plans';
 import type { Follow, FollowNow, Positions, Receipt } from './follows';
 import type { MissionRun } from './runs';
-import type { SensedNumbers } from './sensed';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
+import type {
+  DroneActionView as Action,
+  CommandView as Command,
+  DroneView,
+  DroneLinkView as Link,
+  DroneMissionView as MissionView,
+  CommandOutcomeView as Outcome,
+  CommandRequest as Request,
+  SavedMissionView,
+  DroneMessageView as VehicleMessage,
+} from './contract';
 
-export type { AltitudeReference, LookAtItem, MissionItem, WaypointItem } from './items';
+export type { Action, Command, Link, Outcome, VehicleMessage };
+export type {
+  DroneAttitudeView as Attitude,
+  DroneBatteryView as Battery,
+  DroneGpsView as Gps,
+  DroneHomeView as Home,
+  DroneQualityView as LinkQuality,
+  DroneLocalView as LocalPosition,
+  DroneMotionView as Motion,
+  DronePositionView as Position,
+  SettingsView as Settings,
+} from './contract';
 
 /** `ended`: the recording that it comes from has been played to its end. */
-export type LinkState = 'live' | 'suspect' | 'lost' | 'ended';
+export type LinkState = Link['state'];
 
-/** Shares from 0 to 1 that were lost over some 5 s and 60 s; milliseconds there and back. */
-export interface LinkQuality {
-  lossShort: number | null;
-  lossLong: number | null;
-  rttMs: number | null;
-}
+export type DroneKind = Drone['kind'];
 
-export interface Link {
-  address: string;
-  port: number;
-  systemId: number;
-  transport: string;
-  state: LinkState;
-  lastHeard: string | null;
-  quality?: LinkQuality;
-  /** Further addresses on which the same vehicle is heard. */
-  others?: string[];
-}
+export type FlightState = NonNullable<Drone['flight']>;
 
-export type DroneKind =
-  | 'multicopter'
-  | 'helicopter'
-  | 'fixedWing'
-  | 'vtol'
-  | 'rover'
-  | 'boat'
-  | 'submarine'
-  | 'airship'
-  | 'unknown';
+export type Severity = VehicleMessage['severity'];
 
-export type FlightState = 'onGround' | 'takingOff' | 'inAir' | 'landing';
+export type CommandPhase = Command['phase'];
 
-/** Degrees and metres; any member may be unknown by itself. */
-export interface Position {
-  latitude: number | null;
-  longitude: number | null;
-  altitudeAmsl: number | null;
-  altitudeAboveHome: number | null;
-}
+export type CommandResult = Outcome['result'];
 
-/** Metres in a frame of its own, such as its map; degrees counter-clockwise from x. */
-export interface LocalPosition {
-  x: number;
-  y: number;
-  z: number | null;
-  yaw: number | null;
-}
+export type CommandKind = Command['type'];
 
-export interface Motion {
-  groundSpeed: number | null;
-  airSpeed: number | null;
-  climbRate: number | null;
-  heading: number | null;
-}
+/** What a vehicle on a mission does by itself when it no longer hears the cloud. */
+export type CloudLoss = NonNullable<Request['onCloudLoss']>;
 
-export interface Attitude {
-  roll: number | null;
-  pitch: number | null;
-  yaw: number | null;
-}
-
-export interface Battery {
-  percent: number | null;
-  volts: number | null;
-  amps: number | null;
-}
-
-export interface Gps {
-  fix: string | null;
-  satellites: number | null;
-  hdop: number | null;
-}
-
-export interface Home {
-  latitude: number;
-  longitude: number;
-  altitudeAmsl: number | null;
-}
+export type RelaySetting = NonNullable<Request['setting']>;
 
 /** The mission that the vehicle itself holds, as read back from it. */
-export interface VehicleMission {
-  items: MissionItem[] | null;
-  current: number | null;
-  reached: number[];
-  total: number | null;
-  running: boolean;
-  /** Null when the vehicle does not say. */
-  state: 'stopped' | 'running' | 'paused' | 'complete' | null;
-  notice: string | null;
-  /** Equal hashes, equal missions. */
-  hash?: string | null;
-}
+export type VehicleMission = WithItems<MissionView>;
 
-export type Severity = 'emergency' | 'alert' | 'critical' | 'error' | 'warning' | 'notice' | 'info' | 'debug';
+export type SavedMission = WithItems<SavedMissionView>;
 
-export interface VehicleMessage {
-  severity: Severity;
-  text: string;
-  at: string;
-}
+export type Drone = Omit<DroneView, 'mission' | 'actions'> & {
+  mission: VehicleMission;
+  actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>;
+};
 
-export type CommandKind =
-  | 'arm'
-  | 'disarm'
-  | 'setMode'
-  | 'takeOff'
-  | 'land'
-  | 'returnToLaunch'
-  | 'hold'
-  | 'goTo'
-  | 'uploadMission'
-  | 'startMission'
-  | 'pauseMission'
-  | 'clearMission'
-  | 'turn'
-  | 'takePicture'
-  | 'setRelay'
-  | 'setHome'
-  | 'readHome'
-  | 'readParameters'
-  | 'setParameters'
-  | 'readLogs'
-  | 'goToLocal'
-  | 'emergencyStop'
-  | 'readMap';
+/** A kind of command with the members that it needs, and those that it may have. */
+type Order<K extends Request['type'], M extends keyof Request = never, O extends keyof Request = never> = {
+  type: K;
+} & { [N in M]: NonNullable<Request[N]> } & { [N in O]?: NonNullable<Request[N]> };
 
-/** Whether a command would be let through now, and if not the sentence that says why. */
-export interface Action {
-  allowed: boolean;
-  why: string | null;
-  mode?: string | null; // in which it works, where the one of now refuses it
-}
+export type CommandRequest =
+  | Order<'arm' | 'land' | 'returnToLaunch' | 'hold' | 'pauseMission' | 'clearMission'>
+  | Order<'takePicture' | 'readHome' | 'readParameters' | 'emergencyStop' | 'readMap'>
+  | Order<'goToLocal', 'x' | 'y'>
+  | Order<'turn', 'degrees'>
+  | Order<'setRelay', 'relay' | 'setting'>
+  | Order<'setHome', never, 'latitude' | 'longitude' | 'altitude' | 'altitudeReference'>
+  | Order<'setParameters', 'parameters'>
+  | Order<'startMission', 'onCloudLoss'>
+  | Order<'disarm', never, 'force'>
+  | Order<'setMode', 'mode'>
+  | Order<'takeOff', 'altitude'>
+  | Order<'goTo', 'latitude' | 'longitude' | 'altitude', 'altitudeReference'>
+  | { type: 'uploadMission'; items: MissionItem[] };
 
-export interface Drone {
-  id: string;
-  name: string;
-  replay: boolean;
-  link: Link;
-  kind: DroneKind;
-  autopilot: string | null;
-  vehicle: string | null;
-  firmware: string | null;
-  mode: string | null;
-  modes: string[];
-  armed: boolean | null;
-  readyToArm?: boolean | null; // what the vehicle's own pre-arm checks say
-  flight: FlightState | null;
-  position: Position | null;
-  local?: LocalPosition | null;
-  sensed?: SensedNumbers | null; // the newest that its sensors brought; null: there was none
-  place: string | null;
-  motion: Motion | null;
-  attitude: Attitude | null;
-  battery: Battery | null;
-  gps: Gps | null;
-  home: Home | null;
-  mission: VehicleMission | null;
-  messages: VehicleMessage[];
-  actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>; // forceDisarm: even in the air
-  control?: Control;
-  cloudLoss?: WithoutCloud;
-  outlook: Outlook | null; // null: it is not in the air
-  lastUpdate: string | null;
-  version: number;
-}
+export type { AltitudeReference, LookAtItem, MissionItem, WaypointItem } from './items';
 
 /** Speeds from the vehicle's own nose, in m/s, and a turn in degrees a second, clockwise. */
 export interface Velocity {
@@ -196,75 +103,6 @@ export type StreamRequest =
   | { type: 'letGo'; requestId: string; drone: string }
   | { type: 'subscribe'; requestId: string; drones: readonly string[] | null; rate: number }
   | ({ type: 'positions'; requestId: string; follow: string } & Positions);
-
-/** What a vehicle on a mission does by itself when it no longer hears the cloud. */
-export type CloudLoss = 'continue' | 'rtl';
-
-export type RelaySetting = 'on' | 'off' | 'toggle';
-
-export type CommandRequest =
-  | { type: 'arm' | 'land' | 'returnToLaunch' | 'hold' | 'pauseMission' | 'clearMission' }
-  | { type: 'takePicture' | 'readHome' | 'readParameters' | 'emergencyStop' | 'readMap' }
-  | { type: 'goToLocal'; x: number; y: number }
-  | { type: 'turn'; degrees: number }
-  | { type: 'setRelay'; relay: number; setting: RelaySetting }
-  | { type: 'setHome'; latitude?: number; longitude?: number; altitude?: number; altitudeReference?: 'amsl' }
-  | { type: 'setParameters'; parameters: { name: string; value: number }[] }
-  | { type: 'startMission'; onCloudLoss: CloudLoss }
-  | { type: 'disarm'; force?: boolean }
-  | { type: 'setMode'; mode: string }
-  | { type: 'takeOff'; altitude: number }
-  | {
-      type: 'goTo';
-      latitude: number;
-      longitude: number;
-      altitude: number;
-      altitudeReference?: AltitudeReference;
-    }
-  | { type: 'uploadMission'; items: MissionItem[] };
-
-export type CommandPhase = 'sent' | 'accepted' | 'done';
-
-export type CommandResult = 'succeeded' | 'refused' | 'failed' | 'timedOut' | 'superseded' | 'unknown';
-
-export interface Outcome {
-  result: CommandResult;
-  by: 'vehicle' | 'gate' | null;
-  reason: string | null;
-}
-
-export interface Command {
-  id: string;
-  drone: string;
-  by: string;
-  face: string;
-  type: CommandKind;
-  summary: string;
-  at: string;
-  phase: CommandPhase;
-  outcome: Outcome | null;
-  finishedAt: string | null;
-  progress: { done: number; total: number } | null;
-  /** Told once, to who gave the command. */
-  warnings?: string[];
-}
-
-export interface SavedMission {
-  id: string;
-  name: string;
-  items: MissionItem[];
-  by: string;
-  changedAt: string;
-}
-
-export interface Settings {
-  streamPort: number;
-  tileAddress: string | null;
-  version: string;
-  publicMode: boolean;
-  /** Where phones learn to trust this server, by plain HTTP; null: nowhere. */
-  phonePage?: string | null;
-}
 
 /** RFC 9457 problem details, with the field at fault and its allowed range where there is one. */
 export interface ProblemBody {

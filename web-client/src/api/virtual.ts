@@ -1,85 +1,29 @@
-import type { MissionItem } from './types';
+import type { WithItems } from './items';
+import type {
+  DroneActionView as Action,
+  VirtualDroneDroneName as DroneName,
+  VirtualDroneNeedsView as Needs,
+  WarehouseProspectsView as Prospects,
+  VirtualDroneRequest,
+  VirtualDroneView,
+  VirtualDroneRunView as VirtualRun,
+  WarehouseView,
+} from './contract';
 
-/** What a drone must be to serve; null or nothing: any. */
-export interface VirtualNeeds {
-  kind: string | null;
-  capabilities: string[];
-  enduranceMinutes: number | null;
-  area: { latitude: number; longitude: number; radius: number } | null;
-}
+export type { DroneName, Prospects, VirtualRun };
+export type { WarehouseProspectView as Prospect, VirtualDroneLiveView as VirtualLive } from './contract';
 
-export interface DroneName {
-  id: string;
-  name: string;
-}
+/** Whole, as the server answers it: its description is of what it takes as well. */
+export type VirtualNeeds = Required<Needs> & { capabilities: NonNullable<Needs['capabilities']> };
 
-export type VirtualState =
-  | 'queued'
-  | 'uploading'
-  | 'arming'
-  | 'starting'
-  | 'flying'
-  | 'returning'
-  | 'givingUp'
-  | 'stopping'
-  | 'suspended'
-  | 'done'
-  | 'failed'
-  | 'stopped';
-
-/** A mission from being asked for to its end. `drone`, `detail` and `unfit` are there only for those who may see the drone. */
-export interface VirtualRun {
-  state: VirtualState;
-  sentence: string;
-  queue: { position: number; length: number } | null;
-  flown: number;
-  total: number;
-  onCloudLoss: 'continue' | 'rtl';
-  why: string | null;
-  drone: DroneName | null;
-  detail: string | null;
-  unfit: { drone: DroneName; why: string }[];
-  changedAt: string;
-}
-
-/** How the drone is that serves, without its name. */
-export interface VirtualLive {
-  link: 'live' | 'suspect' | 'lost' | 'ended';
-  armed: boolean | null;
-  position: { latitude: number | null; longitude: number | null; altitudeAboveHome: number | null } | null;
-  battery: number | null;
-}
-
-export interface VirtualDrone {
-  id: string;
-  name: string;
-  owner: string;
+export type VirtualDrone = Omit<WithItems<VirtualDroneView>, 'needs' | 'actions'> & {
   needs: VirtualNeeds;
-  items: MissionItem[] | null;
-  run: VirtualRun | null;
-  live: VirtualLive | null;
-  actions: Record<'plan' | 'start' | 'stop' | 'resume' | 'remove', { allowed: boolean; why: string | null }>;
-}
+  actions: Record<'plan' | 'start' | 'stop' | 'resume' | 'remove', Action>;
+};
 
-/** What waits, as seen from a drone; `flies`: it would arm and take off for it. Names only for those who may see it. */
-export interface Prospect {
-  name: string | null;
-  owner: string | null;
-  waypoints: number;
-  flies: boolean;
-  why: string | null;
-}
+export type VirtualRequest = Required<VirtualDroneRequest>;
 
-export interface Prospects {
-  inWarehouse: boolean;
-  waiting: Prospect[];
-}
-
-export interface VirtualRequest {
-  name: string;
-  needs: VirtualNeeds;
-  items: readonly MissionItem[] | null;
-}
+export type VirtualState = VirtualRun['state'];
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
@@ -112,7 +56,7 @@ export class VirtualCalls {
   }
 
   async warehouse(): Promise<DroneName[]> {
-    return (await this.#call<{ drones: DroneName[] }>('GET', '/warehouse')).drones;
+    return (await this.#call<WarehouseView>('GET', '/warehouse')).drones;
   }
 
   /** What would follow if that drone were in the warehouse and nobody had control of it. Changes nothing. */
@@ -122,7 +66,7 @@ export class VirtualCalls {
 
   async offer(drone: string): Promise<DroneName[]> {
     const path = `/warehouse/${encodeURIComponent(drone)}`;
-    return (await this.#call<{ drones: DroneName[] }>('PUT', path, {})).drones;
+    return (await this.#call<WarehouseView>('PUT', path, {})).drones;
   }
 
   withdraw(drone: string): Promise<void> {

@@ -1,32 +1,21 @@
 import type { Point, Polygon } from 'geojson';
 import type { Command } from './types';
+import type { FenceView, ZoneFeature, ZoneProperties as ZoneRequestProperties } from './contract';
+
+/** Whole, as the server answers it: its description is of what it takes as well. */
+export type ZoneProperties = Required<ZoneRequestProperties> & {
+  [K in 'name' | 'kind' | 'altitudeReference' | 'onBreach']: NonNullable<ZoneRequestProperties[K]>;
+};
 
 /** An area of the cloud that drones stay in or out of: a feature of GeoJSON, a circle being a point with a radius. */
-export interface Zone {
-  type: 'Feature';
-  id: string;
+export type Zone = { [K in 'type' | 'id']: NonNullable<ZoneFeature[K]> } & {
   geometry: Polygon | Point;
   properties: ZoneProperties;
-}
+};
 
-/** Metres; a null floor or ceiling is no bound, a null user and drone bind everybody. */
-export interface ZoneProperties {
-  name: string;
-  kind: 'exclusion' | 'inclusion';
-  radius: number | null;
-  floor: number | null;
-  ceiling: number | null;
-  altitudeReference: 'home' | 'amsl';
-  user: string | null;
-  drone: string | null;
-  from: string | null;
-  until: string | null;
-  onBreach: BreachAction;
-}
+export type NewZone = Omit<Zone, 'id' | 'properties'> & { properties: ZoneRequestProperties };
 
-export type BreachAction = 'hold' | 'returnToLaunch' | 'land';
-
-export type NewZone = Omit<Zone, 'id' | 'properties'> & { properties: Partial<ZoneProperties> };
+export type BreachAction = ZoneProperties['onBreach'];
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
@@ -67,8 +56,7 @@ export class ZoneCalls {
 
   /** How many areas the vehicle keeps itself; null: it was not asked yet. */
   async onBoard(drone: string): Promise<number | null> {
-    type Fence = { zones: unknown[] | null };
-    const fence = await this.#call<Fence>('GET', `/drones/${encodeURIComponent(drone)}/fence`);
+    const fence = await this.#call<FenceView>('GET', `/drones/${encodeURIComponent(drone)}/fence`);
     return fence.zones?.length ?? null;
   }
 

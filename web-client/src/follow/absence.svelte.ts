@@ -17,7 +17,14 @@ export interface Absence {
 }
 
 /** What explains more goes first: a phone that sleeps loses its network too. */
-const RANKS: Record<AbsenceReason, number> = { blind: 0, unanswered: 1, cut: 2, gone: 3, asleep: 4 };
+const RANKS: Record<AbsenceReason, number> = {
+  blind: 0,
+  vague: 0,
+  unanswered: 1,
+  cut: 2,
+  gone: 3,
+  asleep: 4,
+};
 
 /** So soon after a page was opened again its next standstill belongs to that: it is busy with what it shows. */
 const TOGETHER_SECONDS = 3;

@@ -66,7 +66,7 @@ describe('warnings', () => {
   it('tell what had kept the phone away and what the drone did, for a while', () => {
     const absence = { seconds: 34, waited: 32, from: NOW - 35_000, until: NOW - 1000 };
     const meantime = 'The drone stood and waited for 32 s.';
-    const said = (['asleep', 'cut', 'unanswered', 'gone', 'blind'] as const).map((why) =>
+    const said = (['asleep', 'cut', 'unanswered', 'gone', 'blind', 'vague'] as const).map((why) =>
       words({ absence: { ...absence, why }, meantime }),
     );
     expect(said.map((one) => one.slice(0, one.indexOf(' 34 s')))).toEqual([
@@ -75,6 +75,7 @@ describe('warnings', () => {
       'The cloud did not answer for',
       'This page was closed for',
       'The phone did not know where it is for',
+      'The phone knew its place to no better than 50 m for',
     ]);
     said.forEach((one) => expect(one).toContain(meantime));
     // After the drone was spoken of, "it" would be the drone.

@@ -143,6 +143,10 @@ const ABSENCES: Record<AbsenceReason, (time: string) => [words: string, todo: st
     `The phone did not know where it is for ${time}.`,
     'Stay where you see the sky, with location switched on.',
   ],
+  vague: (time) => [
+    `The phone knew its place to no better than 50 m for ${time}.`,
+    'Stay where you see the sky, with location switched on.',
+  ],
 };
 
 function back({ now, absence, meantime, leading }: Signs): Warning | null {

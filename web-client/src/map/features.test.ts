@@ -45,6 +45,7 @@ describe('map features', () => {
       running: true,
       state: null,
       notice: null,
+      hash: null,
     };
     const points = missionFeatures(aDrone({ mission })).features.filter(
       (one) => one.geometry.type === 'Point',

@@ -16,6 +16,9 @@ const CLIENT: OutletClient = {
   systemId: 255,
   drones: 1,
   since: '2026-01-01T12:00:00Z',
+  messagesIn: 60,
+  messagesOut: 74_040,
+  queue: 0,
   messagesPerSecondIn: 1,
   messagesPerSecondOut: 1234,
   dropped: 0,
@@ -29,6 +32,8 @@ const PORT: PersonalPort = {
   endpoint: 'udpserver://0.0.0.0:14561',
   address: '192.0.2.7',
   peer: null,
+  user: 'ann',
+  since: '2026-01-01T12:00:00Z',
   refused: 0,
   until: '2026-01-01T20:00:00Z',
 };
@@ -137,7 +142,14 @@ describe('the outlet page', () => {
     const station = new Station();
     station.connection.up();
     const { outlet } = station.rest;
-    vi.spyOn(outlet, 'all').mockResolvedValue({ endpoints: ENDPOINTS, clients: [CLIENT], refused: NOBODY });
+    vi.spyOn(outlet, 'all').mockResolvedValue({
+      endpoints: ENDPOINTS,
+      clients: [CLIENT],
+      ports: [],
+      refused: NOBODY,
+      dropped: 0,
+      notPassed: 0,
+    });
     const disconnect = vi.spyOn(outlet, 'disconnect').mockResolvedValue();
     render(OutletClients, { context: new Map([[STATION, station]]) });
     const button = await screen.findByRole('button', { name: /Disconnect/ });

@@ -62,6 +62,7 @@ describe('mission of the vehicle', () => {
     running: true,
     state: null,
     notice: null,
+    hash: null,
   } satisfies Parameters<typeof missionSummary>[0];
 
   it('reads as lines with what is reached and what comes now', () => {

@@ -5,7 +5,7 @@ import type { Role } from '../api/accounts';
 import type { Control } from '../api/control';
 import { Problem } from '../api/problem';
 import { STATION, Station } from '../state/station.svelte';
-import { aDrone, anOutlook } from '../testing';
+import { aCloudLoss, aDrone, anOutlook } from '../testing';
 import ControlLine from './ControlLine.svelte';
 
 function held(change: Partial<Control> = {}): Control {
@@ -15,7 +15,7 @@ function held(change: Partial<Control> = {}): Control {
 function station(role: Role = 'operator'): Station {
   const made = new Station();
   made.connection.up();
-  made.session = { name: 'olga', role, mustChangePassword: false };
+  made.session = { name: 'olga', role, mustChangePassword: false, organisation: null };
   return made;
 }
 
@@ -106,7 +106,7 @@ describe('control line', () => {
     const then = 'When ann gives no sign for 6 s, it is brought home 30 s later.';
     const sentence = 'When it does not hear the cloud any more, it returns home after 20 s.';
     const outlook = anOutlook({ then, returnsAt: null });
-    const drone = aDrone({ control: held(), outlook, cloudLoss: { state: 'set', sentence } });
+    const drone = aDrone({ control: held(), outlook, cloudLoss: aCloudLoss({ sentence }) });
     render(ControlLine, { props: { drone }, context: new Map([[STATION, station()]]) });
 
     expect(screen.getByText(then)).toBeDefined();

@@ -2,7 +2,7 @@ import { cleanup, fireEvent, render, screen, waitFor } from '@testing-library/sv
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import type { Prospect } from '../api/virtual';
 import { STATION, Station } from '../state/station.svelte';
-import { aCommand, aDrone } from '../testing';
+import { aCommand, aDrone, anAction } from '../testing';
 import ControlLine from './ControlLine.svelte';
 import EmergencyStop from './EmergencyStop.svelte';
 import FlightControls from './FlightControls.svelte';
@@ -14,7 +14,7 @@ const ROOFS: Prospect = { name: 'Roofs', owner: 'olga', waypoints: 6, flies: tru
 
 function aStation(): Station {
   const station = new Station();
-  station.session = { name: 'ann', role: 'supervisor', mustChangePassword: false };
+  station.session = { name: 'ann', role: 'supervisor', mustChangePassword: false, organisation: null };
   station.connection.up();
   return station;
 }
@@ -91,7 +91,7 @@ describe('arming in a mode that refuses it', () => {
     mode: 'RTL',
     actions: {
       arm: { allowed: true, why: null, mode: 'GUIDED' },
-      setMode: { allowed: true, why: null },
+      setMode: anAction(),
     },
   });
 
@@ -145,8 +145,8 @@ describe('the emergency stop', () => {
     armed: true,
     flight: 'inAir' as const,
     actions: {
-      forceDisarm: { allowed: true, why: null },
-      emergencyStop: { allowed: false, why: 'It cannot.' },
+      forceDisarm: anAction(),
+      emergencyStop: anAction('It cannot.'),
     },
   };
 
@@ -179,7 +179,7 @@ describe('the emergency stop', () => {
   });
 
   it('stops a robot where it stands', async () => {
-    const { sent } = show({ kind: 'rover', actions: { emergencyStop: { allowed: true, why: null } } });
+    const { sent } = show({ kind: 'rover', actions: { emergencyStop: anAction() } });
     await hold(/Emergency stop/);
     await hold(/Hold again/);
     expect(sent).toEqual([{ type: 'emergencyStop' }]);
@@ -187,7 +187,7 @@ describe('the emergency stop', () => {
 
   it('is not for who may not, and says why', async () => {
     const why = 'Your role may look, not command; ask an administrator for the operator role.';
-    const { sent } = show({ ...FLYING, actions: { forceDisarm: { allowed: false, why } } });
+    const { sent } = show({ ...FLYING, actions: { forceDisarm: anAction(why) } });
     expect(screen.getByText(why)).toBeDefined();
     await hold(/Emergency stop/);
     await hold(/Emergency stop/);

@@ -14,6 +14,7 @@ const MISSION: VehicleMission = {
   running: true,
   state: null,
   notice: null,
+  hash: null,
 };
 
 describe('the mission of the vehicle', () => {

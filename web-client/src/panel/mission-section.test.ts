@@ -4,10 +4,10 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import type { Drone, MissionItem } from '../api/types';
 import { addWaypoint } from '../plan/draft';
 import { STATION, Station } from '../state/station.svelte';
-import { aCommand, aDrone } from '../testing';
+import { aCommand, aDrone, aMission, anAction } from '../testing';
 import MissionSection from './MissionSection.svelte';
 
-const READY = { allowed: true, why: null };
+const READY = anAction();
 const ITEMS: MissionItem[] = [
   { type: 'takeOff', altitude: 20 },
   { type: 'waypoint', latitude: 47.3987, longitude: 8.5456, altitude: 20, altitudeReference: 'home' },
@@ -16,7 +16,16 @@ const ITEMS: MissionItem[] = [
 function flyable(change: Partial<Drone> = {}): Drone {
   return aDrone({
     actions: { takeOff: READY, uploadMission: READY, startMission: READY },
-    mission: { items: ITEMS, current: 0, reached: [], total: 2, running: false, state: null, notice: null },
+    mission: {
+      items: ITEMS,
+      current: 0,
+      reached: [],
+      total: 2,
+      running: false,
+      state: null,
+      notice: null,
+      hash: null,
+    },
     ...change,
   });
 }
@@ -24,7 +33,7 @@ function flyable(change: Partial<Drone> = {}): Drone {
 function stationWithLink(): Station {
   const station = new Station();
   station.connection.up();
-  station.session = { name: 'olga', role: 'operator', mustChangePassword: false };
+  station.session = { name: 'olga', role: 'operator', mustChangePassword: false, organisation: null };
   return station;
 }
 
@@ -58,7 +67,7 @@ describe('mission section', () => {
     station.planner.edit((draft) => addWaypoint(draft, { latitude: 47.4, longitude: 8.5 }, 20));
     station.planner.markSent();
     station.planner.becameTrue('d1');
-    const { rerender } = show(station, flyable({ mission: null }));
+    const { rerender } = show(station, flyable({ mission: aMission() }));
     await tick();
     scrolled.mockClear();
     await rerender({ drone: flyable() });
@@ -97,6 +106,7 @@ describe('mission section', () => {
       running: true,
       state: 'running',
       notice: null,
+      hash: null,
     } as const;
     show(station, flyable({ flight: 'inAir', mission: { ...mission, reached: [0] } }));
     const start = screen.getByRole('button', { name: 'Start mission' });
@@ -109,7 +119,7 @@ describe('mission section', () => {
 
   it('says calmly that the vehicle has forgotten its mission', () => {
     const notice = 'The vehicle holds no mission now; the last one that the cloud knew had 4 items.';
-    const mission = { items: [], current: null, reached: [], total: 0, running: false, state: null, notice };
+    const mission = aMission({ items: [], total: 0, notice });
     show(stationWithLink(), flyable({ mission }));
 
     expect(screen.getByText(notice).classList.contains('calm')).toBe(true);

@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { frameOf, hitsOf, newestOf, NOTHING_YET, Projection } from './own-map';
 
+const at = '2026-01-01T12:00:00Z';
 const local = { x: 1, y: 2, z: null, yaw: 90 };
 
 describe('hitsOf', () => {
   it('turns rays with the vehicle, counter-clockwise', () => {
-    const scan = { number: 1, firstAngle: -90, angleStep: 90, ranges: [2, 3, 4] };
+    const scan = { number: 1, at, firstAngle: -90, angleStep: 90, ranges: [2, 3, 4] };
     const [right, ahead, left] = hitsOf(scan, local);
     expect(right?.x).toBeCloseTo(3);
     expect(right?.y).toBeCloseTo(2);
@@ -15,7 +16,7 @@ describe('hitsOf', () => {
   });
 
   it('leaves out what was not met, and all where nobody knows how it stands', () => {
-    const scan = { number: 1, firstAngle: 0, angleStep: 1, ranges: [null, 1, null] };
+    const scan = { number: 1, at, firstAngle: 0, angleStep: 1, ranges: [null, 1, null] };
     expect(hitsOf(scan, local)).toHaveLength(1);
     expect(hitsOf(scan, { ...local, yaw: null })).toEqual([]);
     expect(hitsOf(scan, null)).toEqual([]);

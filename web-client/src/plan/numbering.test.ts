@@ -26,7 +26,16 @@ describe('numbers of items', () => {
       { type: 'other', description: 'change speed' },
       { type: 'waypoint', ...B, altitude: 20, altitudeReference: 'home' },
     ];
-    const mission = { items, current: 3, reached: [0], total: 4, running: true, state: null, notice: null };
+    const mission = {
+      items,
+      current: 3,
+      reached: [0],
+      total: 4,
+      running: true,
+      state: null,
+      notice: null,
+      hash: null,
+    };
     expect(missionLines(mission).map((line) => `${line.number} ${line.words}`)).toEqual([
       '1 Take off to 20 m',
       '2 Waypoint at 20 m',

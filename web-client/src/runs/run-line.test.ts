@@ -115,7 +115,7 @@ describe('a mission run in words', () => {
     );
     expect(costLine(null, figures(1, 1))).toBeNull();
     expect(triggerWords({ trigger: 'lowBattery' })).toBe('Low battery');
-    expect(triggerWords({ trigger: 'newOne' })).toBe('newOne');
+    expect(triggerWords({ trigger: 'newOne' as never })).toBe('newOne');
   });
 
   it('knows which drones can be resumed, called home and held', () => {
@@ -208,6 +208,8 @@ describe('a mission run on the map', () => {
         from: null,
         until: null,
         onBreach: 'hold',
+        by: null,
+        changedAt: '2026-01-01T11:00:00Z',
       },
     };
     const run = aRun({ barriers: [school, circle('Crane', 8.1)] });

@@ -80,7 +80,7 @@ export function stageLook(drone: RunDrone): Look {
   return STAGES[drone.stage] ?? { words: drone.stage, tone: 'neutral' };
 }
 
-const TRIGGERS: Record<string, string> = {
+const TRIGGERS: Record<RunExplanation['trigger'], string> = {
   start: 'Started',
   takenOver: 'Taken over',
   lost: 'Not heard',
@@ -112,6 +112,7 @@ const TRIGGERS: Record<string, string> = {
 };
 
 export function triggerWords(explanation: Pick<RunExplanation, 'trigger'>): string {
+  // A server that is newer than the page may have another one.
   return TRIGGERS[explanation.trigger] ?? explanation.trigger;
 }
 

@@ -82,7 +82,7 @@ describe('the runs that the page knows', () => {
 function panelFor(role: Role, run: MissionRun): Station {
   const station = new Station();
   station.connection.up();
-  station.session = { name: 'olga', role, mustChangePassword: false };
+  station.session = { name: 'olga', role, mustChangePassword: false, organisation: null };
   station.runs.hear(run);
   station.runs.show(run.id);
   render(RunPanel, { props: { run }, context: new Map([[STATION, station]]) });

@@ -29,10 +29,19 @@ const PURPOSES: Record<CommandKind, 'safety' | 'read' | 'control'> = {
   setRelay: 'control',
   setHome: 'control',
   setParameters: 'control',
+  setReturnHeight: 'control',
+  returnOnLoss: 'control',
+  setCloudLoss: 'control',
+  putBack: 'control',
+  setFence: 'control',
+  setRallyPoints: 'control',
   readHome: 'read',
   readParameters: 'read',
   readLogs: 'read',
   readMap: 'read',
+  downloadLog: 'read',
+  readFence: 'read',
+  readRallyPoints: 'read',
 };
 
 /** How control of a drone looks from here. `here`: kept by this window; `elsewhere`: by another one of mine. */
@@ -55,7 +64,7 @@ export class Controls {
 
   standing(drone: Drone, user: string | undefined): Standing {
     const control = drone.control;
-    if (control === undefined || control.state === 'free') {
+    if (control.state === 'free') {
       return 'free';
     }
     if (control.state === 'pilot') {
@@ -80,7 +89,7 @@ export class Controls {
     if (standing === 'pilot') {
       return 'A pilot at the vehicle or another ground station has control; take control to command it.';
     }
-    return standing === 'other' ? `${drone.control?.holder ?? 'Somebody else'} has control.` : null;
+    return standing === 'other' ? `${drone.control.holder ?? 'Somebody else'} has control.` : null;
   }
 
   async take(drone: string): Promise<void> {

@@ -1,6 +1,6 @@
 import { flushSync } from 'svelte';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { aDrone, aRun, aRunWaypoint, aZone } from '../testing';
+import { aDrone, aMission, aRun, aRunWaypoint, aZone } from '../testing';
 import { draftOf, newZone } from '../zones/zone-draft';
 import { keepMapModes, MAP_MODES, mapMode } from './map-modes.svelte';
 import { Station } from './station.svelte';
@@ -25,7 +25,7 @@ const BEGIN: Record<string, () => void> = {
 
 beforeEach(() => {
   station = new Station();
-  station.session = { name: 'ann', role: 'administrator', mustChangePassword: false };
+  station.session = { name: 'ann', role: 'administrator', mustChangePassword: false, organisation: null };
   station.fleet.replaceAll([aDrone(), aDrone({ id: 'd2', name: 'Copter 2' })]);
   leave = $effect.root(() => keepMapModes(station));
   flushSync();
@@ -54,7 +54,7 @@ describe('each use of the map', () => {
   it.each(MAP_MODES.map((mode) => [mode.name]))('%s ends when its user may do that no more', (name) => {
     BEGIN[name]?.();
     flushSync();
-    station.session = { name: 'ann', role: 'viewer', mustChangePassword: false };
+    station.session = { name: 'ann', role: 'viewer', mustChangePassword: false, organisation: null };
     flushSync();
     expect(mapMode(station)).toBeNull();
   });
@@ -84,15 +84,7 @@ describe('planning', () => {
     station.planner.begin('d1');
     flushSync();
     expect(station.planner.droneId).toBe('d1');
-    const mission = {
-      items: null,
-      current: 0,
-      reached: [],
-      total: 1,
-      running: true,
-      state: null,
-      notice: null,
-    };
+    const mission = aMission({ current: 0, total: 1, running: true });
     station.fleet.replaceAll([aDrone({ mission, version: 2 })]);
     flushSync();
     expect(station.planner.droneId).toBeNull();

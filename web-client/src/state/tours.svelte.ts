@@ -101,7 +101,7 @@ export class Tours {
       const before = this.plan;
       const plan = await this.#calls.ask({
         drones: this.chosen,
-        waypoints,
+        waypoints: [...waypoints],
         objective: this.#objective(),
         seconds: this.seconds ?? 5,
         ...(this.windSpeed === null || this.windSpeed === 0

@@ -48,8 +48,8 @@ export class Virtuals {
   }
 
   plan(drone: VirtualDrone, items: readonly MissionItem[]): Promise<boolean> {
-    const { name, needs } = drone;
-    return this.#attempt(async () => this.hear(await this.#calls.replace(drone.id, { name, needs, items })));
+    const request = { name: drone.name, needs: drone.needs, items: [...items] };
+    return this.#attempt(async () => this.hear(await this.#calls.replace(drone.id, request)));
   }
 
   act(id: string, action: 'start' | 'stop' | 'resume'): Promise<boolean> {

@@ -27,7 +27,7 @@ const COMMANDS = /^(Arm|Disarm|Take off|Hold|Return to launch|Land|Take control|
 
 function aStation(): Station {
   const station = new Station();
-  station.session = { name: 'ann', role: 'administrator', mustChangePassword: false };
+  station.session = { name: 'ann', role: 'administrator', mustChangePassword: false, organisation: null };
   station.connection.up();
   station.connection.heard();
   station.clock.hear('2026-01-01T12:00:07Z');

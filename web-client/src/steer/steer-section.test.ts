@@ -2,10 +2,10 @@ import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Action, Velocity } from '../api/types';
 import { STATION, Station } from '../state/station.svelte';
-import { aDrone } from '../testing';
+import { aDrone, anAction } from '../testing';
 import SteerSection from './SteerSection.svelte';
 
-const MAY: Action = { allowed: true, why: null };
+const MAY = anAction();
 
 describe('steer section', () => {
   let said: (Velocity | 'let go' | 'closed')[];
@@ -17,7 +17,7 @@ describe('steer section', () => {
     said = [];
     made = new Station();
     made.connection.up();
-    made.session = { name: 'olga', role: 'operator', mustChangePassword: false };
+    made.session = { name: 'olga', role: 'operator', mustChangePassword: false, organisation: null };
     vi.spyOn(made, 'steering').mockImplementation((_, onRefused) => {
       refuse = onRefused;
       return {
@@ -77,7 +77,7 @@ describe('steer section', () => {
   });
 
   it('steers nothing, with the reason, where it may not', async () => {
-    show({ allowed: false, why: 'Take off first.' });
+    show(anAction('Take off first.'));
     await fireEvent.keyDown(pad(), { code: 'KeyW' });
     expect(said).toEqual([]);
     expect(screen.getByText('Take off first.')).toBeDefined();

@@ -47,6 +47,9 @@ function tour(drone: string, change: Partial<PlanTour> = {}): PlanTour {
 function plan(change: Partial<FleetPlan>): FleetPlan {
   return {
     id: 'p1',
+    by: 'ann',
+    askedAt: '2026-01-01T12:00:00Z',
+    seed: 1,
     state: 'running',
     why: null,
     seconds: 5,
@@ -117,11 +120,11 @@ describe('a plan for several drones', () => {
 
   it('is drawn as it is flown once it is found, and not when it was cancelled', () => {
     const place = { latitude: 47.5, longitude: 8.5, altitudeAmsl: 500 };
+    const times = { arrivesSeconds: 1, beginsSeconds: 1, leavesSeconds: 1 };
+    const stop = { ...place, ...times, waypoint: '1', wattHours: 1, via: [place] };
     const result = {
       endsSeconds: 1,
-      tours: [
-        tour('d1', { stops: [{ ...place, waypoint: '1', arrivesSeconds: 1, via: [place] }], back: [place] }),
-      ],
+      tours: [tour('d1', { stops: [stop], back: [place] })],
       unserved: [],
       faults: [],
       assumed: true,

@@ -17,7 +17,7 @@ const RUN: VirtualRun = {
 };
 
 function virtual(part: Partial<VirtualDrone>): VirtualDrone {
-  const no = { allowed: false, why: null };
+  const no = { allowed: false, why: null, mode: null };
   return {
     id: 'v1',
     name: 'Survey',
@@ -49,7 +49,15 @@ describe('the line of a virtual drone', () => {
   });
 
   it('tells of the drone that serves only what is known', () => {
-    const live = { link: 'suspect', armed: true, position: null, battery: 87 } as const;
+    const live: VirtualDrone['live'] = {
+      link: 'suspect',
+      kind: 'multicopter',
+      armed: true,
+      flight: 'inAir',
+      position: null,
+      motion: null,
+      battery: 87,
+    };
     expect(liveLine(virtual({ live }))).toBe('contact suspect, battery 87 %');
     expect(liveLine(virtual({}))).toBe('');
   });

@@ -73,7 +73,7 @@ describe('a zone that is drawn', () => {
     for (const zone of [area, aZone({ user: 'bob' })]) {
       const draft = draftOf(zone);
       expect(draft.id).toBe('z1');
-      expect({ id: 'z1', ...featureOf(draft) }).toEqual(zone);
+      expect(zone).toMatchObject(featureOf(draft));
     }
   });
 

@@ -5,6 +5,7 @@ import io.swagger.v3.oas.models.OpenAPI;
 import io.swagger.v3.oas.models.Operation;
 import io.swagger.v3.oas.models.media.Content;
 import io.swagger.v3.oas.models.media.Schema;
+import java.lang.reflect.AnnotatedParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -18,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 
 /**
- * Says in the description which members may be null, and which are always there: what the server answers has all of its members,
+ * Says in the description which values members have, which may be null, and which are always there: what the server answers has all of its members,
  * what it is sent has those that are not nullable.
  */
 public final class DescribedNulls implements OpenApiCustomizer {
@@ -43,6 +44,7 @@ public final class DescribedNulls implements OpenApiCustomizer {
                         ? null
                         : (Schema<?>) schema.getProperties().get(component.getName());
                 if (member != null) {
+                    DescribedValues.say(component, member);
                     say(schema, component, member, whole);
                 }
             }
@@ -53,6 +55,9 @@ public final class DescribedNulls implements OpenApiCustomizer {
     private static void say(Schema<?> schema, RecordComponent component, Schema<?> member, boolean whole) {
         String name = component.getName();
         boolean nullable = component.getAnnotatedType().isAnnotationPresent(Nullable.class);
+        if (whole && member.getItems() != null && holdsNulls(component)) {
+            member.setItems(orNull(member.getItems()));
+        }
         boolean required = schema.getRequired() != null && schema.getRequired().contains(name);
         if (nullable && (whole || !required)) {
             schema.getProperties().put(name, orNull(member));
@@ -62,12 +67,23 @@ public final class DescribedNulls implements OpenApiCustomizer {
         }
     }
 
+    private static boolean holdsNulls(RecordComponent list) {
+        return list.getAnnotatedType() instanceof AnnotatedParameterizedType of
+                && of.getAnnotatedActualTypeArguments()[0].isAnnotationPresent(Nullable.class);
+    }
+
+    @SuppressWarnings("unchecked")
     private static Schema<?> orNull(Schema<?> member) {
         if (member.get$ref() == null) {
             if (member.getTypes() != null) {
                 Set<String> types = new LinkedHashSet<>(member.getTypes());
                 types.add(NULL);
                 member.setTypes(types);
+            }
+            if (member.getEnum() != null) {
+                List<@Nullable Object> values = new ArrayList<>(member.getEnum());
+                values.add(null);
+                ((Schema<@Nullable Object>) member).setEnum(values);
             }
             return member;
         }

@@ -10,7 +10,9 @@ import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.oidc.OidcSignIn;
+import org.dronemap.ws.service.Registration;
 import org.dronemap.ws.service.RegistrationService;
+import org.dronemap.ws.service.ValuesOf;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -36,7 +38,9 @@ public class RegistrationController {
      * @param signInWith the provider that people can sign in with; null: none
      */
     @Schema(name = "RegistrationPolicy")
-    public record Policy(String policy, @Nullable String signInWith) {}
+    public record Policy(
+            @ValuesOf(Registration.class) String policy,
+            @Nullable String signInWith) {}
 
     public RegistrationController(RegistrationService registrations, Optional<OidcSignIn> oidc) {
         this.oidc = oidc;

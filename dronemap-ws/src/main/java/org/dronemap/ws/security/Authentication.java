@@ -26,6 +26,7 @@ import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.Roles;
 import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.ValuesOf;
 import org.dronemap.ws.service.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -60,7 +61,7 @@ public final class Authentication implements OwnPassword {
     @Schema(name = "SessionView")
     public record SessionView(
             String name,
-            String role,
+            @ValuesOf(Role.class) String role,
             boolean mustChangePassword,
             @Nullable String organisation) {}
 

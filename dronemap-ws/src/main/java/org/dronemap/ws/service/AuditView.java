@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditLine;
+import org.dronemap.core.audit.AuditOutcome;
 import org.jspecify.annotations.Nullable;
 
 /** What was done by whom, as clients see it; null: not known, or none. */
@@ -24,8 +25,7 @@ public record AuditView(
         @Nullable String command,
         String parameters,
 
-        @Schema(description = "underWay, succeeded, refused, failed, timedOut, superseded or unknown")
-        String outcome,
+        @ValuesOf(AuditOutcome.class) String outcome,
 
         @Nullable String reason,
         @Nullable Long latencyMillis,

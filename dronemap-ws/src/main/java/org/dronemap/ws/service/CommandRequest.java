@@ -2,12 +2,41 @@ package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
+import org.dronemap.core.command.RelaySetting;
+import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /** A command as a client writes it; which members are needed depends on the type. Nothing is checked yet. */
 @Schema(name = "CommandRequest", description = "A command; which members are needed depends on the type.")
 public record CommandRequest(
-        @Schema(description = "one of " + CommandRequest.TYPES, requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+        @Schema(
+                requiredMode = Schema.RequiredMode.REQUIRED,
+                allowableValues = {
+                    "arm",
+                    "disarm",
+                    "setMode",
+                    "takeOff",
+                    "land",
+                    "returnToLaunch",
+                    "hold",
+                    "goTo",
+                    "uploadMission",
+                    "startMission",
+                    "pauseMission",
+                    "clearMission",
+                    "turn",
+                    "takePicture",
+                    "setRelay",
+                    "setHome",
+                    "readHome",
+                    "readParameters",
+                    "setParameters",
+                    "readLogs",
+                    "goToLocal",
+                    "emergencyStop",
+                    "readMap"
+                })
+        @Nullable
         String type,
 
         @Schema(description = "Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once") @Nullable
@@ -34,7 +63,9 @@ public record CommandRequest(
         @Schema(description = "takeOff, goTo, setHome: metres") @Nullable
         Double altitude,
 
-        @Schema(description = "goTo, setHome: home as it is now (the default) or amsl") @Nullable
+        @Schema(description = "goTo, setHome: home as it is now (the default) or amsl")
+        @ValuesOf(Altitude.Reference.class)
+        @Nullable
         String altitudeReference,
 
         @Schema(description = "uploadMission: 1 to 500 items") @Nullable
@@ -42,7 +73,8 @@ public record CommandRequest(
 
         @Schema(
                 description = "startMission: what the vehicle does by itself when it no longer hears the cloud:"
-                        + " continue (the default) or rtl")
+                        + " continue (the default) or rtl",
+                allowableValues = {"continue", "rtl"})
         @Nullable
         String onCloudLoss,
 
@@ -51,7 +83,7 @@ public record CommandRequest(
 
         @Schema(description = "setRelay: 0 to 15") @Nullable Integer relay,
 
-        @Schema(description = "setRelay: off, on or toggle") @Nullable
+        @Schema(description = "setRelay") @ValuesOf(RelaySetting.class) @Nullable
         String setting,
 
         @Schema(description = "setParameters: what is to be changed") @Nullable

@@ -4,6 +4,8 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
+import org.dronemap.core.command.CommandKind;
+import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.jspecify.annotations.Nullable;
@@ -15,10 +17,10 @@ public record CommandView(
         String drone,
         String by,
         String face,
-        String type,
+        @ValuesOf(CommandKind.class) String type,
         String summary,
         Instant at,
-        String phase,
+        @ValuesOf(CommandPhase.class) String phase,
         @Nullable OutcomeView outcome,
         @Nullable Instant finishedAt,
         @Nullable ProgressView progress,
@@ -32,7 +34,12 @@ public record CommandView(
     /** How it ended; {@code by} says who refused. */
     @Schema(name = "CommandOutcomeView")
     public record OutcomeView(
-            String result, @Nullable String by, @Nullable String reason) {}
+            @ValuesOf(Outcome.Kind.class) String result,
+
+            @Schema(allowableValues = {"gate", "vehicle"}) @Nullable
+            String by,
+
+            @Nullable String reason) {}
 
     /** Steps done of steps in all. */
     @Schema(name = "CommandProgressView")

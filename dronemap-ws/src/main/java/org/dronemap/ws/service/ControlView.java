@@ -14,7 +14,9 @@ import org.jspecify.annotations.Nullable;
 /** Who commands a drone, as clients see it. */
 @Schema(name = "ControlView", description = "Who commands a drone.")
 public record ControlView(
-        @Schema(description = "free; held: by the user in holder; pilot: by whoever flies it at the vehicle")
+        @Schema(
+                description = "held: by the user in holder; pilot: by whoever flies it at the vehicle",
+                allowableValues = {"free", "held", "pilot"})
         String state,
 
         @Nullable String holder,

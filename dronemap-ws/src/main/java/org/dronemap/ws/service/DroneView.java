@@ -4,6 +4,13 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import org.dronemap.core.drone.CloudLossState;
+import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.MissionPhase;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
 /** A drone as clients see it; a fact that nobody knows is null. */
@@ -14,7 +21,7 @@ public record DroneView(
         boolean replay,
         LinkView link,
         IdentityView identity,
-        String kind,
+        @ValuesOf(VehicleKind.class) String kind,
         String autopilot,
         String vehicle,
         @Nullable String firmware,
@@ -22,7 +29,7 @@ public record DroneView(
         List<String> modes,
         @Nullable Boolean armed,
         @Nullable Boolean readyToArm,
-        @Nullable String flight,
+        @ValuesOf(FlightPhase.class) @Nullable String flight,
         @Nullable PositionView position,
         @Nullable LocalView local,
 
@@ -61,7 +68,7 @@ public record DroneView(
             int port,
             int systemId,
             String transport,
-            String state,
+            @ValuesOf(LinkState.class) String state,
             @Nullable Instant lastHeard,
             QualityView quality,
 
@@ -71,7 +78,9 @@ public record DroneView(
     /** How it showed who it is: its address, hardware, signature or link; only the last two prove it. */
     @Schema(name = "DroneIdentityView")
     public record IdentityView(
-            String evidence, boolean proved, @Nullable String hardwareId) {}
+            @ValuesOf(Evidence.class) String evidence,
+            boolean proved,
+            @Nullable String hardwareId) {}
 
     /** Shares from 0 to 1 of the vehicle's messages that were lost over some 5 s and 60 s; milliseconds there and back. */
     @Schema(name = "DroneQualityView")
@@ -125,7 +134,9 @@ public record DroneView(
     /** Satellite reception. */
     @Schema(name = "DroneGpsView")
     public record GpsView(
+            @Schema(allowableValues = {"none", "2D", "3D", "DGPS", "RTK float", "RTK fixed"})
             String fix,
+
             @Nullable Integer satellites,
             @Nullable Double hdop) {}
 
@@ -139,7 +150,7 @@ public record DroneView(
      */
     @Schema(name = "DroneCloudLossView")
     public record CloudLossView(
-            String state,
+            @ValuesOf(CloudLossState.State.class) String state,
             @Nullable String action,
             @Nullable Double afterSeconds,
             @Nullable Double returnHeight,
@@ -164,13 +175,13 @@ public record DroneView(
             List<Integer> reached,
             @Nullable Integer total,
             boolean running,
-            @Nullable String state,
+            @ValuesOf(MissionPhase.class) @Nullable String state,
             @Nullable String notice,
             @Nullable String hash) {}
 
     /** A sentence of the vehicle or about it. */
     @Schema(name = "DroneMessageView")
-    public record MessageView(String severity, String text, Instant at) {}
+    public record MessageView(@ValuesOf(Severity.class) String severity, String text, Instant at) {}
 
     /** Whether a command can be given now, and if not, why. */
     @Schema(name = "DroneActionView")

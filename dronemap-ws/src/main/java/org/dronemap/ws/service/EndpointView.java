@@ -17,10 +17,13 @@ public record EndpointView(
         String id,
         String url,
         String transport,
-        String origin,
+        @Schema(allowableValues = {"configured", "added"}) String origin,
         @Nullable String addedBy,
         @Nullable Instant addedAt,
+
+        @Schema(allowableValues = {"open", "connecting", "failed"})
         String state,
+
         @Nullable String reason,
         Counts counts,
         List<PeerView> peers) {

@@ -3,6 +3,8 @@ package org.dronemap.ws.service;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Severity;
 import org.dronemap.core.history.HistoryEvent;
 import org.jspecify.annotations.Nullable;
 
@@ -11,16 +13,14 @@ import org.jspecify.annotations.Nullable;
 public record EventView(
         Instant at,
 
-        @Schema(description = "armed, disarmed, mode, phase, message, command, mission or control")
-        String kind,
+        @ValuesOf(HistoryEvent.Kind.class) String kind,
 
         String text,
-        @Nullable String severity,
+        @ValuesOf(Severity.class) @Nullable String severity,
         @Nullable String by,
         @Schema(description = "Id of the command") @Nullable String command,
 
-        @Schema(description = "succeeded, refused, failed, timedOut, superseded or unknown") @Nullable
-        String result,
+        @ValuesOf(Outcome.Kind.class) @Nullable String result,
 
         @Nullable String reason) {
 

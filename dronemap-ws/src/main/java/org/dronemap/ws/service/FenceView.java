@@ -13,7 +13,9 @@ public record FenceView(@Nullable List<ZoneView> zones) {
     /** {@code type} is polygon (with corners) or circle (with center and radius in metres). */
     @Schema(name = "FenceZoneView")
     public record ZoneView(
-            @Nullable String type,
+            @Schema(allowableValues = {"polygon", "circle"}) @Nullable
+            String type,
+
             @Nullable Boolean inside,
             @Nullable List<PointView> corners,
             @Nullable PointView center,

@@ -20,7 +20,7 @@ public record FlightView(
         @Schema(description = "Null while it goes on; of a lost one, when it was last heard") @Nullable
         Instant end,
 
-        @Schema(description = "running, lost or ended") String state,
+        @ValuesOf(Flight.State.class) String state,
         double seconds,
         @Schema(description = "Along the ground, in metres") double distance,
 

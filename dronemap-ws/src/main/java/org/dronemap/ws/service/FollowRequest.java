@@ -46,7 +46,10 @@ public final class FollowRequest {
             name = "FollowPlaceRequest",
             description = "Where the drone stays beside the phone; what is left out stays as it is.")
     public record PlaceRequest(
-            @Schema(description = "behind, ahead, fixed or orbit; left out at first: behind") @Nullable
+            @Schema(
+                    description = "left out at first: behind",
+                    allowableValues = {"behind", "ahead", "fixed", "orbit"})
+            @Nullable
             String side,
 
             @Schema(description = "degrees from north to the side where it stays, for fixed") @Nullable

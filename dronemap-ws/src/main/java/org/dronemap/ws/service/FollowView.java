@@ -9,6 +9,7 @@ import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.cognitive.operation.follow.Stage;
 import org.dronemap.core.conduct.Operations.Picture;
+import org.dronemap.core.operation.Reach;
 import org.jspecify.annotations.Nullable;
 
 /** A follow as clients see it. */
@@ -24,10 +25,8 @@ public record FollowView(
         @Schema(description = "null: it is under way") @Nullable
         Instant endedAt,
 
-        @Schema(
-                description =
-                        "allocated: a drone is kept on the ground; starting, tracking, paused, suspended: somebody else has"
-                                + " the drone; returning or over")
+        @Schema(description = "allocated: a drone is kept on the ground; suspended: somebody else has the drone")
+        @ValuesOf(Stage.class)
         String state,
 
         Instant since,
@@ -60,7 +59,7 @@ public record FollowView(
             String drone,
             String droneName,
 
-            @Schema(description = "starting, tracking, suspended or returning, as of a follow")
+            @Schema(description = "As of a follow: starting, tracking, suspended or returning") @ValuesOf(Stage.class)
             String state,
 
             @Schema(description = "It is on its way to replace the drone that follows; false: it flies home")
@@ -69,7 +68,7 @@ public record FollowView(
     /** Where the drone stays. */
     @Schema(name = "FollowPlaceView")
     public record PlaceView(
-            @Schema(description = "behind, ahead, fixed or orbit")
+            @Schema(allowableValues = {"behind", "ahead", "fixed", "orbit"})
             String side,
 
             @Schema(description = "degrees from north, for fixed") @Nullable
@@ -107,8 +106,10 @@ public record FollowView(
 
             @Schema(
                     description =
-                            "How the phone is reached on the stream: speaks; asleep, its page stands still; cut, it"
-                                    + " has no network; gone, its page was closed. null: it does not speak there")
+                            "How the phone is reached on the stream: vague: where it says it is is of no use; asleep: its page"
+                                    + " stands still; cut: it has no network; gone: its page was closed; null: it does"
+                                    + " not speak there")
+            @ValuesOf(Reach.class)
             @Nullable
             String reach) {}
 

@@ -11,6 +11,7 @@ import java.util.UUID;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
+import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.Subject;
@@ -38,7 +39,7 @@ public final class GrantService {
             @Nullable Boolean virtual,
             @Nullable List<@Nullable String> drones,
             @Nullable String fleet,
-            @Nullable List<@Nullable String> operations,
+            @ValuesOf(Permission.class) @Nullable List<@Nullable String> operations,
             @Nullable String from,
             @Nullable String until) {}
 
@@ -62,10 +63,13 @@ public final class GrantService {
             boolean virtual,
             @Nullable List<String> drones,
             @Nullable String fleet,
-            List<String> operations,
+            @ValuesOf(Permission.class) List<String> operations,
             Instant from,
             @Nullable Instant until,
+
+            @Schema(allowableValues = {"inForce", "toCome", "over"})
             String state,
+
             String by,
             Instant at) {}
 

@@ -30,7 +30,7 @@ public final class InvitationService {
     @Schema(name = "NewInvitation")
     public record NewInvitation(
             @Nullable String label,
-            @Nullable String role,
+            @ValuesOf(Role.class) @Nullable String role,
             @Nullable Integer days,
             @Nullable String organisation) {}
 
@@ -43,7 +43,7 @@ public final class InvitationService {
     public record InvitationView(
             String id,
             String label,
-            String role,
+            @ValuesOf(Role.class) String role,
             String invitedBy,
             Instant expiresAt,
             @Nullable String code) {}

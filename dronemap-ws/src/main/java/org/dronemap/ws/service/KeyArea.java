@@ -8,7 +8,10 @@ import org.jspecify.annotations.Nullable;
 /** The area that flights commanded with an access key stay within, as a geometry of GeoJSON. */
 @Schema(name = "KeyArea")
 public record KeyArea(
-        @Schema(description = "Polygon (one ring) or Point, the middle of a circle") @Nullable
+        @Schema(
+                description = "Polygon: one ring; Point: the middle of a circle",
+                allowableValues = {"Polygon", "Point"})
+        @Nullable
         String type,
 
         @Schema(description = "Degrees, longitude first") @Nullable

@@ -13,6 +13,7 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Bounds;
@@ -31,13 +32,13 @@ import org.jspecify.annotations.Nullable;
 @Schema(name = "KeyRequest")
 public record KeyRequest(
         @Nullable String label,
-        @Nullable String role,
-        @Nullable List<@Nullable String> operations,
+        @ValuesOf(Role.class) @Nullable String role,
+        @ValuesOf(Permission.class) @Nullable List<@Nullable String> operations,
         @Nullable List<@Nullable String> drones,
         @Nullable KeyArea area,
         @Nullable Double floor,
         @Nullable Double ceiling,
-        @Nullable String altitudeReference,
+        @ValuesOf(Altitude.Reference.class) @Nullable String altitudeReference,
         @Nullable Integer days) {
     static final String OPERATIONS = "a list of view, plan, command and administer";
     private static final int MOST_DRONES = 500;

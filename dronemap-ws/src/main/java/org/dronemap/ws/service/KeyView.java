@@ -8,7 +8,10 @@ import java.util.Objects;
 import java.util.Set;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
+import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Bounds;
 import org.jspecify.annotations.Nullable;
@@ -30,13 +33,13 @@ import org.jspecify.annotations.Nullable;
 public record KeyView(
         String id,
         String label,
-        String role,
-        List<String> operations,
+        @ValuesOf(Role.class) String role,
+        @ValuesOf(Permission.class) List<String> operations,
         @Nullable List<String> drones,
         @Nullable KeyArea area,
         @Nullable Double floor,
         @Nullable Double ceiling,
-        @Nullable String altitudeReference,
+        @ValuesOf(Altitude.Reference.class) @Nullable String altitudeReference,
         @Nullable Instant expiresAt,
         @Nullable String parent,
         Instant createdAt,

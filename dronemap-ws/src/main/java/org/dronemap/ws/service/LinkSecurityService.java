@@ -34,7 +34,8 @@ public final class LinkSecurityService {
 
     /** A change of the policy. */
     @Schema(name = "LinkSecurityPolicyRequest")
-    public record PolicyRequest(@Nullable String policy) {}
+    public record PolicyRequest(
+            @ValuesOf(LinkPolicy.class) @Nullable String policy) {}
 
     /** A new key; without one given it is made up. */
     @Schema(name = "LinkKeyRequest")

@@ -1,18 +1,19 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import org.dronemap.core.access.LinkPolicy;
 import org.jspecify.annotations.Nullable;
 
 /** How a drone's link is secured, for clients; no secret is in it. */
 @Schema(name = "LinkSecurityView", description = "How a drone's link is secured; a key shows its fingerprint only.")
 public record LinkSecurityView(
-        @Schema(description = "off, optional or required") String policy,
+        @ValuesOf(LinkPolicy.class) String policy,
         @Nullable Key key,
 
         @Schema(description = "Fingerprint of the key that is being changed over to") @Nullable
         String nextKey,
 
-        @Schema(description = "install, rotate or revoke while that is under way") @Nullable
+        @Schema(description = "While that is under way") @ValuesOf(LinkSecurityControl.Change.class) @Nullable
         String changing,
 
         @Schema(description = "Whether a key may be sent over the present link; null: there is none") @Nullable

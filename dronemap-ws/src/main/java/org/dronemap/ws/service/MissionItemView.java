@@ -12,10 +12,7 @@ import org.jspecify.annotations.Nullable;
 @JsonInclude(JsonInclude.Include.NON_NULL)
 @Schema(name = "MissionItemView", description = "One step of a mission; which members are there depends on the type.")
 public record MissionItemView(
-        @Schema(
-                description =
-                        "takeOff, waypoint, returnToLaunch, land, wait, takePhoto, setServo, lookAt, lookAhead; read only: other")
-        @Nullable
+        @Schema(description = "other: read only") @ValuesOf(MissionItem.Kind.class) @Nullable
         String type,
 
         @Schema(description = "waypoint, lookAt: degrees") @Nullable
@@ -27,7 +24,9 @@ public record MissionItemView(
         @Schema(description = "takeOff, waypoint, lookAt: metres") @Nullable
         Double altitude,
 
-        @Schema(description = "waypoint, lookAt: home (the default) or amsl") @Nullable
+        @Schema(description = "waypoint, lookAt: home (the default) or amsl")
+        @ValuesOf(Altitude.Reference.class)
+        @Nullable
         String altitudeReference,
 
         @Schema(description = "waypoint, wait: seconds to wait there") @Nullable

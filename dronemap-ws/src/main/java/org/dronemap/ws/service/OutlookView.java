@@ -15,6 +15,7 @@ public record OutlookView(
                         "kept: somebody has it; waits: nobody has, and it is brought home unless somebody takes it;"
                                 + " returns: it is on its way home or down; helpless: nobody has it, and nothing can be done for"
                                 + " it; leftAlone: a pilot or another ground station flies it, or the rules say so")
+        @ValuesOf(Outlook.State.class)
         String state,
 
         @Schema(description = "A sentence: what happens then")

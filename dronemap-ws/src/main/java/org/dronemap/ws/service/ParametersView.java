@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterComparison;
+import org.dronemap.core.parameter.ParameterType;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,7 +19,8 @@ import org.jspecify.annotations.Nullable;
 public record ParametersView(@Nullable Instant readAt, int total, List<ParameterView> parameters) {
     /** {@code type}: int8 to int64, uint8 to uint64, real32 or real64. */
     @Schema(name = "ParameterView")
-    public record ParameterView(String name, String type, double value) {
+    public record ParameterView(
+            String name, @ValuesOf(ParameterType.class) String type, double value) {
         static ParameterView of(Parameter parameter) {
             return new ParameterView(
                     parameter.name(), parameter.type().name().toLowerCase(Locale.ROOT), parameter.value());
@@ -27,7 +29,8 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
 
     /** A value in a file that is not the vehicle's. */
     @Schema(name = "ParametersDifferenceView")
-    public record DifferenceView(String name, String type, double held, double wanted) {
+    public record DifferenceView(
+            String name, @ValuesOf(ParameterType.class) String type, double held, double wanted) {
         static DifferenceView of(ParameterComparison.Difference difference) {
             ParameterView view = ParameterView.of(difference.held());
             return new DifferenceView(view.name(), view.type(), view.value(), difference.wanted());

@@ -2,6 +2,8 @@ package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
+import org.dronemap.cognitive.problem.Objective;
+import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /** What is to be planned, as a client writes it. Nothing is checked yet. */
@@ -41,6 +43,7 @@ public record PlanRequest(
                     description =
                             "home (the default): above the highest home of these drones, which must lie within 20 m;"
                                     + " or amsl")
+            @ValuesOf(Altitude.Reference.class)
             @Nullable
             String altitudeReference,
 
@@ -78,7 +81,9 @@ public record PlanRequest(
             name = "PlanTaskRequest",
             description = "Something that is done at a waypoint; which members count depends on the type.")
     public record TaskRequest(
-            @Schema(description = "photo, servo, lookAt or readSensors", requiredMode = Schema.RequiredMode.REQUIRED)
+            @Schema(
+                    requiredMode = Schema.RequiredMode.REQUIRED,
+                    allowableValues = {"photo", "servo", "lookAt", "readSensors"})
             @Nullable
             String type,
 
@@ -111,7 +116,8 @@ public record PlanRequest(
     /** What a plan is to be good at. */
     @Schema(name = "PlanObjectiveRequest", description = "What the plan is to be good at.")
     public record ObjectiveRequest(
-            @Schema(description = "earliestEnd, leastTime, leastDistance, leastEnergy or weighted") @Nullable
+            @Schema(allowableValues = {"earliestEnd", "leastTime", "leastDistance", "leastEnergy", "weighted"})
+            @Nullable
             String kind,
 
             @Schema(description = "weighted: of the longest tour's seconds") @Nullable
@@ -120,7 +126,9 @@ public record PlanRequest(
             @Schema(description = "weighted: of the sum over all tours") @Nullable
             Double sumWeight,
 
-            @Schema(description = "weighted: what is summed: seconds, meters or joules; left out: seconds") @Nullable
+            @Schema(description = "weighted: what is summed; left out: seconds")
+            @ValuesOf(Objective.Measure.class)
+            @Nullable
             String measure,
 
             @Schema(description = "Whether each drone must fly; left out: drones may stay where they are") @Nullable
@@ -144,7 +152,9 @@ public record PlanRequest(
             @Nullable
             Boolean start,
 
-            @Schema(description = "what a drone does by itself when it no longer hears the cloud: continue or rtl")
+            @Schema(
+                    description = "what a drone does by itself when it no longer hears the cloud",
+                    allowableValues = {"continue", "rtl"})
             @Nullable
             String onCloudLoss) {}
 }

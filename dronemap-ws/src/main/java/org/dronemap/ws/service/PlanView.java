@@ -13,8 +13,7 @@ public record PlanView(
         String by,
         Instant askedAt,
 
-        @Schema(description = "queued, running, finished, cancelled or failed")
-        String state,
+        @ValuesOf(PlanJob.State.class) String state,
 
         @Schema(description = "failed: why") @Nullable String why,
         @Schema(description = "Seconds to search") double seconds,
@@ -139,8 +138,7 @@ public record PlanView(
             String drone,
             String name,
 
-            @Schema(description = "uploading, uploaded, waiting, arming, starting, started, heldBack or failed")
-            String stage,
+            @ValuesOf(PlanFlight.Stage.class) String stage,
 
             @Nullable String why,
 

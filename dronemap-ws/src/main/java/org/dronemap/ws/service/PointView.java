@@ -3,6 +3,8 @@ package org.dronemap.ws.service;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
 import org.jspecify.annotations.Nullable;
@@ -21,8 +23,8 @@ public record PointView(
         @Nullable Integer batteryPercent,
         @Nullable Boolean armed,
         @Nullable String mode,
-        @Nullable String flight,
-        String link) {
+        @ValuesOf(FlightPhase.class) @Nullable String flight,
+        @ValuesOf(LinkState.class) String link) {
 
     /** In the order of time. */
     @Schema(name = "Points")

@@ -28,7 +28,7 @@ public record RecordingView(
         long bytes,
         long frames,
         long drops,
-        String state,
+        @ValuesOf(Recording.State.class) String state,
         @Nullable String notice) {
 
     /** All that may be seen, and the room that recordings take. */

@@ -35,7 +35,10 @@ public final class RegistrationService {
 
     /** What came of it: {@code active}, or {@code waiting} for an administrator. */
     @Schema(name = "RegistrationAnswer")
-    public record Answer(String name, String role, String state) {}
+    public record Answer(
+            String name,
+            @ValuesOf(Role.class) String role,
+            @Schema(allowableValues = {"active", "waiting"}) String state) {}
 
     public RegistrationService(
             AccessStore store,

@@ -16,7 +16,10 @@ public record ReplayView(
         String name,
         double speed,
         List<String> drones,
+
+        @Schema(allowableValues = {"running", "finished", "cancelled", "failed"})
         String state,
+
         long records,
         long goodMessages,
         long brokenRuns,

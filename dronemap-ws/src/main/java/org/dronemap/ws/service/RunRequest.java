@@ -2,6 +2,8 @@ package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
+import org.dronemap.cognitive.operation.run.RunOrder;
+import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /** What is wanted of mission runs, as a client writes it. Nothing is checked yet. */
@@ -18,10 +20,13 @@ public final class RunRequest {
                     description =
                             "automatic (the default): a changed plan is flown at once; askFirst: it waits for an answer,"
                                     + " but for what is unsafe for a drone")
+            @ValuesOf(RunOrder.Mode.class)
             @Nullable
             String mode,
 
-            @Schema(description = "What drones do when they no longer hear the cloud: continue (the default) or rtl")
+            @Schema(
+                    description = "What drones do when they no longer hear the cloud; left out: continue",
+                    allowableValues = {"continue", "rtl"})
             @Nullable
             String onCloudLoss,
 
@@ -47,7 +52,9 @@ public final class RunRequest {
             @Schema(description = "degrees") @Nullable Double longitude,
             @Schema(description = "metres") @Nullable Double altitude,
 
-            @Schema(description = "home (the default): above the highest home of the run's drones; or amsl") @Nullable
+            @Schema(description = "home (the default): above the highest home of the run's drones; or amsl")
+            @ValuesOf(Altitude.Reference.class)
+            @Nullable
             String altitudeReference) {}
 
     /** A drone that joins. */

@@ -3,6 +3,10 @@ package org.dronemap.ws.service;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
+import org.dronemap.cognitive.operation.run.DroneStage;
+import org.dronemap.cognitive.operation.run.RunOrder;
+import org.dronemap.cognitive.operation.run.Target;
+import org.dronemap.cognitive.operation.run.Trigger;
 import org.jspecify.annotations.Nullable;
 
 /** A mission run as clients see it. */
@@ -19,14 +23,14 @@ public record RunView(
         @Schema(description = "null: it is under way") @Nullable
         Instant endedAt,
 
-        @Schema(description = "running, paused, stopping or over")
+        @Schema(allowableValues = {"running", "paused", "stopping", "over"})
         String state,
 
         @Schema(description = "How it ended") @Nullable String end,
 
-        @Schema(description = "automatic or askFirst") String mode,
+        @ValuesOf(RunOrder.Mode.class) String mode,
 
-        @Schema(description = "continue or rtl") String onCloudLoss,
+        @Schema(allowableValues = {"continue", "rtl"}) String onCloudLoss,
 
         CountsView counts,
         List<DroneView> drones,
@@ -68,11 +72,7 @@ public record RunView(
             String id,
             String name,
 
-            @Schema(
-                    description =
-                            "landed, uploading, ready, arming, starting, flying, holding, replacing, continuing, returning,"
-                                    + " silent, suspended, crashed, gone or left")
-            String stage,
+            @ValuesOf(DroneStage.class) String stage,
 
             Instant since,
 
@@ -97,8 +97,7 @@ public record RunView(
             @Schema(description = "metres above mean sea level")
             double altitudeAmsl,
 
-            @Schema(description = "waiting, assigned, reserved, visited, unserved or cancelled")
-            String state,
+            @ValuesOf(Target.State.class) String state,
 
             @Schema(description = "Whose it is") @Nullable String drone,
 
@@ -116,13 +115,13 @@ public record RunView(
     /** One task of a waypoint. */
     @Schema(name = "RunTaskView")
     public record TaskView(
-            @Schema(description = "photo, servo, lookAt or readSensors")
+            @Schema(allowableValues = {"photo", "servo", "lookAt", "readSensors"})
             String type,
 
             @Schema(
-                    description =
-                            "open, underWay, done, notKnown: a drone was told to and nothing shows what came of it; or"
-                                    + " notAvailable: nothing of the kind is told by it")
+                    description = "notKnown: a drone was told to and nothing shows what came of it;"
+                            + " notAvailable: nothing of the kind is told by it")
+            @ValuesOf(value = Target.Report.Result.class, and = "open")
             String result,
 
             @Schema(description = "Who did it, or was told to") @Nullable
@@ -168,7 +167,7 @@ public record RunView(
             int number,
             Instant at,
 
-            @Schema(description = "What it was decided for, such as lost or lowBattery")
+            @Schema(description = "What it was decided for") @ValuesOf(Trigger.class)
             String trigger,
 
             @Nullable String drone,

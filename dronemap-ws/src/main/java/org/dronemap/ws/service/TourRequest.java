@@ -15,7 +15,8 @@ public record TourRequest(
 
         @Schema(
                 description = "hold or land: the last waypoint stays the last, since the drone ends there;"
-                        + " returnToLaunch (left out): it ends at its home")
+                        + " returnToLaunch (left out): it ends at its home",
+                allowableValues = {"hold", "land", "returnToLaunch"})
         @Nullable
         String ending,
 

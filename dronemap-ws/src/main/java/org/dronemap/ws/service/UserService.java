@@ -23,12 +23,16 @@ public final class UserService {
     @Schema(name = "NewUser")
     public record NewUser(
             @Nullable String name,
-            @Nullable String role,
+            @ValuesOf(Role.class) @Nullable String role,
             @Nullable String password) {}
 
     /** What shall change; null leaves it as it is. A user who waits is let in by {@code "state": "active"}. */
     @Schema(name = "UserChange")
-    public record Change(@Nullable String role, @Nullable String state) {}
+    public record Change(
+            @ValuesOf(Role.class) @Nullable String role,
+
+            @Schema(allowableValues = {"active", "disabled"}) @Nullable
+            String state) {}
 
     /** A password that works until the user has taken one of their own; there once, in the answer that made it. */
     @Schema(name = "OneTimePassword")

@@ -1,11 +1,18 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 
 /** A user as administrators see it; {@code onlyGranted}: sees no drone by the role alone. */
 @Schema(name = "UserView")
-public record UserView(String name, String role, String state, boolean mustChangePassword, boolean onlyGranted) {
+public record UserView(
+        String name,
+        @ValuesOf(Role.class) String role,
+        @ValuesOf(AccountState.class) String state,
+        boolean mustChangePassword,
+        boolean onlyGranted) {
     static UserView of(User user, boolean onlyGranted) {
         return new UserView(
                 user.name(),

@@ -2,6 +2,8 @@ package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
 /** A virtual drone as its owner writes it. */
@@ -19,10 +21,10 @@ public record VirtualDroneRequest(
     /** What a drone must be to serve. */
     @Schema(name = "VirtualDroneNeedsView", description = "What a drone must be to serve.")
     public record NeedsView(
-            @Schema(description = "multicopter, fixedWing …; null: any") @Nullable
+            @Schema(description = "null: any") @ValuesOf(VehicleKind.class) @Nullable
             String kind,
 
-            @Schema(description = "names of actions, such as takePicture") @Nullable
+            @Schema(description = "names of actions") @ValuesOf(Capability.class) @Nullable
             List<@Nullable String> capabilities,
 
             @Schema(description = "minutes in the air with what is in its battery; null: what the mission takes")
@@ -44,7 +46,9 @@ public record VirtualDroneRequest(
     /** How a mission is started. */
     @Schema(name = "VirtualDroneStartRequest")
     public record StartRequest(
-            @Schema(description = "what a drone does by itself when it no longer hears the cloud: continue or rtl")
+            @Schema(
+                    description = "what a drone does by itself when it no longer hears the cloud",
+                    allowableValues = {"continue", "rtl"})
             @Nullable
             String onCloudLoss) {}
 }

@@ -4,6 +4,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.virtual.Stage;
 import org.jspecify.annotations.Nullable;
 
 /** A virtual drone as clients see it: nothing here tells which drone serves it to those who may not see that drone. */
@@ -29,11 +33,7 @@ public record VirtualDroneView(
     /** A mission from being asked for to its end. */
     @Schema(name = "VirtualDroneRunView", description = "A mission from being asked for to its end.")
     public record RunView(
-            @Schema(
-                    description =
-                            "queued, uploading, arming, starting, flying, returning, givingUp, stopping, suspended,"
-                                    + " done, failed or stopped")
-            String state,
+            @ValuesOf(Stage.class) String state,
 
             @Schema(description = "How it is, for people") String sentence,
 
@@ -44,7 +44,7 @@ public record VirtualDroneView(
             int flown,
 
             @Schema(description = "Waypoints in all") int total,
-            String onCloudLoss,
+            @Schema(allowableValues = {"continue", "rtl"}) String onCloudLoss,
 
             @Schema(description = "Why this drone was chosen; null: none is bound") @Nullable
             String why,
@@ -75,10 +75,10 @@ public record VirtualDroneView(
     /** How the drone is that serves it. */
     @Schema(name = "VirtualDroneLiveView")
     public record LiveView(
-            @Schema(description = "live, suspect or lost") String link,
-            String kind,
+            @ValuesOf(LinkState.class) String link,
+            @ValuesOf(VehicleKind.class) String kind,
             @Nullable Boolean armed,
-            @Nullable String flight,
+            @ValuesOf(FlightPhase.class) @Nullable String flight,
             DroneView.@Nullable PositionView position,
             DroneView.@Nullable MotionView motion,
             @Schema(description = "per cent") @Nullable Integer battery) {}

@@ -6,6 +6,7 @@ import java.time.temporal.ChronoUnit;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.Waiting;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
 /** A vehicle outside as administrators see it. */
@@ -15,7 +16,9 @@ import org.jspecify.annotations.Nullable;
 public record WaitingView(
         String id,
 
-        @Schema(description = "unknown, or quarantined: it says that it is a drone which it does not prove to be")
+        @Schema(
+                description = "quarantined: it says that it is a drone which it does not prove to be",
+                allowableValues = {"unknown", "quarantined"})
         String reason,
 
         @Nullable String claims,
@@ -24,7 +27,7 @@ public record WaitingView(
         int port,
         int systemId,
         String transport,
-        String kind,
+        @ValuesOf(VehicleKind.class) String kind,
         String autopilot,
         String vehicle,
         @Nullable String firmware,

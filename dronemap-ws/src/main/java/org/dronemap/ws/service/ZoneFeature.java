@@ -7,16 +7,18 @@ import java.util.List;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.zone.Binding;
+import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Zone;
 import org.jspecify.annotations.Nullable;
 
 /** A zone as a feature of GeoJSON (RFC 7946), read and written in the same form. */
 @Schema(name = "ZoneFeature", description = "A zone as a GeoJSON feature: a Polygon, or a Point with a radius.")
 public record ZoneFeature(
-        @Schema(description = "Feature") @Nullable String type,
+        @Schema(allowableValues = {"Feature"}) @Nullable String type,
 
         @Schema(description = "Given by the server") @Nullable
         String id,
@@ -27,7 +29,10 @@ public record ZoneFeature(
     /** Longitude comes before latitude. */
     @Schema(name = "ZoneGeometry")
     public record ZoneGeometry(
-            @Schema(description = "Polygon (one ring) or Point, the middle of a circle") @Nullable
+            @Schema(
+                    description = "Polygon: one ring; Point: the middle of a circle",
+                    allowableValues = {"Polygon", "Point"})
+            @Nullable
             String type,
 
             @Schema(description = "Degrees, longitude first") @Nullable
@@ -38,7 +43,10 @@ public record ZoneFeature(
     public record ZoneProperties(
             @Nullable String name,
 
-            @Schema(description = "exclusion (keep out; the default) or inclusion (stay in)") @Nullable
+            @Schema(
+                    description = "exclusion: keep out, the default; inclusion: stay in",
+                    allowableValues = {"exclusion", "inclusion"})
+            @Nullable
             String kind,
 
             @Schema(description = "Point: metres, 1 to 100000") @Nullable
@@ -50,7 +58,9 @@ public record ZoneFeature(
             @Schema(description = "metres; null: without end") @Nullable
             Double ceiling,
 
-            @Schema(description = "what floor and ceiling are measured from: home (the default) or amsl") @Nullable
+            @Schema(description = "what floor and ceiling are measured from: home (the default) or amsl")
+            @ValuesOf(Altitude.Reference.class)
+            @Nullable
             String altitudeReference,
 
             @Schema(description = "binds what this user flies; null: whoever flies") @Nullable
@@ -65,7 +75,7 @@ public record ZoneFeature(
             @Schema(description = "ISO 8601; null: for ever") @Nullable
             String until,
 
-            @Schema(description = "hold (the default), returnToLaunch or land") @Nullable
+            @Schema(description = "left out: hold") @ValuesOf(BreachAction.class) @Nullable
             String onBreach,
 
             @Schema(description = "Who changed it last; given by the server") @Nullable
@@ -77,7 +87,7 @@ public record ZoneFeature(
     /** All zones, or those of an import. */
     @Schema(name = "ZoneCollection")
     public record ZoneCollection(
-            @Schema(description = "FeatureCollection") @Nullable
+            @Schema(allowableValues = {"FeatureCollection"}) @Nullable
             String type,
 
             @Nullable List<ZoneFeature> features) {

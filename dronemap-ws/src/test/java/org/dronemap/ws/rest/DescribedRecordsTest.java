@@ -15,7 +15,10 @@ import io.swagger.v3.oas.models.media.Content;
 import io.swagger.v3.oas.models.media.MediaType;
 import io.swagger.v3.oas.models.parameters.RequestBody;
 import java.lang.reflect.Type;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import org.dronemap.ws.service.ValuesOf;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -23,6 +26,11 @@ import org.junit.jupiter.api.Test;
 class DescribedRecordsTest {
     private final DescribedRecords records = new DescribedRecords();
     private final ModelConverters converters = new ModelConverters(true);
+
+    private enum Size {
+        SMALL,
+        VERY_LARGE
+    }
 
     @Schema(name = "Part")
     private record Part(int number) {}
@@ -32,6 +40,11 @@ class DescribedRecordsTest {
             String name,
             @Nullable String note,
             @Nullable Part part,
+            List<@Nullable Integer> numbers,
+            @ValuesOf(value = Size.class, and = "other") List<String> sizes,
+
+            @Schema(allowableValues = {"left", "right"}) @Nullable
+            String side,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             String type) {}
@@ -78,10 +91,12 @@ class DescribedRecordsTest {
         io.swagger.v3.oas.models.media.Schema<?> whole =
                 description(false).getComponents().getSchemas().get("Whole");
 
-        assertThat(whole.getRequired()).containsExactlyInAnyOrder("name", "note", "part", "type");
+        assertThat(whole.getRequired())
+                .containsExactlyInAnyOrder("name", "note", "part", "numbers", "sizes", "side", "type");
         assertThat(member(whole, "name").getTypes()).containsExactly("string");
         assertThat(member(whole, "note").getTypes()).containsExactly("string", "null");
         assertThat(member(whole, "type").getTypes()).containsExactly("string", "null");
+        assertThat(member(whole, "numbers").getItems().getTypes()).containsExactly("integer", "null");
         assertThat(member(whole, "part").getAnyOf())
                 .extracting(one -> one.get$ref() == null ? one.getTypes().toString() : one.get$ref())
                 .containsExactly("#/components/schemas/Part", "[null]");
@@ -92,9 +107,20 @@ class DescribedRecordsTest {
         io.swagger.v3.oas.models.media.Schema<?> whole =
                 description(true).getComponents().getSchemas().get("Whole");
 
-        assertThat(whole.getRequired()).containsExactlyInAnyOrder("name", "type");
+        assertThat(whole.getRequired()).containsExactlyInAnyOrder("name", "numbers", "sizes", "type");
         assertThat(member(whole, "type").getTypes()).containsExactly("string");
         assertThat(member(whole, "note").getTypes()).containsExactly("string", "null");
+    }
+
+    @Test
+    void saysWhichValuesATextMayHave() {
+        io.swagger.v3.oas.models.media.Schema<?> whole =
+                description(false).getComponents().getSchemas().get("Whole");
+
+        assertThat(member(whole, "sizes").getItems().getEnum())
+                .map(Object::toString)
+                .containsExactly("small", "veryLarge", "other");
+        assertThat(member(whole, "side").getEnum()).map(Objects::toString).containsExactly("left", "right", "null");
     }
 
     private static io.swagger.v3.oas.models.media.Schema<?> member(

@@ -1,5 +1,7 @@
 package org.dronemap.ws.wire;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
@@ -10,11 +12,9 @@ class RestWireTest {
     @Test
     void isDescribedAsApproved() {
         TestHouse house = SharedServer.get();
-        String served = new Http(house, "")
-                .get("/api/openapi.json")
-                .raw()
-                .body()
-                .replace("http://127.0.0.1:" + house.httpPort(), "http://dronemap.example");
+        Http.Answer answer = new Http(house, "").get("/api/openapi.json");
+        assertThat(answer.status()).isEqualTo(200);
+        String served = answer.raw().body().replace("http://127.0.0.1:" + house.httpPort(), "http://dronemap.example");
 
         Approved.check("openapi.json", PrettyJson.of(PrettyJson.sorted(PrettyJson.tree(served))));
     }
