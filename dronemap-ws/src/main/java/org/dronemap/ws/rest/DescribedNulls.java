@@ -38,28 +38,32 @@ public final class DescribedNulls implements OpenApiCustomizer {
         Map<String, Schema> schemas = description.getComponents().getSchemas();
         Set<String> sent = sent(description);
         schemas.forEach((name, schema) -> records.of(name).ifPresent(record -> {
-            boolean whole = !sent.contains(name) && !record.isAnnotationPresent(JsonInclude.class);
+            // What is null in these is left out.
+            boolean partly = record.isAnnotationPresent(JsonInclude.class);
+            boolean whole = !sent.contains(name) && !partly;
+            boolean nulls = whole || sent.contains(name);
             for (RecordComponent component : record.getRecordComponents()) {
                 Schema<?> member = schema.getProperties() == null
                         ? null
                         : (Schema<?>) schema.getProperties().get(component.getName());
                 if (member != null) {
                     DescribedValues.say(component, member);
-                    say(schema, component, member, whole);
+                    say(schema, component, member, whole, nulls);
                 }
             }
         }));
     }
 
     @SuppressWarnings("unchecked")
-    private static void say(Schema<?> schema, RecordComponent component, Schema<?> member, boolean whole) {
+    private static void say(
+            Schema<?> schema, RecordComponent component, Schema<?> member, boolean whole, boolean nulls) {
         String name = component.getName();
         boolean nullable = component.getAnnotatedType().isAnnotationPresent(Nullable.class);
         if (whole && member.getItems() != null && holdsNulls(component)) {
             member.setItems(orNull(member.getItems()));
         }
         boolean required = schema.getRequired() != null && schema.getRequired().contains(name);
-        if (nullable && (whole || !required)) {
+        if (nullable && nulls && (whole || !required)) {
             schema.getProperties().put(name, orNull(member));
         }
         if (!required && (whole || !nullable)) {

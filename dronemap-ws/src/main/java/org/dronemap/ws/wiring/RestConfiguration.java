@@ -117,6 +117,9 @@ import tools.jackson.databind.DeserializationFeature;
     ErrorAnswer.class
 })
 public class RestConfiguration {
+    /** One for the process, as what reads records for descriptions is: a second server would take it from the first. */
+    private static final DescribedRecords RECORDS = new DescribedRecords();
+
     private static final int KEEP_ALIVE_MILLIS = 30_000;
 
     @Bean
@@ -215,7 +218,7 @@ public class RestConfiguration {
 
     @Bean
     DescribedRecords describedRecords() {
-        return new DescribedRecords();
+        return RECORDS;
     }
 
     @Bean
