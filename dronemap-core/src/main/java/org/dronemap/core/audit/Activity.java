@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
 import org.jspecify.annotations.Nullable;
 
@@ -57,6 +58,11 @@ public final class Activity {
     /** For what is written beside a call and is not what the call is about. */
     public static void aside(Runnable work) {
         with(null, asWork(work));
+    }
+
+    /** The same of work with a result. */
+    public static <T> T beside(Supplier<T> work) {
+        return with(null, work::get);
     }
 
     private static <T, E extends Exception> T with(@Nullable Activity activity, Work<T, E> work) throws E {

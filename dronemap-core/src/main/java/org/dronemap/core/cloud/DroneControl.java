@@ -101,7 +101,11 @@ final class DroneControl {
         LeaseStep step = machine.apply(before, event, now());
         control = step.control();
         Activity.current().ifPresent(call -> call.epoch(drone.value(), epoch()));
-        CompletableFuture<Void> durable = keep(saved(before), saved(step.control()));
+        // The record of the call is that of the command, and not of the control that comes with it.
+        boolean withACommand = event instanceof LeaseEvent.Command || event instanceof LeaseEvent.Interrupt;
+        CompletableFuture<Void> durable = withACommand
+                ? Activity.beside(() -> keep(saved(before), saved(step.control())))
+                : keep(saved(before), saved(step.control()));
         if (!step.changes().isEmpty()
                 || before.requests().size() != step.control().requests().size()) {
             announcer.changed(step.control(), step.changes());

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.dronemap.core.audit.Activity;
+import org.dronemap.core.audit.AuditEntry;
+import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
@@ -238,5 +241,31 @@ class ControlTest extends GuidedFlight {
                 .isInstanceOfSatisfying(
                         Outcome.Refused.class,
                         refused -> assertThat(refused.reason()).startsWith("Control by epoch " + old + " has ended."));
+    }
+
+    /** Else the record of a call would be of the control that came with its command, and the command would leave a second. */
+    @Test
+    void controlThatComesWithACommandIsNotWhatTheCallIsAbout() {
+        AuditEntry entry = new AuditEntry(
+                BEGAN,
+                null,
+                null,
+                null,
+                "soap",
+                "takePicture",
+                null,
+                null,
+                null,
+                "",
+                AuditOutcome.SUCCEEDED,
+                null,
+                null,
+                null);
+        Activity call = new Activity(entry, time::nanos);
+
+        var unused = call.during(() -> gate.submit(ANN, link.id(), id("picture-1"), new Command.TakePicture()));
+        until(() -> !leases.leases.isEmpty());
+
+        assertThat(leases.ofCalls).hasValue(0);
     }
 }

@@ -10,6 +10,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
+import org.dronemap.core.audit.Activity;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
@@ -180,6 +181,9 @@ public final class Fixtures {
 
     public static final class HeapLeaseStore implements LeaseStore {
         public final ConcurrentHashMap<DroneId, SavedLease> leases = new ConcurrentHashMap<>();
+        /** How many were saved as what a call is about. */
+        public final AtomicLong ofCalls = new AtomicLong();
+
         private final AtomicLong reserved = new AtomicLong();
 
         @Override
@@ -190,6 +194,7 @@ public final class Fixtures {
         @Override
         public void save(SavedLease lease) {
             leases.put(lease.drone(), lease);
+            Activity.current().ifPresent(call -> ofCalls.incrementAndGet());
         }
 
         @Override

@@ -12,8 +12,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
@@ -38,6 +36,8 @@ import org.dronemap.ws.soap.SoapOutcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** Each way in knows each kind of command, mission item and outcome, or says here why it does not. */
 class CommandKindsTest {
@@ -74,6 +74,7 @@ class CommandKindsTest {
             Instant.EPOCH,
             1,
             null);
+    private static final Path DESCRIPTION = Path.of("src", "test", "resources", "wire", "openapi.json");
     private static final Set<String> TYPES = Set.of(CommandRequest.TYPES.split(", "));
 
     /** The operation of SOAP that gives it; empty where clients of SOAP are not to. */
@@ -145,7 +146,7 @@ class CommandKindsTest {
 
     @Test
     void hasAPageThatKnowsEachTypeOfCommand() throws IOException {
-        assertThat(union("types.ts", "CommandKind")).isEqualTo(TYPES);
+        assertThat(described("CommandRequest", "type")).isEqualTo(TYPES);
     }
 
     @Test
@@ -168,30 +169,32 @@ class CommandKindsTest {
 
     @Test
     void hasAPageThatKnowsEachOutcome() throws IOException {
-        assertThat(union("types.ts", "CommandResult"))
+        assertThat(described("CommandOutcomeView", "result"))
                 .isEqualTo(
                         Stream.of(Outcome.Kind.values()).map(Outcome.Kind::word).collect(Collectors.toSet()));
     }
 
     @Test
     void hasAPageThatKnowsEachItemOfAMission() throws IOException {
-        String items = Files.readString(PAGE.resolve("items.ts"));
-
-        assertThat(items(items, Pattern.compile("type: '(\\w+)'")))
+        assertThat(described("MissionItemView", "type"))
                 .isEqualTo(Stream.of(MissionItem.Kind.values())
                         .map(MissionItem.Kind::word)
                         .collect(Collectors.toSet()));
     }
 
-    /** The words of {@code export type NAME = 'a' | 'b';}. */
-    private static Set<String> union(String file, String name) throws IOException {
-        Matcher found =
-                Pattern.compile("export type " + name + " =([^;]*);").matcher(Files.readString(PAGE.resolve(file)));
-        assertThat(found.find()).as(name).isTrue();
-        return items(found.group(1), Pattern.compile("'(\\w+)'"));
-    }
-
-    private static Set<String> items(String text, Pattern word) {
-        return word.matcher(text).results().map(one -> one.group(1)).collect(Collectors.toSet());
+    /** The values of a member as the page takes them: its types are written from the description. */
+    private static Set<String> described(String schema, String member) throws IOException {
+        return new JsonMapper()
+                .readTree(Files.readString(DESCRIPTION))
+                .path("components")
+                .path("schemas")
+                .path(schema)
+                .path("properties")
+                .path(member)
+                .path("enum")
+                .valueStream()
+                .filter(JsonNode::isString)
+                .map(JsonNode::stringValue)
+                .collect(Collectors.toSet());
     }
 }

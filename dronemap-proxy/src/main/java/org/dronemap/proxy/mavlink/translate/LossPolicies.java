@@ -60,27 +60,38 @@ final class LossPolicies {
         return acting(words, now, "FS_GCS_TIMEOUT", action == 2 ? "On a mission it goes on." : "");
     }
 
-    /** It lands at home instead of circling there, where its mission lets it; with rotors it is left as it is. */
+    /**
+     * It lands at home instead of circling there, where its mission lets it, or on rotors: a QuadPlane says that it is a fixed
+     * wing unless its owner has set Q_MAV_TYPE.
+     */
     static LossPolicy plane(int seconds) {
         return winged(
-                seconds, Setting.ifThere(LossPolicy.instead(1, 0.0), AUTOLAND), Setting.ifThere(old -> old, Q_ENABLE));
+                seconds,
+                (now, owners) ->
+                        plane(now, owners, LossPolicy.find(now, Q_ENABLE).orElse(0) > 0),
+                Setting.ifThere(LossPolicy.instead(1, 0.0), AUTOLAND),
+                Setting.ifThere(old -> old, Q_ENABLE),
+                Setting.ifThere(LossPolicy.instead(1, 0.0), Q_RTL_MODE));
     }
 
     /** It lands at home on its rotors. */
     static LossPolicy quadPlane(int seconds) {
-        return winged(seconds, Setting.ifThere(LossPolicy.instead(1, 0.0), Q_RTL_MODE));
+        return winged(
+                seconds,
+                (now, owners) -> plane(now, owners, true),
+                Setting.ifThere(LossPolicy.instead(1, 0.0), Q_RTL_MODE));
     }
 
-    private static LossPolicy winged(int seconds, Setting... lands) {
+    private static LossPolicy winged(int seconds, LossPolicy.Acting action, Setting... lands) {
         List<Setting> settings = new ArrayList<>(List.of(
                 Setting.needed("FS_GCS_ENABL", LossPolicy.instead(1, 0.0, 3.0)),
                 Setting.needed("FS_LONG_ACTN", LossPolicy.instead(1, 0.0)),
                 Setting.ifThere(old -> Math.min(old, seconds), "FS_LONG_TIMOUT", "FS_LONG_TIMEOUT")));
         settings.addAll(List.of(lands));
-        return new LossPolicy(settings, null, LossPolicies::plane);
+        return new LossPolicy(settings, null, action);
     }
 
-    private static LossAction plane(Map<String, Double> now, Map<String, Double> owners) {
+    private static LossAction plane(Map<String, Double> now, Map<String, Double> owners, boolean rotors) {
         boolean listens = LossPolicy.find(now, "FS_GCS_ENABL").orElse(0) > 0;
         int action = (int) LossPolicy.find(now, "FS_LONG_ACTN").orElse(0);
         String words = switch (listens ? action : 0) {
@@ -92,16 +103,15 @@ final class LossPolicies {
             default -> DOWN;
         };
         String note = shared(now, owners, "FS_LONG_ACTN", "FS_LONG_TIMOUT");
-        return words.equals(HOME) ? home(now, note) : acting(words, now, "FS_LONG_TIMOUT", note);
+        return words.equals(HOME) ? home(now, rotors, note) : acting(words, now, "FS_LONG_TIMOUT", note);
     }
 
     /** What it does when it is there. */
-    private static LossAction home(Map<String, Double> now, String note) {
-        boolean hasRotors = LossPolicy.find(now, Q_ENABLE).orElse(0) > 0;
-        boolean onRotors = LossPolicy.find(now, Q_RTL_MODE).isPresent();
+    private static LossAction home(Map<String, Double> now, boolean hasRotors, String note) {
+        boolean onRotors = LossPolicy.find(now, Q_RTL_MODE).orElse(0) > 0;
         int autoland = (int) LossPolicy.find(now, AUTOLAND).orElse(0);
-        if (hasRotors || onRotors) {
-            String rotors = hasRotors && !onRotors ? OWNERS_ROTORS : "";
+        if (hasRotors) {
+            String rotors = onRotors ? "" : OWNERS_ROTORS;
             return homeward(now, AtHome.BY_ITSELF, rotors, note);
         }
         return switch (autoland) {

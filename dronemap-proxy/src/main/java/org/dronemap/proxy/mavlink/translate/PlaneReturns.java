@@ -16,8 +16,9 @@ import org.dronemap.proxy.mavlink.procedure.Exchange;
 final class PlaneReturns {
     private static final String AUTO = "AUTO";
     private static final Duration TO_BEGIN = Duration.ofSeconds(5);
-    private static final String CIRCLES = "Its mission has no landing sequence (DO_LAND_START): it flies home and"
-            + " circles there until it is landed by its pilot or by a mission, or its battery is empty.";
+    private static final String CIRCLES = "Its mission has no landing sequence (DO_LAND_START): unless it lands on"
+            + " rotors, it flies home and circles there until it is landed by its pilot or by a mission, or its battery is"
+            + " empty.";
 
     private PlaneReturns() {}
 

@@ -133,6 +133,30 @@ class LossPoliciesTest extends LossBench {
                 .isEqualTo("Whether it lands there on its rotors is as its owner has set Q_RTL_MODE.");
     }
 
+    /** As long as its owner has not set Q_MAV_TYPE. */
+    @Test
+    void hasAQuadPlaneThatSaysItIsAFixedWingLandOnItsRotors() {
+        isAPlane(1, 1, 5);
+        has("Q_ENABLE", INT32, 1);
+        has("Q_RTL_MODE", INT32, 0);
+
+        isSetAndPutBack();
+        assertThat(written()).containsExactly("Q_RTL_MODE");
+        assertThat(keeper.plan().after().atHome()).isEqualTo(LossAction.AtHome.BY_ITSELF);
+        assertThat(keeper.plan().after().note()).isEmpty();
+    }
+
+    /** Firmware tells it of planes without rotors as well. */
+    @Test
+    void doesNotTakeAPlaneForOneWithRotorsForThatSettingAlone() {
+        isAPlane(1, 1, 5);
+        has("Q_RTL_MODE", INT32, 1);
+
+        assertThat(set()).isEqualTo(DONE);
+
+        assertThat(keeper.plan().after().atHome()).isEqualTo(LossAction.AtHome.BY_MISSION);
+    }
+
     @Test
     void hasAQuadPlaneLandOnItsRotors() {
         isAPlane(1, 1, 5);
