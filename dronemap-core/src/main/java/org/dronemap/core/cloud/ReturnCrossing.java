@@ -3,8 +3,6 @@ package org.dronemap.core.cloud;
 import java.time.Duration;
 import java.util.Locale;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.jspecify.annotations.Nullable;
 
@@ -28,29 +26,28 @@ final class ReturnCrossing {
     }
 
     void look() {
-        long now = drone.lane().activeNanos();
-        if (now - lookedNanos < RHYTHM_NANOS) {
+        long nanos = drone.lane().activeNanos();
+        if (nanos - lookedNanos < RHYTHM_NANOS) {
             return;
         }
-        lookedNanos = now;
-        DroneState state = drone.drone().state();
-        DroneState other = heights.crossing(state).orElse(null);
+        lookedNanos = nanos;
+        ReturnHeightDesk.Crossing now = heights.crossing(drone.drone().state()).orElse(null);
         DroneId before = seen;
-        seen = other == null ? null : other.id();
-        if (other == null || !other.id().equals(before)) {
-            // Who climbs past another's height is there for a moment only.
+        seen = now == null ? null : now.other().id();
+        if (now == null || !now.other().id().equals(before)) {
+            // One that climbs past another's height is there for a moment only.
             told = false;
         } else if (!told) {
             told = true;
-            drone.say(Severity.WARNING, words(state, other));
+            drone.say(Severity.WARNING, words(now));
         }
     }
 
-    private static String words(DroneState state, DroneState other) {
-        Position position = state.position();
-        Double height = position == null ? null : position.altitudeAboveHomeMeters();
-        return "Without the cloud it would now fly home as high as " + other.name()
-                + (height == null ? "" : String.format(Locale.ROOT, " (it flies at %.0f m)", height))
-                + ": their ways home may cross.";
+    private static String words(ReturnHeightDesk.Crossing now) {
+        return String.format(
+                Locale.ROOT,
+                "Without the cloud it would now fly home at %.0f m, as high as %s: their ways home may cross.",
+                now.meters(),
+                now.other().name());
     }
 }

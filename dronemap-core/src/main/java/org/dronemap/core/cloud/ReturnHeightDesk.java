@@ -1,12 +1,11 @@
 package org.dronemap.core.cloud;
 
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.DoublePredicate;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -22,7 +21,14 @@ import org.jspecify.annotations.Nullable;
  */
 final class ReturnHeightDesk {
     private final DroneRegistry registry;
-    private final Map<DroneId, Double> reserved = new HashMap<>();
+    private final Map<DroneId, Double> reserved = new ConcurrentHashMap<>();
+
+    /**
+     * The way home of one drone meets that of another.
+     *
+     * @param meters above home, at which it would fly there
+     */
+    record Crossing(DroneState other, double meters) {}
 
     ReturnHeightDesk(DroneRegistry registry) {
         this.registry = registry;
@@ -47,24 +53,35 @@ final class ReturnHeightDesk {
      * Another drone in the air that would come home as high as this one if both missed the cloud now, since one of them flies
      * above the height that was chosen for it; empty: there is none.
      */
-    synchronized Optional<DroneState> crossing(DroneState drone) {
+    Optional<Crossing> crossing(DroneState drone) {
         Double own = reserved.get(drone.id());
         if (own == null || !drone.airborne()) {
             return Optional.empty();
         }
         double mine = comesHomeAt(drone, own);
-        return reserved.entrySet().stream()
-                .filter(other -> !other.getKey().equals(drone.id()))
-                .flatMap(other -> registry.find(other.getKey()).stream()
-                        .map(found -> found.drone().state())
-                        .filter(state -> crosses(drone, mine, mine > own, state, other.getValue())))
-                .min(Comparator.comparing(other -> other.id().value()));
+        DroneState found = null;
+        for (Map.Entry<DroneId, Double> entry : reserved.entrySet()) {
+            DroneState other = entry.getKey().equals(drone.id()) ? null : state(entry.getKey());
+            if (other != null
+                    && crosses(drone, mine, mine > own, other, entry.getValue())
+                    && (found == null || other.id().value().compareTo(found.id().value()) < 0)) {
+                found = other;
+            }
+        }
+        return found == null ? Optional.empty() : Optional.of(new Crossing(found, mine));
     }
 
+    private @Nullable DroneState state(DroneId drone) {
+        return registry.find(drone).map(found -> found.drone().state()).orElse(null);
+    }
+
+    /** Heights are compared first: each drone in the air asks this of all others. */
     private static boolean crosses(DroneState drone, double mine, boolean above, DroneState other, double others) {
+        if (!other.airborne()) {
+            return false;
+        }
         double theirs = comesHomeAt(other, others);
-        return other.airborne()
-                && (above || theirs > others)
+        return (above || theirs > others)
                 && !ReturnHeightChoice.areApart(mine, theirs + aboveGround(drone, other))
                 && isNear(drone, other);
     }

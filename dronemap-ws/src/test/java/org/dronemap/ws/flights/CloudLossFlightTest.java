@@ -197,8 +197,8 @@ class CloudLossFlightTest {
         lab.until("both are warned", Duration.ofSeconds(40), () -> warned(one) == 1 && warned(other) == 1);
         assertThat(one.state().messages())
                 .anyMatch(said -> said.text()
-                        .startsWith("Without the cloud it would now fly home as high as "
-                                + other.state().name() + " (it flies at 4"));
+                        .matches("Without the cloud it would now fly home at 4\\d m, as high as "
+                                + other.state().name() + ": their ways home may cross\\."));
 
         ann.fliesTo(one, one.place(20, 0), 60);
         lab.goOn(Duration.ofSeconds(25));
