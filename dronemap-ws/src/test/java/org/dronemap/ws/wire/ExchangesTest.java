@@ -12,6 +12,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.ws.house.Gate;
@@ -114,20 +115,22 @@ class ExchangesTest {
     /** Taken again until it shows what is expected; when something else is to be written, until nothing changes any more. */
     private String looked(Exchange exchange, Http nobody) {
         long began = System.nanoTime();
-        String before = "";
-        String actual = answer(exchange, nobody);
-        while (!isExpected(exchange, actual)) {
+        AtomicReference<String> before = new AtomicReference<>("");
+        String actual = Waiting.until("an answer to " + exchange.address(), () -> {
+            String now = answer(exchange, nobody);
             Duration waited = Duration.ofNanos(System.nanoTime() - began);
-            if (Approved.isApproving() ? isSettled(exchange, before, actual, waited) : waited.compareTo(patience) > 0) {
-                break;
+            if (isExpected(exchange, now) || isOver(exchange, before.getAndSet(now), now, waited)) {
+                return Optional.of(now);
             }
-            before = actual;
-            pause();
             copters.forEach(ObedientCopter::comesDown);
-            actual = answer(exchange, nobody);
-        }
+            return Optional.empty();
+        });
         patience = patience.minusNanos(System.nanoTime() - began);
         return actual;
+    }
+
+    private boolean isOver(Exchange exchange, String before, String actual, Duration waited) {
+        return Approved.isApproving() ? isSettled(exchange, before, actual, waited) : waited.compareTo(patience) > 0;
     }
 
     private boolean isExpected(Exchange exchange, String actual) {
@@ -148,14 +151,6 @@ class ExchangesTest {
                 .filter(line -> line.contains("\"state\" :") || line.contains("<state>"))
                 .findFirst()
                 .orElse("");
-    }
-
-    private static void pause() {
-        try {
-            Thread.sleep(30);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
     }
 
     private String answer(Exchange exchange, Http nobody) {
