@@ -62,7 +62,7 @@ final class LossWords {
         return new CloudLossState(CloudLossState.State.CANNOT_BE_SET, null, null, why, List.of());
     }
 
-    /** How it ends at home; empty: it lands, as everybody expects. */
+    /** Its end at home; empty: it lands, as everybody expects. */
     static Optional<String> atHome(Homecoming end, @Nullable LossAction action) {
         return switch (end) {
             case LANDS -> Optional.empty();

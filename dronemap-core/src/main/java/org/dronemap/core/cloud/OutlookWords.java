@@ -59,7 +59,7 @@ final class OutlookWords {
         };
     }
 
-    /** What more there is to say of one that is brought home. */
+    /** More to say of one that is brought home. */
     static String atHome(Homecoming end) {
         return switch (end) {
             case LANDS, LANDS_BY_MISSION -> "";

@@ -21,7 +21,7 @@ final class ReturnHeightChoice {
     private ReturnHeightChoice() {}
 
     /**
-     * What its owner has set where it is alone, or where that is free and above what is usually flown; else the lowest height
+     * The height that its owner has set where it is alone, or where that is free and above what is usually flown; else the lowest height
      * from there on, in steps, that is free and allowed, and only then one below; empty when there is none.
      *
      * @param owners above home; 0: as high as it is then, where it is alone

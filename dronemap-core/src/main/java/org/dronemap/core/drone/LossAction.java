@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param note a sentence on what cannot be had otherwise; empty: nothing
  */
 public record LossAction(String action, @Nullable Double afterSeconds, String note, AtHome atHome) {
-    /** How it comes down at home, where its own mission may matter to that. */
+    /** Its way down at home, where its own mission may matter to that. */
     public enum AtHome {
         /** Its mission does not matter; what there is to say stands in the note. */
         AS_SAID,

@@ -12,7 +12,7 @@ public final class Times {
     /** A silent vehicle that is led, or waits, may go on for so long: what lies ahead of it is kept for it. */
     public static final Duration CORRIDOR_KEPT = VEHICLE_RETURNS.plusSeconds(5);
 
-    /** How long after it is lost what lies ahead of a vehicle that comes home by itself is given to others. */
+    /** From when a vehicle is lost until others get what lies ahead of it, where it comes home by itself. */
     public static final Duration CORRIDOR_FREED = CORRIDOR_KEPT.plusSeconds(10);
 
     private Times() {}

@@ -1,6 +1,6 @@
 package org.dronemap.ws.access;
 
-/** What an operation is about, which must be the caller's, too. The services see to it; tests try it for each operation. */
+/** The things that an operation is about, which must be the caller's, too. The services see to it; tests try it for each operation. */
 public enum About {
     /** Drones of the caller's organisation that no key and no grant keeps away. */
     DRONE,

@@ -7,7 +7,7 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Who may call an operation of REST, what it is about, what it costs and what record it leaves. Each handler has it: a
+ * The rule of an operation of REST: who may call it, what it is about, what it costs and what record it leaves. Each handler has it: a
  * server with one that has not does not start. The filters act on it before a handler runs and before a body is read;
  * services check what only they know, such as grants, and the role again, as the other faces call them too.
  */

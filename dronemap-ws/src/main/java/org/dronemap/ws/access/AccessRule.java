@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What holds for one request.
+ * The rule for one request.
  *
  * @param operation what it is dispatched to; null: there is nothing at the address, or it does not take the method
  */

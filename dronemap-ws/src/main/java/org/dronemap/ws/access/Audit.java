@@ -2,7 +2,7 @@ package org.dronemap.ws.access;
 
 import org.dronemap.ws.service.AuditRules;
 
-/** Which record a call leaves. */
+/** The record that a call leaves. */
 public enum Audit {
     /** A method that only reads leaves none, any other does. */
     BY_METHOD,
@@ -17,7 +17,7 @@ public enum Audit {
     /** None, as it changes nothing. */
     ONLY_LOOKS;
 
-    /** What that comes to for a method of HTTP. */
+    /** The same for a method of HTTP. */
     Audit of(String method) {
         if (this != BY_METHOD) {
             return this;

@@ -3,7 +3,7 @@ package org.dronemap.ws.access;
 import java.util.List;
 import org.dronemap.ws.service.Work;
 
-/** Which budgets a request is taken from: those of the caller, or of the caller's address where anybody may call. */
+/** The budgets that a request is taken from: those of the caller, or of the caller's address where anybody may call. */
 public enum Cost {
     REQUEST,
     /** Files, exports, backups and replays: a request, and an export. */

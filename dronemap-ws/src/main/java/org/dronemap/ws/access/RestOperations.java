@@ -75,7 +75,7 @@ public final class RestOperations implements SmartInitializingSingleton {
         return (named.isEmpty() ? Stream.of(RequestMethod.values()) : named.stream()).map(RequestMethod::name);
     }
 
-    /** What holds for the request; worked out once. */
+    /** The rule for the request; worked out once. */
     public AccessRule rule(HttpServletRequest request) {
         if (request.getAttribute(RULE) instanceof AccessRule rule) {
             return rule;

@@ -1,4 +1,4 @@
-/** Who may call an operation of REST, what it costs and what record it leaves, as each handler says. */
+/** The operations of REST and their rules, as each handler says them. */
 @NullMarked
 package org.dronemap.ws.access;
 

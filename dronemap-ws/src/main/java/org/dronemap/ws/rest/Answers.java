@@ -11,9 +11,9 @@ import java.lang.annotation.Target;
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.METHOD)
 @interface Answers {
-    /** When it succeeds, where it decides that itself. */
+    /** Of success, where it decides that itself. */
     int[] value() default {};
 
-    /** When it refuses, beside what follows from who may call it, what it takes and whether it changes anything. */
+    /** Of refusals, beside what follows from who may call it, what it takes and whether it changes anything. */
     int[] refuses() default {};
 }

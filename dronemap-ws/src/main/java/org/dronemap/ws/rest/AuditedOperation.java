@@ -10,7 +10,7 @@ import org.springframework.http.server.PathContainer;
 import org.springframework.web.util.pattern.PathPattern;
 
 /**
- * What is told of a request before anything is done about it, also of those that are turned away at once.
+ * The words for a request before anything is done about it, also of those that are turned away at once.
  *
  * @param name as the table of who may do what has it
  */

@@ -13,7 +13,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which record each schema of the description stands for. A name is said at the record itself, so that renaming a class changes
+ * The record that each schema of the description stands for. A name is said at the record itself, so that renaming a class changes
  * nothing that clients see; two records of one name would be one schema, and are refused. Thread-safe.
  */
 public final class DescribedRecords implements ModelConverter {

@@ -3,7 +3,7 @@ package org.dronemap.ws.service;
 import java.util.Set;
 
 /**
- * Which calls of SOAP and of the stream leave a record: every one, but for those that only look, named here; of REST the
+ * The calls of SOAP and of the stream that leave a record: every one, but for those that only look, named here; of REST the
  * handlers say so. A sign of life of who has control comes every two seconds and changes nothing that lasts; that control ends
  * without it does leave its trace.
  */

@@ -106,7 +106,7 @@ final class LossPolicies {
         return words.equals(HOME) ? home(now, rotors, note) : acting(words, now, "FS_LONG_TIMOUT", note);
     }
 
-    /** What it does when it is there. */
+    /** Its end at home. */
     private static LossAction home(Map<String, Double> now, boolean hasRotors, String note) {
         boolean onRotors = LossPolicy.find(now, Q_RTL_MODE).orElse(0) > 0;
         int autoland = (int) LossPolicy.find(now, AUTOLAND).orElse(0);
