@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, WebSocketRoute, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.screen import DESK, PHONE, also_at, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station, Touch
+from dronemap_e2e.waiting import wait_for
 
 PATIENCE = 30_000
 
@@ -76,6 +77,26 @@ def row(station: Station, user: str) -> Locator:
 
 def press_in(station: Station, where: Locator, label: str | re.Pattern[str]) -> None:
     station.hands.press(station.page, where.get_by_role("button", name=label))
+
+
+def test_what_a_thumb_aims_at_stays_where_it_is_while_the_line_comes_up(
+    server: Server, api: Api, people: People
+) -> None:
+    """End to end because only a browser lays a page out."""
+    name, password = new_name("viewer"), secrets.token_hex(10)
+    made = api.call("POST", "/users", {"name": name, "password": password, "role": "viewer"})
+    assert made.status_code == 201, made.text
+    station = people.on_phone()
+    waiting: list[WebSocketRoute] = []
+    station.page.route_web_socket(re.compile("^wss?:"), lambda socket: waiting.append(socket))
+    station.sign_in(server.address, name, password, secrets.token_hex(10))
+    menu = station.page.get_by_role("button", name=f"Account of {name}")
+    expect(station.page.get_by_text("Connecting…")).to_be_visible()
+    before = menu.bounding_box()
+    wait_for("the page asks for its line", lambda: waiting, 20)
+    waiting[-1].connect_to_server()
+    expect(station.page.get_by_text(re.compile(r"^\d+ drones?$"))).to_be_visible()
+    assert menu.bounding_box() == before
 
 
 def reload_users(station: Station) -> None:
