@@ -13,6 +13,8 @@ import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.RestOperations;
+import org.dronemap.ws.security.CalledBy;
+import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.AuditRules;
 import org.springframework.web.filter.OncePerRequestFilter;
 
@@ -66,7 +68,8 @@ public final class AuditFilter extends OncePerRequestFilter {
     private Activity rest(HttpServletRequest request) {
         AccessRule rule = operations.rule(request);
         AuditedOperation operation = AuditedOperation.of(request, rule.operation());
-        Activity call = desk.begin("rest", operation.name());
+        String face = CurrentPrincipal.otherFace(request).map(CalledBy::face).orElse("rest");
+        Activity call = desk.begin(face, operation.name());
         call.drone(operation.drone());
         call.parameters(operation.parameters());
         switch (rule.audit()) {

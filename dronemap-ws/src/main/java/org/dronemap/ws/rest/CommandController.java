@@ -11,6 +11,7 @@ import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.SoapName;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
@@ -45,6 +46,7 @@ public class CommandController {
     @PostMapping("/drones/{id}/commands")
     @Access(from = From.PLANNER, about = About.DRONE, costs = Cost.NOTHING)
     @Answers({200, 202})
+    @SoapName(alternatives = {"takeOff=takeoff", "goTo=goto"})
     @Operation(
             operationId = "giveCommand",
             summary = "Give a command (operator)",

@@ -7,6 +7,7 @@ import java.util.List;
 import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.SoapName;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneView;
@@ -40,6 +41,7 @@ public class DroneController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
+    @SoapName("getDronesList")
     @Operation(operationId = "listDrones", summary = "List the drones")
     public Drones drones() {
         return new Drones(drones.drones(current.principal()));

@@ -9,6 +9,7 @@ import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.SoapName;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.FollowReceipt;
 import org.dronemap.ws.service.FollowRequest;
@@ -47,6 +48,7 @@ public class FollowController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.SHARED)
+    @SoapName("getFollowsList")
     @Operation(
             operationId = "listFollows",
             summary = "List follows",
@@ -65,6 +67,7 @@ public class FollowController {
     @PostMapping
     @Access(from = From.OPERATOR, about = About.SHARED)
     @Answers(value = 201, refuses = 404)
+    @SoapName("followRequest")
     @Operation(
             operationId = "openFollow",
             summary = "Ask to be followed (operator)",
@@ -86,6 +89,7 @@ public class FollowController {
 
     @PostMapping("/{id}/positions")
     @Access(from = From.OPERATOR, about = About.SHARED, audit = Audit.REFUSALS_ONLY)
+    @SoapName("sendNewGPSLocation")
     @Operation(
             operationId = "reportFollowPositions",
             summary = "Say where the phone is (operator)",
@@ -98,6 +102,7 @@ public class FollowController {
 
     @PostMapping("/{id}/start")
     @Access(from = From.OPERATOR, about = About.SHARED)
+    @SoapName("startTracking")
     @Operation(
             operationId = "startFollow",
             summary = "Start following (operator)",
@@ -108,6 +113,7 @@ public class FollowController {
 
     @PostMapping("/{id}/cancel")
     @Access(from = From.OPERATOR, about = About.SHARED)
+    @SoapName("cancelFollowRequest")
     @Operation(
             operationId = "cancelFollow",
             summary = "Cancel a follow (operator)",
@@ -118,6 +124,7 @@ public class FollowController {
 
     @PostMapping("/{id}/pause")
     @Access(from = From.OPERATOR, about = About.SHARED)
+    @SoapName("disableTracking")
     @Operation(
             operationId = "pauseFollow",
             summary = "Pause a follow (operator)",
@@ -128,6 +135,7 @@ public class FollowController {
 
     @PostMapping("/{id}/continue")
     @Access(from = From.OPERATOR, about = About.SHARED)
+    @SoapName("enableTracking")
     @Operation(
             operationId = "continueFollow",
             summary = "Let a follow go on (operator)",
@@ -138,6 +146,7 @@ public class FollowController {
 
     @PostMapping("/{id}/stop")
     @Access(from = From.OPERATOR, about = About.SHARED)
+    @SoapName("stopTracking")
     @Operation(
             operationId = "stopFollow",
             summary = "Stop a follow (operator)",

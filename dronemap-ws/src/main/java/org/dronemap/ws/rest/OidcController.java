@@ -11,6 +11,7 @@ import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.WithoutSoap;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SessionCookie;
 import org.dronemap.ws.security.oidc.OidcSignIn;
@@ -47,6 +48,7 @@ public class OidcController {
     @GetMapping
     @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN)
     @Answers(value = 302, refuses = 404)
+    @WithoutSoap("Sends a browser to another address.")
     @Operation(
             operationId = "startSignInElsewhere",
             summary = "Go to the provider to sign in",
@@ -62,6 +64,7 @@ public class OidcController {
     @GetMapping("/callback")
     @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED)
     @Answers(value = 302, refuses = 404)
+    @WithoutSoap("Sends a browser to another address.")
     @Operation(
             operationId = "finishSignInElsewhere",
             summary = "Come back from the provider",

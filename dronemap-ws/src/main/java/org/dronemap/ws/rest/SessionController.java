@@ -8,6 +8,7 @@ import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.WithoutSoap;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.SessionCookie;
@@ -40,6 +41,7 @@ public class SessionController {
     @PostMapping
     @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED_WITH_PLACE)
     @Answers(refuses = {401, 403})
+    @WithoutSoap("A browser's session is a cookie; a call of SOAP says itself who calls.")
     @Operation(
             operationId = "signIn",
             summary = "Sign in",
@@ -54,6 +56,7 @@ public class SessionController {
 
     @GetMapping
     @Access(from = From.SIGNED_IN, about = About.OWN)
+    @WithoutSoap("A browser's session is a cookie; a call of SOAP says itself who calls.")
     @Operation(operationId = "getSession", summary = "Who is signed in")
     public Authentication.SessionView session() {
         return authentication.session(current.signedIn());
@@ -62,6 +65,7 @@ public class SessionController {
     @DeleteMapping
     @Access(from = From.SIGNED_IN, about = About.OWN)
     @Answers(204)
+    @WithoutSoap("A browser's session is a cookie; a call of SOAP says itself who calls.")
     @Operation(
             operationId = "signOut",
             summary = "Sign out",

@@ -88,6 +88,10 @@ public final class AccessFilter extends OncePerRequestFilter {
     }
 
     private Optional<SignedIn> identify(HttpServletRequest request) {
+        Optional<CalledBy> other = CurrentPrincipal.otherFace(request);
+        if (other.isPresent()) {
+            return Optional.of(other.get().proved().get());
+        }
         String header = request.getHeader("Authorization");
         if (header != null) {
             return Optional.of(authentication.byKey(bearer(header)));

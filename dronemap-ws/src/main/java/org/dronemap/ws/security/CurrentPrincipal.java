@@ -11,6 +11,7 @@ import org.springframework.web.context.request.RequestContextHolder;
 /** Who asks in the request that this thread serves. */
 public final class CurrentPrincipal {
     private static final String ATTRIBUTE = SignedIn.class.getName();
+    private static final String OTHER_FACE = CalledBy.class.getName();
 
     /** Who signed in, or a 401. */
     public SignedIn signedIn() {
@@ -35,7 +36,21 @@ public final class CurrentPrincipal {
 
     /** The name of the face in the command log: a session is somebody at the page. */
     public String face() {
+        RequestAttributes request = RequestContextHolder.currentRequestAttributes();
+        if (request.getAttribute(OTHER_FACE, RequestAttributes.SCOPE_REQUEST) instanceof CalledBy other) {
+            return other.face();
+        }
         return signedIn().proof() == SignedIn.Proof.SESSION ? "page" : "rest";
+    }
+
+    /** Only this program sets attributes: no client can say that it came by another face. */
+    public static void from(ServletRequest request, CalledBy other) {
+        request.setAttribute(OTHER_FACE, other);
+    }
+
+    /** The other face that it came by; empty: REST. */
+    public static Optional<CalledBy> otherFace(ServletRequest request) {
+        return Optional.ofNullable(request.getAttribute(OTHER_FACE)).map(CalledBy.class::cast);
     }
 
     static void set(ServletRequest request, SignedIn signedIn) {

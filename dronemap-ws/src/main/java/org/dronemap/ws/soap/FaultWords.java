@@ -1,7 +1,6 @@
 package org.dronemap.ws.soap;
 
 import javax.xml.stream.XMLStreamException;
-import org.apache.cxf.binding.soap.Soap11;
 import org.apache.cxf.binding.soap.SoapFault;
 import org.apache.cxf.interceptor.Fault;
 import org.apache.cxf.message.Message;
@@ -9,77 +8,66 @@ import org.apache.cxf.phase.AbstractPhaseInterceptor;
 import org.apache.cxf.phase.Phase;
 import org.apache.cxf.staxutils.DepthExceededStaxException;
 import org.dronemap.core.time.FatalErrors;
-import org.dronemap.ws.service.AuditNotes;
-import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
-/** Says in each fault whose mistake it was, and what is wrong with XML that cannot be read, as the other faces say it. */
+/** Says what is wrong with messages that never became a call in the words that the other faces have for it. */
 final class FaultWords extends AbstractPhaseInterceptor<Message> {
+    private static final Logger LOG = LoggerFactory.getLogger(FaultWords.class);
 
-    FaultWords() {
+    private final SoapCalls calls;
+
+    FaultWords(SoapCalls calls) {
         super(Phase.PRE_LOGICAL);
+        this.calls = calls;
     }
 
-    /** What a client sees of a problem; its own mistakes carry the code for that. */
-    static Fault fault(Problem problem) {
-        DronemapFault ours = DronemapFault.of(problem);
-        return coded(new Fault(ours), ours);
-    }
-
-    private static Fault coded(Fault fault, DronemapFault ours) {
-        fault.setFaultCode(ours.isOfTheCaller() ? Fault.FAULT_CODE_CLIENT : Fault.FAULT_CODE_SERVER);
-        return fault;
-    }
-
-    /** For what is no call at all: no operation, and so no detail. */
+    /** For what is no call at all. */
     static SoapFault unreadable(String sentence) {
-        return new SoapFault(sentence, Soap11.getInstance().getSender());
+        return new SoapFault(sentence, Fault.FAULT_CODE_CLIENT);
     }
 
     @Override
     public void handleMessage(Message message) {
-        NamedCalls.note(message.getExchange());
         Exception thrown = message.getContent(Exception.class);
-        Fault told = thrown instanceof Fault fault ? inOurWords(message, fault) : null;
-        if (told != null) {
-            if (Fault.FAULT_CODE_SERVER.equals(told.getFaultCode())) {
-                AuditNotes.turnedAway(Problem.internal());
-            } else {
-                AuditNotes.turnedAway(Problem.of(Rejection.malformed("The XML cannot be read.")));
-            }
-            message.setContent(Exception.class, told);
-        }
-    }
-
-    private static Fault inOurWords(Message message, Fault fault) {
-        if (fault.getCause() instanceof DronemapFault ours) {
-            return coded(fault, ours);
+        if (thrown instanceof SoapFault told && told.hasDetails()) {
+            return;
         }
         Rejection ofBody = message.getExchange().get(Rejection.class);
-        if (ofBody != null) {
-            return unreadable(Problem.of(ofBody).detail());
-        }
-        InvalidInput unreadable = message.getExchange().get(InvalidInput.class);
-        if (unreadable != null) {
-            return fault(Problem.of(unreadable));
-        }
-        FatalErrors.tellOf(fault);
-        for (Throwable cause = fault; cause != null; cause = cause.getCause()) {
+        Problem problem = ofBody != null ? Problem.of(ofBody) : problem(thrown);
+        message.setContent(Exception.class, calls.fault(problem));
+    }
+
+    private static Problem problem(Exception thrown) {
+        FatalErrors.tellOf(thrown);
+        for (Throwable cause = thrown; cause != null; cause = cause.getCause()) {
+            if (cause instanceof Rejection rejection) {
+                return Problem.of(rejection);
+            }
             if (cause instanceof DepthExceededStaxException) {
-                return unreadable("This XML has more elements, or deeper ones, than are allowed here.");
+                return unreadableXml("This XML has more elements, or deeper ones, than are allowed here.");
             }
             if (cause instanceof XMLStreamException) {
-                return unreadable("This is not well-formed XML.");
-            }
-            if (cause instanceof Rejection rejection) {
-                return fault(Problem.of(rejection));
+                return unreadableXml("This is not well-formed XML.");
             }
         }
-        if (fault.getCause() instanceof RuntimeException && Fault.FAULT_CODE_SERVER.equals(fault.getFaultCode())) {
-            return fault(Answering.problem(fault));
+        boolean ofTheCaller = thrown instanceof Fault fault && !Fault.FAULT_CODE_SERVER.equals(fault.getFaultCode());
+        if (ofTheCaller && !(thrown.getCause() instanceof RuntimeException)) {
+            return unreadableXml(Problem.shortened(String.valueOf(thrown.getMessage())));
         }
-        fault.setMessage(Problem.shortened(String.valueOf(fault.getMessage())));
-        return fault;
+        Rejection outage = Outages.of(thrown).orElse(null);
+        if (outage != null) {
+            LOG.warn("A SOAP call came while the store was away: {}", String.valueOf(thrown.getMessage()));
+            return Problem.of(outage);
+        }
+        LOG.error("A SOAP call failed", thrown);
+        return Problem.internal();
+    }
+
+    private static Problem unreadableXml(String sentence) {
+        return Problem.of(Rejection.malformed(sentence));
     }
 }

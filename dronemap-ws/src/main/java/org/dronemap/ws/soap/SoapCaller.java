@@ -7,49 +7,52 @@ import java.util.List;
 import java.util.Optional;
 import org.apache.cxf.headers.Header;
 import org.apache.cxf.message.Message;
-import org.apache.cxf.phase.PhaseInterceptorChain;
-import org.apache.cxf.transport.http.AbstractHTTPDestination;
-import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CalledBy;
 import org.dronemap.ws.security.SignedIn;
-import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.Work;
 import org.w3c.dom.Element;
 
-/** Who calls: by HTTP Basic, by a bearer key, or by the SOAP header element {@code accessKey}. */
+/**
+ * Who calls: by HTTP Basic, by a bearer key, by the SOAP header element {@code accessKey}, or by a UsernameToken of WS-Security.
+ * Any thread.
+ */
 public final class SoapCaller {
+    private static final String FACE = "soap";
     private static final String WAYS =
             "Send an access key (Authorization: Bearer KEY, or the SOAP header accessKey), or name and password by HTTP"
-                    + " Basic.";
+                    + " Basic or as UsernameToken.";
 
     private final Authentication authentication;
-    private final Budgets budgets;
+    private final UsernameTokens tokens;
 
-    public SoapCaller(Authentication authentication, Budgets budgets) {
+    public SoapCaller(Authentication authentication, UsernameTokens tokens) {
         this.authentication = authentication;
-        this.budgets = budgets;
+        this.tokens = tokens;
     }
 
-    /** Whoever asks for more than a budget allows is refused. */
-    Principal reading() {
-        Principal principal = principal();
-        budgets.take(Work.REQUEST, principal.name());
-        return principal;
-    }
-
-    /** For what tells drones something: commands have a budget of their own, control has none. */
-    Principal principal() {
-        Message message = PhaseInterceptorChain.getCurrentMessage();
-        if (!(message.get(AbstractHTTPDestination.HTTP_REQUEST) instanceof HttpServletRequest request)) {
-            throw new IllegalStateException("a SOAP call came without an HTTP request");
-        }
+    /** What the message says is read now, and judged only when it has to be known who calls. */
+    CalledBy of(Message message, HttpServletRequest request) {
         String authorization = request.getHeader("Authorization");
-        SignedIn caller = authorization == null
-                ? accessKey(message).map(authentication::byKey).orElseThrow(() -> Rejection.notSignedIn(WAYS))
-                : byHttp(authorization, request.getRemoteAddr());
-        authentication.admit(caller);
-        return caller.principal();
+        String address = request.getRemoteAddr();
+        if (authorization != null) {
+            return new CalledBy(FACE, () -> byHttp(authorization, address));
+        }
+        Optional<Element> key = header(message, Namespace.URI, "accessKey");
+        if (key.isPresent()) {
+            return new CalledBy(
+                    FACE, () -> authentication.byKey(key.get().getTextContent().strip()));
+        }
+        Optional<Element> security = header(message, UsernameTokens.SECURITY, "Security");
+        return new CalledBy(
+                FACE,
+                () -> security.map(tokens::read)
+                        .map(token -> {
+                            SignedIn caller = authentication.byPassword(token.name(), token.password(), address);
+                            tokens.takeOnce(token);
+                            return caller;
+                        })
+                        .orElseThrow(() -> Rejection.notSignedIn(WAYS)));
     }
 
     private SignedIn byHttp(String authorization, String address) {
@@ -76,18 +79,18 @@ public final class SoapCaller {
         }
     }
 
-    private static Optional<String> accessKey(Message message) {
+    private static Optional<Element> header(Message message, String namespace, String name) {
         if (!(message.get(Header.HEADER_LIST) instanceof List<?> headers)) {
             return Optional.empty();
         }
         return headers.stream()
                 .filter(Header.class::isInstance)
                 .map(Header.class::cast)
-                .filter(header -> Namespace.URI.equals(header.getName().getNamespaceURI()))
-                .filter(header -> header.getName().getLocalPart().equals("accessKey"))
+                .filter(header -> header.getName().getNamespaceURI().equals(namespace)
+                        && header.getName().getLocalPart().equals(name))
                 .map(Header::getObject)
                 .filter(Element.class::isInstance)
-                .map(element -> ((Element) element).getTextContent().strip())
+                .map(Element.class::cast)
                 .findFirst();
     }
 }

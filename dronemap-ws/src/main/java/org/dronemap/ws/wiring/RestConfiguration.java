@@ -22,6 +22,7 @@ import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.ControlController;
 import org.dronemap.ws.rest.DescribedNulls;
 import org.dronemap.ws.rest.DescribedRecords;
+import org.dronemap.ws.rest.DescribedSoapNames;
 import org.dronemap.ws.rest.DescribedStatuses;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
@@ -224,6 +225,11 @@ public class RestConfiguration {
     @Bean
     DescribedStatuses describedStatuses() {
         return new DescribedStatuses();
+    }
+
+    @Bean
+    DescribedSoapNames describedSoapNames() {
+        return new DescribedSoapNames();
     }
 
     @Bean

@@ -1,103 +1,70 @@
 package org.dronemap.ws.wiring;
 
+import jakarta.servlet.ServletContext;
+import java.time.Clock;
+import java.util.List;
 import org.apache.cxf.Bus;
 import org.apache.cxf.bus.extension.ExtensionManagerBus;
-import org.apache.cxf.jaxws.EndpointImpl;
 import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
-import org.dronemap.ws.service.Budgets;
-import org.dronemap.ws.service.CommandService;
-import org.dronemap.ws.service.ControlService;
-import org.dronemap.ws.service.DroneService;
-import org.dronemap.ws.service.FlightService;
-import org.dronemap.ws.service.FollowService;
-import org.dronemap.ws.service.ParameterService;
-import org.dronemap.ws.service.PlanService;
-import org.dronemap.ws.service.RobotKeyService;
-import org.dronemap.ws.service.RunService;
-import org.dronemap.ws.service.VirtualDroneService;
-import org.dronemap.ws.soap.ControllerService;
-import org.dronemap.ws.soap.FollowerService;
-import org.dronemap.ws.soap.KnownServices;
-import org.dronemap.ws.soap.SoapActions;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.soap.PublishedServices;
+import org.dronemap.ws.soap.RestCalls;
+import org.dronemap.ws.soap.ServiceDescriptions;
 import org.dronemap.ws.soap.SoapCaller;
-import org.dronemap.ws.soap.SoapEndpoint;
-import org.dronemap.ws.soap.SoapFlights;
-import org.dronemap.ws.soap.SoapMissions;
-import org.dronemap.ws.soap.SoapPlans;
-import org.dronemap.ws.soap.SoapRobotKeys;
-import org.dronemap.ws.soap.SoapRuns;
-import org.dronemap.ws.soap.SoapVirtualDrones;
+import org.dronemap.ws.soap.SoapCalls;
+import org.dronemap.ws.soap.SoapContract;
+import org.dronemap.ws.soap.UsernameTokens;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.boot.web.servlet.ServletRegistrationBean;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
+import org.springframework.web.filter.OncePerRequestFilter;
+import org.springframework.web.servlet.DispatcherServlet;
 
-/** Constructs the SOAP face. */
+/** Constructs the SOAP face: all of it follows from what REST says of itself. */
 @Configuration(proxyBeanMethods = false)
 public class SoapConfiguration {
+    private static final String DESCRIPTION = "/api/openapi.json";
 
+    /** The one bus of this server; services appear on it when they are first asked for. */
     @Bean(destroyMethod = "shutdown")
     Bus soapBus() {
         return new ExtensionManagerBus();
     }
 
+    /** A call passes the filters that judge and note requests; those that bound connections have seen it already. */
     @Bean
-    SoapCaller soapCaller(Authentication authentication, Budgets budgets) {
-        return new SoapCaller(authentication, budgets);
-    }
-
-    @Bean
-    ControllerService controllerService(
-            SoapCaller caller,
-            DroneService drones,
-            CommandService commands,
-            ControlService controls,
-            ParameterService parameters,
-            SoapMissions missions) {
-        return new ControllerService(caller, drones, new SoapActions(caller, commands), controls, parameters, missions);
+    RestCalls restCalls(
+            DispatcherServlet dispatcher,
+            FilterRegistrationBean<OncePerRequestFilter> audit,
+            FilterRegistrationBean<OncePerRequestFilter> plainAddress,
+            FilterRegistrationBean<OncePerRequestFilter> access) {
+        return new RestCalls(dispatcher, List.of(audit.getFilter(), plainAddress.getFilter(), access.getFilter()));
     }
 
     @Bean
-    SoapMissions soapMissions(
-            SoapCaller caller,
-            PlanService plans,
-            RunService runs,
-            VirtualDroneService virtuals,
-            SoapFlights flights,
-            SoapRobotKeys robotKeys) {
-        return new SoapMissions(
-                new SoapPlans(caller, plans),
-                new SoapRuns(caller, runs),
-                new SoapVirtualDrones(caller, virtuals),
-                flights,
-                robotKeys);
+    SoapContract soapContract(RestCalls rest, JsonReader json, ServletContext context) {
+        return new SoapContract(() -> json.mapper().readTree(rest.read(context, DESCRIPTION)));
     }
 
     @Bean
-    SoapFlights soapFlights(SoapCaller caller, FlightService flights) {
-        return new SoapFlights(caller, flights);
+    SoapCalls soapCalls(
+            SoapContract contract, RestCalls rest, Authentication authentication, Clock clock, JsonReader json) {
+        return new SoapCalls(contract, new SoapCaller(authentication, new UsernameTokens(clock)), rest, json);
     }
 
     @Bean
-    SoapRobotKeys soapRobotKeys(SoapCaller caller, RobotKeyService keys) {
-        return new SoapRobotKeys(caller, keys);
-    }
-
-    @Bean(destroyMethod = "stop")
-    EndpointImpl soapEndpoint(Bus soapBus, ControllerService controllerService) {
-        return SoapEndpoint.publish(soapBus, controllerService);
-    }
-
-    @Bean(destroyMethod = "stop")
-    EndpointImpl followerEndpoint(Bus soapBus, SoapCaller caller, FollowService follows) {
-        return SoapEndpoint.publish(soapBus, new FollowerService(caller, follows));
+    PublishedServices publishedServices(Bus soapBus, SoapContract contract, SoapCalls calls) {
+        return new PublishedServices(soapBus, contract, calls);
     }
 
     @Bean
-    FilterRegistrationBean<KnownServices> knownServices(ProblemWriter problems) {
-        FilterRegistrationBean<KnownServices> registration = new FilterRegistrationBean<>(new KnownServices(problems));
+    FilterRegistrationBean<ServiceDescriptions> serviceDescriptions(
+            PublishedServices published, ProblemWriter problems) {
+        FilterRegistrationBean<ServiceDescriptions> registration =
+                new FilterRegistrationBean<>(new ServiceDescriptions(published, problems));
         registration.addUrlPatterns("/services", "/services/*");
         return registration;
     }

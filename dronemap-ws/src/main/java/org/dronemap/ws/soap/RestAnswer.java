@@ -1,0 +1,82 @@
+package org.dronemap.ws.soap;
+
+import jakarta.servlet.ServletOutputStream;
+import jakarta.servlet.WriteListener;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.springframework.mock.web.MockHttpServletResponse;
+
+/** What REST answered, all of it, unless that is more than one message of SOAP should carry. */
+final class RestAnswer extends MockHttpServletResponse {
+    /** A file of this size is a message of 6 MB. */
+    static final int LONGEST_BYTES = 4 << 20;
+
+    private static final Logger LOG = LoggerFactory.getLogger(RestAnswer.class);
+    private static final int OWN_FAULT = 500;
+
+    private final ServletOutputStream bounded = new Bounded();
+    private boolean tooLong;
+    private int written;
+
+    @Override
+    public ServletOutputStream getOutputStream() {
+        return bounded;
+    }
+
+    void isTooLong() {
+        tooLong = true;
+    }
+
+    /** There is more of it: what is here is to be thrown away. */
+    boolean tooLong() {
+        return tooLong;
+    }
+
+    void failed(Exception why) {
+        LOG.error("A request of SOAP to REST failed", why);
+        setStatus(OWN_FAULT);
+    }
+
+    String text() {
+        return new String(getContentAsByteArray(), StandardCharsets.UTF_8);
+    }
+
+    /** Ends the work of who writes it: nobody waits for the rest. */
+    static final class TooLong extends IOException {
+        private static final long serialVersionUID = 1L;
+    }
+
+    private final class Bounded extends ServletOutputStream {
+        @Override
+        public void write(int letter) throws IOException {
+            take(1);
+            RestAnswer.super.getOutputStream().write(letter);
+        }
+
+        @Override
+        public void write(byte[] bytes, int from, int length) throws IOException {
+            take(length);
+            RestAnswer.super.getOutputStream().write(bytes, from, length);
+        }
+
+        private void take(int more) throws IOException {
+            written += more;
+            if (written > LONGEST_BYTES) {
+                tooLong = true;
+                throw new TooLong();
+            }
+        }
+
+        @Override
+        public boolean isReady() {
+            return true;
+        }
+
+        @Override
+        public void setWriteListener(WriteListener listener) {
+            throw new IllegalStateException("this answer is written at once");
+        }
+    }
+}

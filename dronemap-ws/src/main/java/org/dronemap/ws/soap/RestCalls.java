@@ -1,0 +1,102 @@
+package org.dronemap.ws.soap;
+
+import jakarta.servlet.DispatcherType;
+import jakarta.servlet.Filter;
+import jakarta.servlet.Servlet;
+import jakarta.servlet.ServletContext;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.dronemap.core.audit.Activity;
+import org.dronemap.ws.security.CalledBy;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.springframework.mock.web.MockAsyncContext;
+import org.springframework.mock.web.MockFilterChain;
+import org.springframework.mock.web.MockHttpServletRequest;
+
+/**
+ * Has REST carry out a request that came by another face: the same filters say who may and what record is kept, the same handlers
+ * answer. Any thread; a call that waits for an outcome holds none.
+ */
+public final class RestCalls {
+    private static final String UTF_8 = "UTF-8";
+
+    private final Servlet dispatcher;
+    private final List<? extends Filter> filters;
+
+    /** {@code filters}: those that judge and note a request, in their order. */
+    public RestCalls(Servlet dispatcher, List<? extends Filter> filters) {
+        this.dispatcher = dispatcher;
+        this.filters = filters;
+    }
+
+    /**
+     * {@code from}: what the request came in, for the address that it came from. The answer comes when it is whole; it never
+     * fails.
+     */
+    CompletableFuture<RestAnswer> call(HttpServletRequest from, RestRequest asked, CalledBy caller) {
+        // This request keeps the record.
+        Activity.current().ifPresent(Activity::leaveOut);
+        MockHttpServletRequest request = request(from, asked);
+        CurrentPrincipal.from(request, caller);
+        RestAnswer answer = new RestAnswer();
+        CompletableFuture<RestAnswer> whole = new CompletableFuture<>();
+        go(request, answer);
+        if (request.isAsyncStarted() && request.getAsyncContext() instanceof MockAsyncContext later) {
+            later.addDispatchHandler(() -> {
+                request.setDispatcherType(DispatcherType.ASYNC);
+                request.setAsyncStarted(false);
+                go(request, answer);
+                later.complete();
+                whole.complete(answer);
+            });
+        } else {
+            whole.complete(answer);
+        }
+        return whole;
+    }
+
+    /** What REST answers to anybody at an address of it. */
+    public byte[] read(ServletContext context, String uri) {
+        RestAnswer answer = new RestAnswer();
+        go(new MockHttpServletRequest(context, "GET", uri), answer);
+        if (answer.getStatus() != HttpServletResponse.SC_OK) {
+            throw new IllegalStateException(uri + " was answered with status " + answer.getStatus());
+        }
+        return answer.getContentAsByteArray();
+    }
+
+    private void go(MockHttpServletRequest request, RestAnswer answer) {
+        try {
+            new MockFilterChain(dispatcher, filters.toArray(Filter[]::new)).doFilter(request, answer);
+        } catch (RestAnswer.TooLong tooLong) {
+            answer.isTooLong();
+        } catch (ServletException | IOException | RuntimeException e) {
+            answer.failed(e);
+        }
+    }
+
+    private MockHttpServletRequest request(HttpServletRequest from, RestRequest asked) {
+        MockHttpServletRequest request =
+                new MockHttpServletRequest(from.getServletContext(), asked.method(), asked.uri());
+        request.setAsyncSupported(true);
+        request.setServletPath(asked.uri());
+        request.setRemoteAddr(from.getRemoteAddr());
+        request.setRemotePort(from.getRemotePort());
+        request.setScheme(from.getScheme());
+        request.setSecure(from.isSecure());
+        request.setServerName(from.getServerName());
+        request.setServerPort(from.getServerPort());
+        request.addHeader("Accept", "application/json, */*;q=0.1");
+        asked.query().forEach(request::addParameter);
+        asked.body().ifPresent(body -> {
+            request.setContentType(body.mediaType());
+            request.setContent(body.bytes());
+            request.setCharacterEncoding(UTF_8);
+        });
+        return request;
+    }
+}

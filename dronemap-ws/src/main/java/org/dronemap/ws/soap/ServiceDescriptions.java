@@ -1,0 +1,69 @@
+package org.dronemap.ws.soap;
+
+import jakarta.servlet.FilterChain;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.dronemap.ws.security.ProblemWriter;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
+import org.springframework.web.filter.OncePerRequestFilter;
+
+/** Answers with the description of a service to {@code ?wsdl}, and for addresses under /services that are none. */
+public final class ServiceDescriptions extends OncePerRequestFilter {
+    private static final String SERVICES = "/services/";
+
+    private final PublishedServices published;
+    private final ProblemWriter problems;
+
+    public ServiceDescriptions(PublishedServices published, ProblemWriter problems) {
+        this.published = published;
+        this.problems = problems;
+    }
+
+    @Override
+    protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
+            throws ServletException, IOException {
+        String uri = request.getRequestURI();
+        SoapServices services = published.services();
+        Optional<SoapService> service =
+                services.service(uri.startsWith(SERVICES) ? uri.substring(SERVICES.length()) : "");
+        if (service.isEmpty()) {
+            problems.write(response, Problem.of(nothingHere(uri, services)));
+        } else if (request.getMethod().equals("POST")) {
+            chain.doFilter(request, response);
+        } else if (isAskedFor(request)) {
+            String wsdl = Wsdl.write(
+                    service.get(), services.types(), request.getRequestURL().toString());
+            byte[] bytes = wsdl.getBytes(StandardCharsets.UTF_8);
+            response.setContentType("text/xml;charset=UTF-8");
+            response.setContentLength(bytes.length);
+            response.getOutputStream().write(bytes);
+        } else {
+            problems.write(
+                    response,
+                    Problem.of(new Rejection(
+                            RejectionKind.METHOD,
+                            "This service takes SOAP by POST; GET " + uri + "?wsdl describes it.")));
+        }
+    }
+
+    private static boolean isAskedFor(HttpServletRequest request) {
+        return request.getMethod().equals("GET") && "wsdl".equalsIgnoreCase(request.getQueryString());
+    }
+
+    private static Rejection nothingHere(String uri, SoapServices services) {
+        return new Rejection(
+                RejectionKind.UNKNOWN,
+                "There is nothing at " + uri + "; the SOAP services are described at "
+                        + services.services().keySet().stream()
+                                .map(name -> SERVICES + name + "?wsdl")
+                                .collect(Collectors.joining(", "))
+                        + ".");
+    }
+}
