@@ -66,6 +66,7 @@ public class AuditController {
 
     @GetMapping("/file")
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
+    @TakesOrGivesFile(gives = {"text/csv", "application/jsonl"})
     @Operation(
             operationId = "exportAudit",
             summary = "Take all that are looked for along as a file (supervisor)",

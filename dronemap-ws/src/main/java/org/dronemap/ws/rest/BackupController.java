@@ -31,6 +31,7 @@ public class BackupController {
 
     @PostMapping
     @Access(from = From.ADMINISTRATOR, about = About.SERVER, costs = Cost.EXPORT)
+    @TakesOrGivesFile(gives = "application/zip")
     @Operation(
             operationId = "makeBackup",
             summary = "Make a backup (administrator)",

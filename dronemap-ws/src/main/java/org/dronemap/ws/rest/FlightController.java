@@ -75,6 +75,7 @@ public class FlightController {
 
     @GetMapping("/logbook")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
+    @TakesOrGivesFile(gives = "text/csv")
     @Operation(operationId = "exportLogbook", summary = "Take all flights that are looked for along as a table (CSV)")
     public void logbook(
             @ParameterObject @ModelAttribute FlightSearch search,
@@ -129,6 +130,15 @@ public class FlightController {
     @GetMapping("/{id}/telemetry/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Answers(refuses = 409)
+    @TakesOrGivesFile(
+            gives = {
+                "text/csv",
+                "application/geo+json",
+                "application/vnd.google-earth.kml+xml",
+                "application/gpx+xml",
+                "application/vnd.apache.parquet",
+                "application/octet-stream"
+            })
     @Operation(
             operationId = "exportFlightTelemetry",
             summary = "Take a flight along as a file",

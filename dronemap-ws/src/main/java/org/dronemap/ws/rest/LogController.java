@@ -72,6 +72,7 @@ public class LogController {
     @GetMapping("/{number}/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Answers(refuses = 409)
+    @TakesOrGivesFile(gives = "application/octet-stream")
     @Operation(operationId = "getLogFile", summary = "Save a log that was fetched")
     public ResponseEntity<Resource> file(@PathVariable String id, @PathVariable int number) {
         Path file = logs.file(current.principal(), id, number);

@@ -91,6 +91,7 @@ public class ParameterController {
     @GetMapping("/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Answers(refuses = 409)
+    @TakesOrGivesFile(gives = "text/plain")
     @Operation(
             operationId = "exportParameters",
             summary = "Save the parameters as a file",
@@ -109,6 +110,7 @@ public class ParameterController {
     @PostMapping("/file")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.EXPORT)
     @Answers({200, 202})
+    @TakesOrGivesFile(takes = "text/plain")
     @Operation(
             operationId = "importParameters",
             summary = "Compare with a file, or load it (operator)",

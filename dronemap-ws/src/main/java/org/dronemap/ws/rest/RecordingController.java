@@ -62,6 +62,7 @@ public class RecordingController {
     @GetMapping("/{id}/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Answers(refuses = 409)
+    @TakesOrGivesFile(gives = {"application/octet-stream", "application/jsonl"})
     @Operation(
             operationId = "getRecordingFile",
             summary = "Download a recording",
@@ -77,6 +78,7 @@ public class RecordingController {
     @GetMapping("/{id}/sent")
     @Access(from = From.VIEWER, about = About.DRONE)
     @Answers(refuses = 409)
+    @TakesOrGivesFile(gives = "text/tab-separated-values")
     @Operation(
             operationId = "getRecordingSent",
             summary = "Download who sent what in a recording (tab-separated)",

@@ -44,6 +44,7 @@ public class SensingController {
     @GetMapping("/picture")
     @Access(from = From.VIEWER, about = About.DRONE)
     @Answers({200, 204})
+    @TakesOrGivesFile(gives = {"image/jpeg", "image/png"})
     @Operation(
             operationId = "getSensedPicture",
             summary = "The newest picture of its camera",
@@ -55,6 +56,7 @@ public class SensingController {
     @GetMapping("/map")
     @Access(from = From.VIEWER, about = About.DRONE)
     @Answers({200, 204})
+    @TakesOrGivesFile(gives = {"image/jpeg", "image/png"})
     @Operation(
             operationId = "getSensedMap",
             summary = "Its map, drawn from above",

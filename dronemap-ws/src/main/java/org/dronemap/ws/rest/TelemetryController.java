@@ -70,6 +70,15 @@ public class TelemetryController {
     @GetMapping("/telemetry/file")
     @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
     @Answers(refuses = 409)
+    @TakesOrGivesFile(
+            gives = {
+                "text/csv",
+                "application/geo+json",
+                "application/vnd.google-earth.kml+xml",
+                "application/gpx+xml",
+                "application/vnd.apache.parquet",
+                "application/octet-stream"
+            })
     @Operation(
             operationId = "exportDroneTelemetry",
             summary = "Take telemetry along as a file",

@@ -68,6 +68,7 @@ public class ZoneController {
     @PostMapping("/import")
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
     @ResponseStatus(HttpStatus.CREATED)
+    @TakesOrGivesFile(takes = {"application/geo+json", "application/vnd.google-earth.kml+xml"})
     @Operation(
             operationId = "importZones",
             summary = "Add the zones of a GeoJSON or KML file (supervisor)",

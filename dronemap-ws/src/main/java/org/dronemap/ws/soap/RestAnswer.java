@@ -4,9 +4,11 @@ import jakarta.servlet.ServletOutputStream;
 import jakarta.servlet.WriteListener;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import org.dronemap.ws.service.RejectionKind;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.mock.web.MockHttpServletResponse;
+import org.springframework.web.context.request.async.AsyncRequestNotUsableException;
 
 /** What REST answered, all of it, unless that is more than one message of SOAP should carry. */
 final class RestAnswer extends MockHttpServletResponse {
@@ -25,8 +27,9 @@ final class RestAnswer extends MockHttpServletResponse {
         return bounded;
     }
 
-    void isTooLong() {
-        tooLong = true;
+    @Override
+    public int getStatus() {
+        return tooLong ? RejectionKind.TOO_LARGE.status() : super.getStatus();
     }
 
     /** There is more of it: what is here is to be thrown away. */
@@ -35,17 +38,15 @@ final class RestAnswer extends MockHttpServletResponse {
     }
 
     void failed(Exception why) {
+        if (tooLong) {
+            return;
+        }
         LOG.error("A request of SOAP to REST failed", why);
         setStatus(OWN_FAULT);
     }
 
     String text() {
         return new String(getContentAsByteArray(), StandardCharsets.UTF_8);
-    }
-
-    /** Ends the work of who writes it: nobody waits for the rest. */
-    static final class TooLong extends IOException {
-        private static final long serialVersionUID = 1L;
     }
 
     private final class Bounded extends ServletOutputStream {
@@ -65,7 +66,8 @@ final class RestAnswer extends MockHttpServletResponse {
             written += more;
             if (written > LONGEST_BYTES) {
                 tooLong = true;
-                throw new TooLong();
+                // As if the client had gone: that is no fault of the server.
+                throw new AsyncRequestNotUsableException("the answer is longer than a message may be");
             }
         }
 

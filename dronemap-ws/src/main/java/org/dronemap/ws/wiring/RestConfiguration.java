@@ -20,6 +20,7 @@ import org.dronemap.ws.rest.BackupController;
 import org.dronemap.ws.rest.BroadcastController;
 import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.ControlController;
+import org.dronemap.ws.rest.DescribedFiles;
 import org.dronemap.ws.rest.DescribedNulls;
 import org.dronemap.ws.rest.DescribedRecords;
 import org.dronemap.ws.rest.DescribedSoapNames;
@@ -225,6 +226,11 @@ public class RestConfiguration {
     @Bean
     DescribedStatuses describedStatuses() {
         return new DescribedStatuses();
+    }
+
+    @Bean
+    DescribedFiles describedFiles() {
+        return new DescribedFiles();
     }
 
     @Bean
