@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
@@ -19,6 +20,7 @@ import org.springframework.web.bind.annotation.PatchMapping;
 import org.springframework.web.bind.annotation.PathVariable;
 import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
@@ -43,8 +45,10 @@ public class DroneController {
     @Access(from = From.VIEWER, about = About.DRONE)
     @SoapName("getDronesList")
     @Operation(operationId = "listDrones", summary = "List the drones")
-    public Drones drones() {
-        return new Drones(drones.drones(current.principal()));
+    public Drones drones(
+            @Parameter(description = "true: only those that are heard now") @RequestParam(defaultValue = "false")
+                    boolean active) {
+        return new Drones(active ? drones.activeDrones(current.principal()) : drones.drones(current.principal()));
     }
 
     @GetMapping("/{id}")

@@ -1,16 +1,21 @@
 package org.dronemap.ws.service;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
 
 /** Use cases around drones: list, look, name, remove. Any thread. */
 public final class DroneService {
     private static final int LONGEST_NAME = 60;
+
+    private static final Set<LinkState> HEARD = EnumSet.of(LinkState.LIVE, LinkState.SUSPECT);
 
     private final CloudManager cloud;
     private final DroneViews views;
@@ -23,6 +28,15 @@ public final class DroneService {
     public List<DroneView> drones(Principal principal) {
         return cloud.drones().stream()
                 .filter(state -> principal.sees(state.id()))
+                .map(state -> views.view(state, principal))
+                .toList();
+    }
+
+    /** Those that are heard now. */
+    public List<DroneView> activeDrones(Principal principal) {
+        return cloud.drones().stream()
+                .filter(state -> principal.sees(state.id()))
+                .filter(state -> HEARD.contains(state.link().state()))
                 .map(state -> views.view(state, principal))
                 .toList();
     }

@@ -42,6 +42,8 @@ final class DescribedOperations {
         reader.readAll();
         Map<String, SoapService> services = new LinkedHashMap<>();
         reader.found.forEach((name, operations) -> services.put(name, service(name, operations)));
+        SoapServices.OTHER_NAMES.forEach((other, name) ->
+                services.computeIfAbsent(other, it -> service(it, reader.found.getOrDefault(name, List.of()))));
         return new SoapServices(services, reader.types, reader.without);
     }
 
@@ -55,9 +57,7 @@ final class DescribedOperations {
                         + operation.of().id() + "; name one of them by @SoapName.");
             }
         }
-        String portType = name.substring(0, name.length() - "Service".length());
-        String port = name.equals(SoapServices.CONTROLLER) ? "MAVLinkControllerWSImplPort" : portType + "Port";
-        return new SoapService(name, port, portType, List.copyOf(byName.values()));
+        return SoapServices.named(name, List.copyOf(byName.values()));
     }
 
     private void readAll() {

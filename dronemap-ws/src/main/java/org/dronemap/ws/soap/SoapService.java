@@ -3,7 +3,7 @@ package org.dronemap.ws.soap;
 import java.util.List;
 import java.util.Optional;
 
-/** A service: what stands in one WSDL. {@code port}, {@code binding} and {@code portType} are its names there. */
+/** A service: what stands in one WSDL. {@code port} and {@code portType} are names there. */
 record SoapService(String name, String port, String portType, List<SoapOperation> operations) {
     Optional<SoapOperation> operation(String name) {
         return operations.stream().filter(one -> one.name().equals(name)).findFirst();

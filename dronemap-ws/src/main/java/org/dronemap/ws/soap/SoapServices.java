@@ -7,10 +7,13 @@ import java.util.Optional;
 /** All services with all their operations, as an OpenAPI description has them. Immutable. */
 record SoapServices(Map<String, SoapService> services, XmlTypes types, Map<String, String> without) {
 
-    /** The services that the papers name, and their ports and port types (paper 001, figure 5). */
+    /** The services that the paper on the Dronemap Planner names. */
     static final String CONTROLLER = "MAVLinkControllerService";
 
     static final String FOLLOWER = "FollowerService";
+
+    /** The paper has the follower's methods in a component of this name, too. */
+    static final Map<String, String> OTHER_NAMES = Map.of("ApplicationWS", FOLLOWER);
 
     /** Of what is drawn together under the tags of the description; what is not named here has a service of its own. */
     private static final Map<String, List<String>> TAGS = Map.of(
@@ -39,6 +42,15 @@ record SoapServices(Map<String, SoapService> services, XmlTypes types, Map<Strin
             List.of("Access keys", "Users", "Grants", "Invitations", "Organisations", "Registration", "Session"),
             "ServerService",
             List.of("Server", "Stream"));
+
+    /** With the names of its ports; those of the controller are the paper's (figure 5: an excerpt of the WSDL). */
+    static SoapService named(String name, List<SoapOperation> operations) {
+        if (name.equals(CONTROLLER)) {
+            return new SoapService(name, "MAVLinkControllerWSImplPort", "MAVLinkActionWebService", operations);
+        }
+        String portType = name.replaceFirst("(Service|WS)$", "");
+        return new SoapService(name, portType + "Port", portType, operations);
+    }
 
     /** The service that has the operations under a tag. */
     static String serviceOf(String tag) {

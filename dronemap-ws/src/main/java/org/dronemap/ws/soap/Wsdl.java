@@ -57,8 +57,8 @@ final class Wsdl {
         binding(SOAP_11);
         binding(SOAP_12);
         out.open("wsdl:service", "name", service.name());
-        port(SOAP_11, service.port(), address);
-        port(SOAP_12, service.port() + "12", address);
+        port(SOAP_11, address);
+        port(SOAP_12, address);
         return out.close().close().toString();
     }
 
@@ -118,8 +118,12 @@ final class Wsdl {
         out.close();
     }
 
+    private String portName(String version) {
+        return version.equals(SOAP_11) ? service.port() : service.port() + "12";
+    }
+
     private String bindingName(String version) {
-        return service.name() + (version.equals(SOAP_11) ? "SoapBinding" : "Soap12Binding");
+        return portName(version) + "Binding";
     }
 
     private void binding(String version) {
@@ -138,8 +142,8 @@ final class Wsdl {
         out.close();
     }
 
-    private void port(String version, String name, String address) {
-        out.open("wsdl:port", "name", name, "binding", "tns:" + bindingName(version))
+    private void port(String version, String address) {
+        out.open("wsdl:port", "name", portName(version), "binding", "tns:" + bindingName(version))
                 .empty(version + ":address", "location", address)
                 .close();
     }

@@ -14,6 +14,7 @@ import org.springframework.context.annotation.Import;
     GrantConfiguration.class,
     StreamConfiguration.class,
     SoapConfiguration.class,
+    OriginalAddressConfiguration.class,
     VirtualConfiguration.class,
     PlanConfiguration.class,
     RunConfiguration.class,

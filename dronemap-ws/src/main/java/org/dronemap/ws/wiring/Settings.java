@@ -39,6 +39,7 @@ import org.jspecify.annotations.Nullable;
  * @param oidc the provider that users may sign in with; null: none
  * @param virtualSilence so long a silent drone that serves a virtual one counts as flying, beside its mission
  * @param apart what drones that follow keep from others in the air
+ * @param originalAddresses SOAP and REST also at the ports of the original Dronemap Planner
  */
 public record Settings(
         Path dataDirectory,
@@ -65,7 +66,8 @@ public record Settings(
         Protection protection,
         @Nullable OidcSettings oidc,
         Duration virtualSilence,
-        Apart apart) {
+        Apart apart,
+        boolean originalAddresses) {
 
     private static final int DEFAULT_HTTP_PORT = 8080;
     private static final int DEFAULT_STREAM_PORT = 8081;
@@ -153,7 +155,20 @@ public record Settings(
                 ProtectionSettings.of(environment),
                 OidcEnvironment.of(environment),
                 ControlSettings.virtualSilence(environment),
-                FollowSettings.apart(environment));
+                FollowSettings.apart(environment),
+                originalAddresses(environment, tls != null));
+    }
+
+    /** Programs of that time speak plain HTTP. */
+    private static boolean originalAddresses(Map<String, String> environment, boolean encrypted) {
+        boolean wanted = flag(environment, "DRONEMAP_ORIGINAL_ADDRESSES");
+        if (wanted && encrypted) {
+            throw new SetupException(
+                    "DRONEMAP_ORIGINAL_ADDRESSES cannot be on with TLS: those addresses are plain HTTP,"
+                            + " where keys and passwords cross the network in clear; leave it off, or run without TLS on an"
+                            + " address that only this machine reaches.");
+        }
+        return wanted;
     }
 
     private static Registration registration(Map<String, String> environment) {

@@ -254,7 +254,8 @@ public final class TestHouse implements AutoCloseable {
                 choices.protection(),
                 choices.oidc(),
                 RunMachine.USUAL_SILENCE,
-                Apart.USUAL);
+                Apart.USUAL,
+                false);
     }
 
     private void startRecorder() {

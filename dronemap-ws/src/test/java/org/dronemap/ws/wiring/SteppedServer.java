@@ -143,7 +143,8 @@ public final class SteppedServer implements AutoCloseable {
                 new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED),
                 null,
                 RunMachine.USUAL_SILENCE,
-                Apart.USUAL);
+                Apart.USUAL,
+                false);
     }
 
     /** Where links bring their bytes. */

@@ -1,0 +1,60 @@
+package org.dronemap.ws.door;
+
+import jakarta.servlet.FilterChain;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.ws.security.ProblemWriter;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
+import org.springframework.web.filter.OncePerRequestFilter;
+
+/**
+ * Serves the services of SOAP also at the ports and paths that the original Dronemap Planner printed when it started, so that
+ * programs written for it go on. What they call is judged as anywhere else: by the key or the password of a user.
+ */
+public final class OriginalAddresses extends OncePerRequestFilter {
+    /** Its REST had paths that nobody wrote down: at its port are those of this server. */
+    private static final int REST_PORT = 6060;
+
+    private record Address(String path, String service) {}
+
+    private static final Map<Integer, Address> SERVICES = Map.of(
+            3030, new Address("/MAVLinkControllerService", "/services/MAVLinkControllerService"),
+            10500, new Address("/ApplicationsService", "/services/ApplicationWS"),
+            // As it was spelt there.
+            7070, new Address("/RSOLinkCloudManagementService", "/services/FleetService"));
+
+    private final ProblemWriter problems;
+
+    public OriginalAddresses(ProblemWriter problems) {
+        this.problems = problems;
+    }
+
+    /** Those that are opened for it, beside the server's own. */
+    public static Set<Integer> ports() {
+        return Set.of(3030, 10500, 7070, REST_PORT);
+    }
+
+    @Override
+    protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
+            throws ServletException, IOException {
+        Address address = SERVICES.get(request.getLocalPort());
+        if (address == null) {
+            chain.doFilter(request, response);
+        } else if (address.path().equals(request.getRequestURI())) {
+            request.getRequestDispatcher(address.service()).forward(request, response);
+        } else {
+            problems.write(
+                    response,
+                    Problem.of(new Rejection(
+                            RejectionKind.UNKNOWN,
+                            "There is nothing at " + request.getRequestURI() + " on this port; it has " + address.path()
+                                    + ".")));
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package org.dronemap.ws.wiring;
+
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import org.apache.catalina.connector.Connector;
+import org.dronemap.ws.door.OriginalAddresses;
+import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.guard.PatientProtocol;
+import org.dronemap.ws.security.ProblemWriter;
+import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
+import org.springframework.boot.web.server.WebServerFactoryCustomizer;
+import org.springframework.boot.web.servlet.FilterRegistrationBean;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.core.Ordered;
+
+/** Opens the ports of the original Dronemap Planner, where that is wanted. */
+@Configuration(proxyBeanMethods = false)
+public class OriginalAddressConfiguration {
+    @Bean
+    WebServerFactoryCustomizer<TomcatServletWebServerFactory> originalPorts(Settings settings) {
+        return factory -> {
+            if (settings.originalAddresses()) {
+                OriginalAddresses.ports().forEach(port -> factory.addAdditionalConnectors(connector(port, settings)));
+            }
+        };
+    }
+
+    /** With the bounds of the server's own port. */
+    private static Connector connector(int port, Settings settings) {
+        ClientLimits limits = settings.protection().clients();
+        PatientProtocol protocol = new PatientProtocol();
+        protocol.limits(limits);
+        protocol.setConnectionTimeout((int) limits.patience().toMillis());
+        try {
+            protocol.setAddress(InetAddress.getByName(settings.bindAddress()));
+        } catch (UnknownHostException e) {
+            throw new SetupException("DRONEMAP_BIND: there is no address " + settings.bindAddress() + ".", e);
+        }
+        Connector connector = new Connector(protocol);
+        connector.setPort(port);
+        connector.setXpoweredBy(false);
+        return connector;
+    }
+
+    /** The first: all others see the address that is meant. */
+    @Bean
+    FilterRegistrationBean<OriginalAddresses> originalAddresses(ProblemWriter problems, Settings settings) {
+        FilterRegistrationBean<OriginalAddresses> registration =
+                new FilterRegistrationBean<>(new OriginalAddresses(problems));
+        registration.setEnabled(settings.originalAddresses());
+        registration.setOrder(Ordered.HIGHEST_PRECEDENCE);
+        registration.addUrlPatterns("/*");
+        return registration;
+    }
+}
