@@ -3,8 +3,10 @@ package org.dronemap.ws.door;
 import jakarta.servlet.FilterChain;
 import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletRequestWrapper;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.ws.security.ProblemWriter;
@@ -21,13 +23,15 @@ public final class OriginalAddresses extends OncePerRequestFilter {
     /** Its REST had paths that nobody wrote down: at its port are those of this server. */
     private static final int REST_PORT = 6060;
 
+    private static final String SERVICES_PATH = "/services";
+
     private record Address(String path, String service) {}
 
-    private static final Map<Integer, Address> SERVICES = Map.of(
-            3030, new Address("/MAVLinkControllerService", "/services/MAVLinkControllerService"),
-            10500, new Address("/ApplicationsService", "/services/ApplicationWS"),
+    private static final Map<Integer, Address> ADDRESSES = Map.of(
+            3030, new Address("/MAVLinkControllerService", "/MAVLinkControllerService"),
+            10500, new Address("/ApplicationsService", "/ApplicationWS"),
             // As it was spelt there.
-            7070, new Address("/RSOLinkCloudManagementService", "/services/FleetService"));
+            7070, new Address("/RSOLinkCloudManagementService", "/FleetService"));
 
     private final ProblemWriter problems;
 
@@ -40,14 +44,25 @@ public final class OriginalAddresses extends OncePerRequestFilter {
         return Set.of(3030, 10500, 7070, REST_PORT);
     }
 
+    /** The paths, whatever the port. */
+    public static List<String> paths() {
+        return ADDRESSES.values().stream().map(Address::path).toList();
+    }
+
+    /** A call that waited for its outcome comes by once more. */
+    @Override
+    protected boolean shouldNotFilterAsyncDispatch() {
+        return false;
+    }
+
     @Override
     protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
             throws ServletException, IOException {
-        Address address = SERVICES.get(request.getLocalPort());
+        Address address = ADDRESSES.get(request.getLocalPort());
         if (address == null) {
             chain.doFilter(request, response);
         } else if (address.path().equals(request.getRequestURI())) {
-            request.getRequestDispatcher(address.service()).forward(request, response);
+            chain.doFilter(new Meant(request, address.service()), response);
         } else {
             problems.write(
                     response,
@@ -55,6 +70,31 @@ public final class OriginalAddresses extends OncePerRequestFilter {
                             RejectionKind.UNKNOWN,
                             "There is nothing at " + request.getRequestURI() + " on this port; it has " + address.path()
                                     + ".")));
+        }
+    }
+
+    /** The request at the address of this server that is meant. Its URL stays as the caller has it. */
+    private static final class Meant extends HttpServletRequestWrapper {
+        private final String service;
+
+        Meant(HttpServletRequest request, String service) {
+            super(request);
+            this.service = service;
+        }
+
+        @Override
+        public String getRequestURI() {
+            return SERVICES_PATH + service;
+        }
+
+        @Override
+        public String getServletPath() {
+            return SERVICES_PATH;
+        }
+
+        @Override
+        public String getPathInfo() {
+            return service;
         }
     }
 }

@@ -1,7 +1,6 @@
 package org.dronemap.ws.soap;
 
 import jakarta.servlet.FilterChain;
-import jakarta.servlet.RequestDispatcher;
 import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
@@ -39,7 +38,8 @@ public final class ServiceDescriptions extends OncePerRequestFilter {
         } else if (request.getMethod().equals("POST")) {
             chain.doFilter(request, response);
         } else if (isAskedFor(request)) {
-            String wsdl = Wsdl.write(service.get(), services.types(), addressOf(request));
+            String wsdl = Wsdl.write(
+                    service.get(), services.types(), request.getRequestURL().toString());
             byte[] bytes = wsdl.getBytes(StandardCharsets.UTF_8);
             response.setContentType("text/xml;charset=UTF-8");
             response.setContentLength(bytes.length);
@@ -51,14 +51,6 @@ public final class ServiceDescriptions extends OncePerRequestFilter {
                             RejectionKind.METHOD,
                             "This service takes SOAP by POST; GET " + uri + "?wsdl describes it.")));
         }
-    }
-
-    /** As the caller reached it, also where that is another address of the same service. */
-    private static String addressOf(HttpServletRequest request) {
-        String here = request.getRequestURL().toString();
-        return request.getAttribute(RequestDispatcher.FORWARD_REQUEST_URI) instanceof String asked
-                ? here.substring(0, here.length() - request.getRequestURI().length()) + asked
-                : here;
     }
 
     private static boolean isAskedFor(HttpServletRequest request) {

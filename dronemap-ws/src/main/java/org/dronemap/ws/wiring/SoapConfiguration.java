@@ -3,9 +3,11 @@ package org.dronemap.ws.wiring;
 import jakarta.servlet.ServletContext;
 import java.time.Clock;
 import java.util.List;
+import java.util.stream.Stream;
 import org.apache.cxf.Bus;
 import org.apache.cxf.bus.extension.ExtensionManagerBus;
 import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
+import org.dronemap.ws.door.OriginalAddresses;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.JsonReader;
@@ -62,21 +64,27 @@ public class SoapConfiguration {
 
     @Bean
     FilterRegistrationBean<ServiceDescriptions> serviceDescriptions(
-            PublishedServices published, ProblemWriter problems) {
+            PublishedServices published, ProblemWriter problems, Settings settings) {
         FilterRegistrationBean<ServiceDescriptions> registration =
                 new FilterRegistrationBean<>(new ServiceDescriptions(published, problems));
-        registration.addUrlPatterns("/services", "/services/*");
+        registration.addUrlPatterns("/services");
+        registration.addUrlPatterns(paths(settings));
         return registration;
     }
 
     @Bean
-    ServletRegistrationBean<CXFNonSpringServlet> soapServlet(Bus soapBus) {
+    ServletRegistrationBean<CXFNonSpringServlet> soapServlet(Bus soapBus, Settings settings) {
         CXFNonSpringServlet servlet = new CXFNonSpringServlet();
         servlet.setBus(soapBus);
         ServletRegistrationBean<CXFNonSpringServlet> registration =
-                new ServletRegistrationBean<>(servlet, "/services/*");
+                new ServletRegistrationBean<>(servlet, paths(settings));
         registration.setName("soap");
         registration.addInitParameter("hide-service-list-page", "true");
         return registration;
+    }
+
+    private static String[] paths(Settings settings) {
+        Stream<String> original = settings.originalAddresses() ? OriginalAddresses.paths().stream() : Stream.empty();
+        return Stream.concat(Stream.of("/services/*"), original).toArray(String[]::new);
     }
 }
