@@ -64,59 +64,59 @@ public class ControllerService extends RobotKeyCalls {
 
     @Override
     public SoapOutcome arm(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("arm"));
+        return actions.act(droneId, new CommandRequest.Arm(null, null));
     }
 
     @Override
     public SoapOutcome disarm(String droneId, @Nullable Boolean force) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.disarm(force));
+        return actions.act(droneId, new CommandRequest.Disarm(force, null, null));
     }
 
     @Override
     public SoapOutcome setMode(String droneId, @Nullable String mode) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.setMode(mode));
+        return actions.act(droneId, new CommandRequest.SetMode(mode, null, null));
     }
 
     @Override
     public SoapOutcome takeoff(String droneId, @Nullable Double altitude) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.takeOff(altitude));
+        return actions.act(droneId, new CommandRequest.TakeOff(altitude, null, null));
     }
 
     @Override
     public SoapOutcome land(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("land"));
+        return actions.act(droneId, new CommandRequest.Land(null, null));
     }
 
     @Override
     public SoapOutcome returnToLaunch(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("returnToLaunch"));
+        return actions.act(droneId, new CommandRequest.ReturnToLaunch(null, null));
     }
 
     @Override
     public SoapOutcome hold(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("hold"));
+        return actions.act(droneId, new CommandRequest.Hold(null, null));
     }
 
     @Override
     public SoapOutcome goTo(
             String droneId, @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude)
             throws DronemapFault {
-        return actions.act(droneId, CommandRequest.goTo(latitude, longitude, altitude));
+        return actions.act(droneId, new CommandRequest.GoTo(latitude, longitude, altitude, null, null, null));
     }
 
     @Override
     public SoapOutcome goToLocal(String droneId, @Nullable Double x, @Nullable Double y) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.goToLocal(x, y));
+        return actions.act(droneId, new CommandRequest.GoToLocal(x, y, null, null));
     }
 
     @Override
     public SoapOutcome emergencyStop(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("emergencyStop"));
+        return actions.act(droneId, new CommandRequest.EmergencyStop(null, null));
     }
 
     @Override
     public SoapOutcome readMap(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("readMap"));
+        return actions.act(droneId, new CommandRequest.ReadMap(null, null));
     }
 
     @Override
@@ -124,7 +124,7 @@ public class ControllerService extends RobotKeyCalls {
         List<MissionItemView> items = waypoints == null
                 ? null
                 : waypoints.stream().map(SoapWaypoint::view).toList();
-        return actions.act(droneId, CommandRequest.uploadMission(items));
+        return actions.act(droneId, new CommandRequest.UploadMission(items, null, null));
     }
 
     @Override
@@ -141,45 +141,45 @@ public class ControllerService extends RobotKeyCalls {
 
     @Override
     public SoapOutcome startMission(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("startMission"));
+        return actions.act(droneId, new CommandRequest.StartMission(null, null, null));
     }
 
     @Override
     public SoapOutcome pauseMission(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("pauseMission"));
+        return actions.act(droneId, new CommandRequest.PauseMission(null, null));
     }
 
     @Override
     public SoapOutcome clearMission(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("clearMission"));
+        return actions.act(droneId, new CommandRequest.ClearMission(null, null));
     }
 
     @Override
     public SoapOutcome turn(String droneId, @Nullable Double degrees) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.turn(degrees));
+        return actions.act(droneId, new CommandRequest.Turn(degrees, null, null));
     }
 
     @Override
     public SoapOutcome takePicture(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("takePicture"));
+        return actions.act(droneId, new CommandRequest.TakePicture(null, null));
     }
 
     @Override
     public SoapOutcome setRelay(String droneId, @Nullable Integer relay, @Nullable String setting)
             throws DronemapFault {
-        return actions.act(droneId, CommandRequest.setRelay(relay, setting));
+        return actions.act(droneId, new CommandRequest.SetRelay(relay, setting, null, null));
     }
 
     @Override
     public SoapOutcome setHome(
             String droneId, @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitudeAmsl)
             throws DronemapFault {
-        return actions.act(droneId, CommandRequest.setHome(latitude, longitude, altitudeAmsl));
+        return actions.act(droneId, new CommandRequest.SetHome(latitude, longitude, altitudeAmsl, "amsl", null, null));
     }
 
     @Override
     public SoapOutcome readParameters(String droneId) throws DronemapFault {
-        return actions.act(droneId, CommandRequest.simple("readParameters"));
+        return actions.act(droneId, new CommandRequest.ReadParameters(null, null));
     }
 
     @Override
@@ -194,7 +194,10 @@ public class ControllerService extends RobotKeyCalls {
     @Override
     public SoapOutcome setParameter(String droneId, @Nullable String name, @Nullable Double value)
             throws DronemapFault {
-        return actions.act(droneId, CommandRequest.setParameter(name, value));
+        return actions.act(
+                droneId,
+                new CommandRequest.SetParameters(
+                        List.of(new CommandRequest.ParameterRequest(name, value)), null, null));
     }
 
     @Override
