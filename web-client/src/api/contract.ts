@@ -10,6 +10,21 @@ export interface components {
         AccessKeys: {
             accessKeys: components["schemas"]["KeyView"][];
         };
+        /** @description Start the motors. */
+        ArmCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "arm";
+        };
         AuditPage: {
             /** Format: int64 */
             next: number | null;
@@ -67,6 +82,21 @@ export interface components {
             id: string;
             results: components["schemas"]["BroadcastResult"][];
         };
+        /** @description Delete the mission on the vehicle. */
+        ClearMissionCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "clearMission";
+        };
         CommandOutcomeView: {
             /** @enum {string|null} */
             by: "gate" | "vehicle" | null;
@@ -85,76 +115,8 @@ export interface components {
             /** Format: int32 */
             total: number;
         };
-        /** @description A command; which members are needed depends on the type. */
-        CommandRequest: {
-            /**
-             * Format: double
-             * @description takeOff, goTo, setHome: metres
-             */
-            altitude?: number | null;
-            /**
-             * @description goTo, setHome: home as it is now (the default) or amsl
-             * @enum {string|null}
-             */
-            altitudeReference?: "home" | "amsl" | null;
-            /**
-             * Format: double
-             * @description turn: degrees from where it looks now, clockwise when positive
-             */
-            degrees?: number | null;
-            /**
-             * Format: int64
-             * @description The epoch of the control that you believe to have: refused when that has ended
-             */
-            epoch?: number | null;
-            /** @description disarm: stop the motors even in the air */
-            force?: boolean | null;
-            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
-            id?: string | null;
-            /** @description uploadMission: 1 to 500 items */
-            items?: components["schemas"]["MissionItemView"][] | null;
-            /**
-             * Format: double
-             * @description goTo, setHome: degrees; setHome without a place means where the vehicle is
-             */
-            latitude?: number | null;
-            /**
-             * Format: double
-             * @description goTo, setHome: degrees
-             */
-            longitude?: number | null;
-            /** @description setMode: one of the drone's modes */
-            mode?: string | null;
-            /**
-             * @description startMission: what the vehicle does by itself when it no longer hears the cloud: continue (the default) or rtl
-             * @enum {string|null}
-             */
-            onCloudLoss?: "continue" | "rtl" | null;
-            /** @description setParameters: what is to be changed */
-            parameters?: components["schemas"]["CommandParameterRequest"][] | null;
-            /**
-             * Format: int32
-             * @description setRelay: 0 to 15
-             */
-            relay?: number | null;
-            /**
-             * @description setRelay
-             * @enum {string|null}
-             */
-            setting?: "off" | "on" | "toggle" | null;
-            /** @enum {string} */
-            type: "arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "goTo" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "turn" | "takePicture" | "setRelay" | "setHome" | "readHome" | "readParameters" | "setParameters" | "readLogs" | "goToLocal" | "emergencyStop" | "readMap";
-            /**
-             * Format: double
-             * @description goToLocal: metres along the x axis of the vehicle's own map
-             */
-            x?: number | null;
-            /**
-             * Format: double
-             * @description goToLocal: metres along the y axis of the vehicle's own map
-             */
-            y?: number | null;
-        };
+        /** @description A command; which members there are depends on the type. */
+        CommandRequest: components["schemas"]["ArmCommand"] | components["schemas"]["DisarmCommand"] | components["schemas"]["SetModeCommand"] | components["schemas"]["TakeOffCommand"] | components["schemas"]["LandCommand"] | components["schemas"]["ReturnToLaunchCommand"] | components["schemas"]["HoldCommand"] | components["schemas"]["GoToCommand"] | components["schemas"]["UploadMissionCommand"] | components["schemas"]["StartMissionCommand"] | components["schemas"]["PauseMissionCommand"] | components["schemas"]["ClearMissionCommand"] | components["schemas"]["TurnCommand"] | components["schemas"]["TakePictureCommand"] | components["schemas"]["SetRelayCommand"] | components["schemas"]["SetHomeCommand"] | components["schemas"]["ReadHomeCommand"] | components["schemas"]["ReadParametersCommand"] | components["schemas"]["SetParametersCommand"] | components["schemas"]["ReadLogsCommand"] | components["schemas"]["GoToLocalCommand"] | components["schemas"]["EmergencyStopCommand"] | components["schemas"]["ReadMapCommand"];
         CommandView: {
             /** Format: date-time */
             at: string;
@@ -223,6 +185,23 @@ export interface components {
         Credentials: {
             name?: string | null;
             password?: string | null;
+        };
+        /** @description Stop the motors. */
+        DisarmCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Even in the air */
+            force?: boolean | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "disarm";
         };
         DroneActionView: {
             allowed: boolean;
@@ -429,6 +408,21 @@ export interface components {
         };
         DtlsKeys: {
             dtlsKeys: components["schemas"]["DtlsKeyView"][];
+        };
+        /** @description Stand still at once, and give up whatever it was driving to. */
+        EmergencyStopCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "emergencyStop";
         };
         EndpointCounts: {
             /** Format: int64 */
@@ -932,6 +926,66 @@ export interface components {
         Gifts: {
             gifts: components["schemas"]["GiftView"][];
         };
+        /** @description Fly to a place and stay there. */
+        GoToCommand: {
+            /**
+             * Format: double
+             * @description Metres
+             */
+            altitude: number;
+            /**
+             * @description home as it is now (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "goTo";
+        };
+        /** @description Go to a place on the vehicle's own map. */
+        GoToLocalCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "goToLocal";
+            /**
+             * Format: double
+             * @description Metres along the x axis of that map
+             */
+            x: number;
+            /**
+             * Format: double
+             * @description Metres along the y axis of that map
+             */
+            y: number;
+        };
         GrantRequest: {
             all?: boolean | null;
             drones?: string[] | null;
@@ -1052,6 +1106,21 @@ export interface components {
              */
             written: number;
         };
+        /** @description Stop and stay where it is. */
+        HoldCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "hold";
+        };
         InvitationView: {
             code: string | null;
             /** Format: date-time */
@@ -1130,6 +1199,21 @@ export interface components {
             parent: string | null;
             /** @enum {string} */
             role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
+        };
+        /** @description Land where it is. */
+        LandCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "land";
         };
         LeftBehind: {
             drones: components["schemas"]["LeftBehindView"][];
@@ -1441,6 +1525,21 @@ export interface components {
         PasswordRequest: {
             current?: string | null;
             next?: string | null;
+        };
+        /** @description Stop in its mission. */
+        PauseMissionCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "pauseMission";
         };
         /** @description How a plan is accepted. */
         PlanAcceptRequest: {
@@ -1802,6 +1901,66 @@ export interface components {
             title: string;
             type: string;
         };
+        /** @description Ask the vehicle where its home is. */
+        ReadHomeCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "readHome";
+        };
+        /** @description List the logs on the vehicle. */
+        ReadLogsCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "readLogs";
+        };
+        /** @description Ask the vehicle for the map that it goes by. */
+        ReadMapCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "readMap";
+        };
+        /** @description Read all parameters of the vehicle. */
+        ReadParametersCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "readParameters";
+        };
         /** @description Keep it where nobody who runs the server can change it. */
         ReceiptView: {
             at?: string | null;
@@ -1887,6 +2046,21 @@ export interface components {
         };
         Replays: {
             replays: components["schemas"]["ReplayView"][];
+        };
+        /** @description Fly home and land there. */
+        ReturnToLaunchCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "returnToLaunch";
         };
         RobotKeyRequest: {
             drone?: string | null;
@@ -2237,6 +2411,97 @@ export interface components {
             /** @enum {string} */
             role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
         };
+        /** @description Move home; without a place to where the vehicle is. */
+        SetHomeCommand: {
+            /**
+             * Format: double
+             * @description Metres
+             */
+            altitude?: number | null;
+            /**
+             * @description home as it is now (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude?: number | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude?: number | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "setHome";
+        };
+        /** @description Change the mode. */
+        SetModeCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @description One of the drone's modes */
+            mode: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "setMode";
+        };
+        /** @description Change parameters of the vehicle. */
+        SetParametersCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @description What is to be changed */
+            parameters: components["schemas"]["CommandParameterRequest"][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "setParameters";
+        };
+        /** @description Switch a relay on the vehicle. */
+        SetRelayCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * Format: int32
+             * @description Which relay, 0 to 15
+             */
+            relay: number;
+            /** @enum {string} */
+            setting: "off" | "on" | "toggle";
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "setRelay";
+        };
         SettingsView: {
             phonePage: string | null;
             publicMode: boolean;
@@ -2245,8 +2510,63 @@ export interface components {
             tileAddress: string | null;
             version: string;
         };
+        /** @description Fly the mission on the vehicle. */
+        StartMissionCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description What the vehicle does by itself when it no longer hears the cloud: continue (the default) or rtl
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "startMission";
+        };
         StreamTicket: {
             ticket: string;
+        };
+        /** @description Climb straight up. */
+        TakeOffCommand: {
+            /**
+             * Format: double
+             * @description Metres above home
+             */
+            altitude: number;
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "takeOff";
+        };
+        /** @description Take one picture. */
+        TakePictureCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "takePicture";
         };
         TourEffortView: {
             /**
@@ -2308,6 +2628,43 @@ export interface components {
             /** Format: int32 */
             systemId: number;
             transport: string;
+        };
+        /** @description Turn on the spot. */
+        TurnCommand: {
+            /**
+             * Format: double
+             * @description Degrees from where it looks now, clockwise when positive
+             */
+            degrees: number;
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "turn";
+        };
+        /** @description Bring a mission to the vehicle in place of the one it has. */
+        UploadMissionCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @description 1 to 500 items */
+            items: components["schemas"]["MissionItemView"][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "uploadMission";
         };
         UserChange: {
             /** @enum {string|null} */
@@ -2578,12 +2935,14 @@ export interface components {
     pathItems: never;
 }
 export type AccessKeys = components['schemas']['AccessKeys'];
+export type ArmCommand = components['schemas']['ArmCommand'];
 export type AuditPage = components['schemas']['AuditPage'];
 export type AuditVerdictView = components['schemas']['AuditVerdictView'];
 export type AuditView = components['schemas']['AuditView'];
 export type BroadcastRequest = components['schemas']['BroadcastRequest'];
 export type BroadcastResult = components['schemas']['BroadcastResult'];
 export type BroadcastView = components['schemas']['BroadcastView'];
+export type ClearMissionCommand = components['schemas']['ClearMissionCommand'];
 export type CommandOutcomeView = components['schemas']['CommandOutcomeView'];
 export type CommandParameterRequest = components['schemas']['CommandParameterRequest'];
 export type CommandProgressView = components['schemas']['CommandProgressView'];
@@ -2594,6 +2953,7 @@ export type ControlAskedView = components['schemas']['ControlAskedView'];
 export type ControlRequestView = components['schemas']['ControlRequestView'];
 export type ControlView = components['schemas']['ControlView'];
 export type Credentials = components['schemas']['Credentials'];
+export type DisarmCommand = components['schemas']['DisarmCommand'];
 export type DroneActionView = components['schemas']['DroneActionView'];
 export type DroneAttitudeView = components['schemas']['DroneAttitudeView'];
 export type DroneBatteryView = components['schemas']['DroneBatteryView'];
@@ -2615,6 +2975,7 @@ export type Drones = components['schemas']['Drones'];
 export type DtlsKeyRequest = components['schemas']['DtlsKeyRequest'];
 export type DtlsKeyView = components['schemas']['DtlsKeyView'];
 export type DtlsKeys = components['schemas']['DtlsKeys'];
+export type EmergencyStopCommand = components['schemas']['EmergencyStopCommand'];
 export type EndpointCounts = components['schemas']['EndpointCounts'];
 export type EndpointPeerView = components['schemas']['EndpointPeerView'];
 export type EndpointRequest = components['schemas']['EndpointRequest'];
@@ -2653,6 +3014,8 @@ export type FollowView = components['schemas']['FollowView'];
 export type GiftRequest = components['schemas']['GiftRequest'];
 export type GiftView = components['schemas']['GiftView'];
 export type Gifts = components['schemas']['Gifts'];
+export type GoToCommand = components['schemas']['GoToCommand'];
+export type GoToLocalCommand = components['schemas']['GoToLocalCommand'];
 export type GrantRequest = components['schemas']['GrantRequest'];
 export type GrantView = components['schemas']['GrantView'];
 export type Grants = components['schemas']['Grants'];
@@ -2666,12 +3029,14 @@ export type HealthLastEnd = components['schemas']['HealthLastEnd'];
 export type HealthPart = components['schemas']['HealthPart'];
 export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
+export type HoldCommand = components['schemas']['HoldCommand'];
 export type InvitationView = components['schemas']['InvitationView'];
 export type Invitations = components['schemas']['Invitations'];
 export type JournalEntryView = components['schemas']['JournalEntryView'];
 export type KeyArea = components['schemas']['KeyArea'];
 export type KeyRequest = components['schemas']['KeyRequest'];
 export type KeyView = components['schemas']['KeyView'];
+export type LandCommand = components['schemas']['LandCommand'];
 export type LeftBehind = components['schemas']['LeftBehind'];
 export type LeftBehindView = components['schemas']['LeftBehindView'];
 export type LinkKeyRequest = components['schemas']['LinkKeyRequest'];
@@ -2709,6 +3074,7 @@ export type ParametersView = components['schemas']['ParametersView'];
 export type PassphraseRequest = components['schemas']['PassphraseRequest'];
 export type PassphraseView = components['schemas']['PassphraseView'];
 export type PasswordRequest = components['schemas']['PasswordRequest'];
+export type PauseMissionCommand = components['schemas']['PauseMissionCommand'];
 export type PlanAcceptRequest = components['schemas']['PlanAcceptRequest'];
 export type PlanDroneName = components['schemas']['PlanDroneName'];
 export type PlanFlightView = components['schemas']['PlanFlightView'];
@@ -2731,6 +3097,10 @@ export type PlanWindowRequest = components['schemas']['PlanWindowRequest'];
 export type PointView = components['schemas']['PointView'];
 export type Points = components['schemas']['Points'];
 export type Problem = components['schemas']['Problem'];
+export type ReadHomeCommand = components['schemas']['ReadHomeCommand'];
+export type ReadLogsCommand = components['schemas']['ReadLogsCommand'];
+export type ReadMapCommand = components['schemas']['ReadMapCommand'];
+export type ReadParametersCommand = components['schemas']['ReadParametersCommand'];
 export type ReceiptView = components['schemas']['ReceiptView'];
 export type RecordingPage = components['schemas']['RecordingPage'];
 export type RecordingRoomView = components['schemas']['RecordingRoomView'];
@@ -2741,6 +3111,7 @@ export type RegistrationRequest = components['schemas']['RegistrationRequest'];
 export type RenameRequest = components['schemas']['RenameRequest'];
 export type ReplayView = components['schemas']['ReplayView'];
 export type Replays = components['schemas']['Replays'];
+export type ReturnToLaunchCommand = components['schemas']['ReturnToLaunchCommand'];
 export type RobotKeyRequest = components['schemas']['RobotKeyRequest'];
 export type RobotKeyView = components['schemas']['RobotKeyView'];
 export type RobotKeys = components['schemas']['RobotKeys'];
@@ -2769,12 +3140,21 @@ export type SensedScanView = components['schemas']['SensedScanView'];
 export type SensedView = components['schemas']['SensedView'];
 export type SeriesView = components['schemas']['SeriesView'];
 export type SessionView = components['schemas']['SessionView'];
+export type SetHomeCommand = components['schemas']['SetHomeCommand'];
+export type SetModeCommand = components['schemas']['SetModeCommand'];
+export type SetParametersCommand = components['schemas']['SetParametersCommand'];
+export type SetRelayCommand = components['schemas']['SetRelayCommand'];
 export type SettingsView = components['schemas']['SettingsView'];
+export type StartMissionCommand = components['schemas']['StartMissionCommand'];
 export type StreamTicket = components['schemas']['StreamTicket'];
+export type TakeOffCommand = components['schemas']['TakeOffCommand'];
+export type TakePictureCommand = components['schemas']['TakePictureCommand'];
 export type TourEffortView = components['schemas']['TourEffortView'];
 export type TourRequest = components['schemas']['TourRequest'];
 export type TourView = components['schemas']['TourView'];
 export type TrafficView = components['schemas']['TrafficView'];
+export type TurnCommand = components['schemas']['TurnCommand'];
+export type UploadMissionCommand = components['schemas']['UploadMissionCommand'];
 export type UserChange = components['schemas']['UserChange'];
 export type UserView = components['schemas']['UserView'];
 export type Users = components['schemas']['Users'];

@@ -29,7 +29,7 @@ import { VirtualCalls } from './virtual';
 import { ZoneCalls } from './zones';
 
 /** `epoch`: of the control that the page believes to have. */
-export type SentCommand = CommandRequest & { id: string; epoch?: number };
+export type SentCommand = CommandRequest & { id: string; epoch?: number | null };
 
 /** A line that takes longer is none, and one that was cut leaves nobody waiting for it when it is back. */
 const TICKET_MILLISECONDS = 4_000;

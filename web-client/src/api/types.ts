@@ -20,6 +20,8 @@ import type {
   CommandOutcomeView as Outcome,
   CommandRequest as Request,
   SavedMissionView,
+  SetRelayCommand,
+  StartMissionCommand,
   DroneMessageView as VehicleMessage,
 } from './contract';
 
@@ -52,9 +54,9 @@ export type CommandResult = Outcome['result'];
 export type CommandKind = Command['type'];
 
 /** What a vehicle on a mission does by itself when it no longer hears the cloud. */
-export type CloudLoss = NonNullable<Request['onCloudLoss']>;
+export type CloudLoss = NonNullable<StartMissionCommand['onCloudLoss']>;
 
-export type RelaySetting = NonNullable<Request['setting']>;
+export type RelaySetting = SetRelayCommand['setting'];
 
 /** The mission that the vehicle itself holds, as read back from it. */
 export type VehicleMission = WithItems<MissionView>;
@@ -66,25 +68,9 @@ export type Drone = Omit<DroneView, 'mission' | 'actions'> & {
   actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>;
 };
 
-/** A kind of command with the members that it needs, and those that it may have. */
-type Order<K extends Request['type'], M extends keyof Request = never, O extends keyof Request = never> = {
-  type: K;
-} & { [N in M]: NonNullable<Request[N]> } & { [N in O]?: NonNullable<Request[N]> };
-
+/** What a drone is asked for; the items of a mission as the page has them. */
 export type CommandRequest =
-  | Order<'arm' | 'land' | 'returnToLaunch' | 'hold' | 'pauseMission' | 'clearMission'>
-  | Order<'takePicture' | 'readHome' | 'readParameters' | 'emergencyStop' | 'readMap'>
-  | Order<'goToLocal', 'x' | 'y'>
-  | Order<'turn', 'degrees'>
-  | Order<'setRelay', 'relay' | 'setting'>
-  | Order<'setHome', never, 'latitude' | 'longitude' | 'altitude' | 'altitudeReference'>
-  | Order<'setParameters', 'parameters'>
-  | Order<'startMission', 'onCloudLoss'>
-  | Order<'disarm', never, 'force'>
-  | Order<'setMode', 'mode'>
-  | Order<'takeOff', 'altitude'>
-  | Order<'goTo', 'latitude' | 'longitude' | 'altitude', 'altitudeReference'>
-  | { type: 'uploadMission'; items: MissionItem[] };
+  Exclude<Request, { type: 'uploadMission' }> | { type: 'uploadMission'; items: MissionItem[] };
 
 export type { AltitudeReference, LookAtItem, MissionItem, WaypointItem } from './items';
 

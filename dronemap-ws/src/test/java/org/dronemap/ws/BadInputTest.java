@@ -77,7 +77,9 @@ class BadInputTest {
                 Arguments.of("{\"type\":\"takeOff\",\"altitud\":5}", "altitud", "altitude"),
                 Arguments.of("{\"type\":\"uploadMission\",\"items\":[]}", "items", "1 to 500 items"),
                 Arguments.of("{\"type\":\"startMission\",\"onCloudLoss\":\"panic\"}", "onCloudLoss", "continue or rtl"),
-                Arguments.of("{\"type\":\"fly\"}", "type", "takeOff"));
+                Arguments.of("{\"type\":\"arm\",\"altitude\":5}", "altitude", "type, id, epoch"),
+                Arguments.of("{\"altitude\":5}", "type", "one of arm, disarm"),
+                Arguments.of("{\"type\":\"fly\"}", "type", "one of arm, disarm"));
     }
 
     @ParameterizedTest
@@ -95,7 +97,24 @@ class BadInputTest {
             JsonNode error =
                     stream.await(message -> message.path("type").asString().equals("error"));
             assertThat(error.path("problem").path("allowed").asString()).contains(allowed);
+            assertThat(error.path("requestId").asString("")).isEqualTo("r1");
         }
+    }
+
+    @Test
+    void namesTheMemberOfACommandForSeveral() {
+        Http.Answer type = operator.post("/api/v1/commands", "{\"drones\":\"all\",\"command\":{\"type\":\"fly\"}}");
+        Http.Answer member = operator.post(
+                "/api/v1/commands", "{\"drones\":\"all\",\"command\":{\"type\":\"arm\",\"mode\":\"AUTO\"}}");
+
+        assertThat(type.status()).isEqualTo(422);
+        assertThat(type.text("field")).isEqualTo("command.type");
+        assertThat(type.text("detail"))
+                .startsWith("\"command.type\" must be one of arm, ")
+                .endsWith(", not \"fly\".");
+        assertThat(member.status()).isEqualTo(422);
+        assertThat(member.text("detail"))
+                .isEqualTo("There is no member \"command.mode\" here; there are: type, id, epoch.");
     }
 
     @Test

@@ -2,6 +2,7 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import com.tngtech.archunit.ArchConfiguration;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
@@ -25,10 +26,13 @@ import org.dronemap.ws.planted.PlantedCases;
 import org.dronemap.ws.planted.PlantedHandlers;
 import org.dronemap.ws.planted.PlantedTime;
 import org.dronemap.ws.planted.PlantedViolation;
+import org.dronemap.ws.service.Alternatives;
+import org.dronemap.ws.service.ObjectsOnly;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /**
  * All modules obey the rules of the house, and the rules can fail. Whatever flies can be stepped, but for a few classes that
@@ -249,6 +253,23 @@ class HouseTest {
         assertThat(CaseRules.defaults(CaseRules.sources(all -> true))).isEmpty();
         assertThat(CaseRules.defaults(Map.of("planted", planted(PlantedCases.class))))
                 .hasSize(1);
+    }
+
+    /** A form without a name could not be sent, and the usual reader takes arrays for some objects. */
+    @Test
+    void knowsEachFormOfABodyByNameAndReadsObjectsAlone() {
+        List<Class<?>> choices = HOUSE.stream()
+                .filter(type -> type.isAnnotatedWith(JsonTypeInfo.class))
+                .<Class<?>>map(JavaClass::reflect)
+                .toList();
+
+        assertThat(choices).isNotEmpty().allSatisfy(choice -> {
+            assertThat(Alternatives.of(choice).orElseThrow().records().values())
+                    .containsExactlyInAnyOrder(choice.getPermittedSubclasses());
+            assertThat(choice.getAnnotation(JsonTypeResolver.class))
+                    .extracting(JsonTypeResolver::value)
+                    .isEqualTo(ObjectsOnly.class);
+        });
     }
 
     /** Only what translates for a family of vehicles knows what their modes are called. */

@@ -94,9 +94,15 @@ public final class AuditNotes {
         if (!(body instanceof Record)) {
             return body instanceof byte[] bytes ? bytes.length + " bytes" : "";
         }
-        return Stream.of(body.getClass().getRecordComponents())
-                .flatMap(component -> member(body, component, bare).stream())
+        return Stream.concat(
+                        Alternatives.with(body.getClass()).map(all -> alternative(all, body.getClass(), bare)).stream(),
+                        Stream.of(body.getClass().getRecordComponents())
+                                .flatMap(component -> member(body, component, bare).stream()))
                 .collect(Collectors.joining(", "));
+    }
+
+    private static String alternative(Alternatives all, Class<?> which, boolean bare) {
+        return bare ? all.member() : all.member() + "=" + all.nameOf(which);
     }
 
     private static Optional<String> member(Object body, RecordComponent component, boolean bare) {

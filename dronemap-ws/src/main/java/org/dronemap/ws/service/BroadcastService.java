@@ -41,26 +41,28 @@ public final class BroadcastService {
         if (command.id() != null) {
             throw new InvalidInput("command.id", "left out", "The id of a command for several stands beside it.");
         }
-        commands.pay(principal, command.type());
+        commands.pay(principal, command);
         String id = id(request.id());
         List<String> targets = targets(principal, request.drones());
         checkForAll(principal, targets, command);
         if (request.id() != null) {
             known(principal, targets)
-                    .forEach(drone -> commands.checkId(
-                            principal, command.withId(idFor(id, drone.id().value())), drone));
+                    .forEach(drone ->
+                            commands.checkId(principal, idFor(id, drone.id().value()), command, drone));
         }
         List<BroadcastView.Result> results = new ArrayList<>();
         for (String drone : targets) {
-            results.add(one(principal, face, drone, command.withId(idFor(id, drone))));
+            results.add(one(principal, face, drone, idFor(id, drone), command));
         }
         return new BroadcastView(id, List.copyOf(results));
     }
 
-    private BroadcastView.Result one(Principal principal, String face, String drone, CommandRequest command) {
+    private BroadcastView.Result one(
+            Principal principal, String face, String drone, String id, CommandRequest command) {
         String name = commands.nameOf(principal, drone);
         try {
-            return new BroadcastView.Result(drone, name, commands.submitPaid(principal, face, drone, command), null);
+            return new BroadcastView.Result(
+                    drone, name, commands.submitPaid(principal, face, drone, id, command), null);
         } catch (Rejection rejection) {
             String refused = rejection.commandId();
             return refused == null

@@ -1,10 +1,7 @@
 package org.dronemap.ws.service;
 
-import java.util.Optional;
-import java.util.stream.Stream;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.ReadHome;
@@ -18,52 +15,37 @@ import org.jspecify.annotations.Nullable;
 
 /** Turns what a client wrote into a command, or says which member is wrong and what is allowed. */
 final class CommandReader {
-    private static final String KINDS = "one of " + CommandRequest.TYPES;
     private static final String RELAY_SETTINGS = "off, on or toggle";
     private static final String CLOUD_LOSS = "continue or rtl";
 
     private CommandReader() {}
 
-    /** The kind that clients call so; empty when there is none. */
-    static Optional<CommandKind> kind(String type) {
-        return Stream.of(CommandKind.values())
-                .filter(kind -> WireNames.lowerFirst(kind.word()).equals(type))
-                .findFirst();
-    }
-
     /** The same whenever it is asked, however the drone is by then. */
     static Command asked(CommandRequest request, DroneState drone, ParameterSet held) {
-        String type = request.type();
-        if (type == null) {
-            throw InvalidInput.missing("type", KINDS);
-        }
-        return asked(kind(type).orElseThrow(() -> unknown(type)), request, drone, held);
-    }
-
-    private static Command asked(CommandKind kind, CommandRequest request, DroneState drone, ParameterSet held) {
-        return switch (kind) {
+        return switch (request.kind()) {
             case ARM -> new Command.Arm();
-            case DISARM -> new Command.Disarm(Boolean.TRUE.equals(request.force()));
-            case SET_MODE -> new Command.SetMode(mode(request.mode(), drone));
-            case TAKE_OFF -> new Command.TakeOff(Ranges.takeOffAltitude("altitude", request.altitude()));
+            case DISARM -> new Command.Disarm(Boolean.TRUE.equals(((CommandRequest.Disarm) request).force()));
+            case SET_MODE -> new Command.SetMode(mode(((CommandRequest.SetMode) request).mode(), drone));
+            case TAKE_OFF -> takeOff((CommandRequest.TakeOff) request);
             case LAND -> new Command.Land();
             case RETURN_TO_LAUNCH -> new Command.ReturnToLaunch();
             case HOLD -> new Command.Hold();
-            case GO_TO -> goTo(request);
-            case GO_TO_LOCAL -> new GoToLocal(Ranges.onMap("x", request.x()), Ranges.onMap("y", request.y()), null);
+            case GO_TO -> goTo((CommandRequest.GoTo) request);
+            case GO_TO_LOCAL -> goToLocal((CommandRequest.GoToLocal) request);
             case EMERGENCY_STOP -> new EmergencyStop();
             case READ_MAP -> new ReadMap();
-            case UPLOAD_MISSION -> new Command.UploadMission(MissionReader.read(request.items()));
-            case START_MISSION -> new Command.StartMission(cloudLoss(request.onCloudLoss()));
-            case TURN -> new Command.Turn(Ranges.turn("degrees", request.degrees()));
+            case UPLOAD_MISSION ->
+                new Command.UploadMission(MissionReader.read(((CommandRequest.UploadMission) request).items()));
+            case START_MISSION ->
+                new Command.StartMission(cloudLoss(((CommandRequest.StartMission) request).onCloudLoss()));
+            case TURN -> new Command.Turn(Ranges.turn("degrees", ((CommandRequest.Turn) request).degrees()));
             case TAKE_PICTURE -> new Command.TakePicture();
-            case SET_RELAY ->
-                new Command.SetRelay(Ranges.relay("relay", request.relay()), relaySetting(request.setting()));
-            case SET_HOME -> setHome(request);
+            case SET_RELAY -> setRelay((CommandRequest.SetRelay) request);
+            case SET_HOME -> setHome((CommandRequest.SetHome) request);
             case READ_HOME -> new ReadHome();
             case READ_LOGS -> new ReadLogs();
             case READ_PARAMETERS -> new Command.ReadParameters();
-            case SET_PARAMETERS -> new Command.SetParameters(ParameterReader.read(request.parameters(), held));
+            case SET_PARAMETERS -> setParameters((CommandRequest.SetParameters) request, held);
             case PAUSE_MISSION -> new Command.PauseMission();
             case CLEAR_MISSION -> new Command.ClearMission();
             // These have addresses of their own, or are given by the cloud alone.
@@ -75,12 +57,8 @@ final class CommandReader {
                     SET_RETURN_HEIGHT,
                     RETURN_ON_LOSS,
                     SET_CLOUD_LOSS,
-                    PUT_BACK -> throw unknown(String.valueOf(request.type()));
+                    PUT_BACK -> throw new IllegalStateException(request + " is of no kind that clients ask for");
         };
-    }
-
-    private static InvalidInput unknown(String type) {
-        return InvalidInput.outside("type", KINDS, "\"" + type + "\"");
     }
 
     /** What the drone needs beside what was asked. */
@@ -90,14 +68,30 @@ final class CommandReader {
                 : asked;
     }
 
-    private static Command.GoTo goTo(CommandRequest request) {
+    private static Command.TakeOff takeOff(CommandRequest.TakeOff request) {
+        return new Command.TakeOff(Ranges.takeOffAltitude("altitude", request.altitude()));
+    }
+
+    private static Command.SetParameters setParameters(CommandRequest.SetParameters request, ParameterSet held) {
+        return new Command.SetParameters(ParameterReader.read(request.parameters(), held));
+    }
+
+    private static Command.GoTo goTo(CommandRequest.GoTo request) {
         Geodetic point = new Geodetic(
                 Ranges.latitude("latitude", request.latitude()), Ranges.longitude("longitude", request.longitude()));
         return new Command.GoTo(point, MissionReader.altitude("", request.altitude(), request.altitudeReference()));
     }
 
+    private static GoToLocal goToLocal(CommandRequest.GoToLocal request) {
+        return new GoToLocal(Ranges.onMap("x", request.x()), Ranges.onMap("y", request.y()), null);
+    }
+
+    private static Command.SetRelay setRelay(CommandRequest.SetRelay request) {
+        return new Command.SetRelay(Ranges.relay("relay", request.relay()), relaySetting(request.setting()));
+    }
+
     /** Without a place: where the vehicle is. */
-    private static Command.SetHome setHome(CommandRequest request) {
+    private static Command.SetHome setHome(CommandRequest.SetHome request) {
         boolean here = request.latitude() == null && request.longitude() == null && request.altitude() == null;
         if (here) {
             return new Command.SetHome(null, null);

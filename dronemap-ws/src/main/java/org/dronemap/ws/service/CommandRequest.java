@@ -1,250 +1,342 @@
 package org.dronemap.ws.service;
 
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** A command as a client writes it; which members are needed depends on the type. Nothing is checked yet. */
-@Schema(name = "CommandRequest", description = "A command; which members are needed depends on the type.")
-public record CommandRequest(
-        @Schema(
-                requiredMode = Schema.RequiredMode.REQUIRED,
-                allowableValues = {
-                    "arm",
-                    "disarm",
-                    "setMode",
-                    "takeOff",
-                    "land",
-                    "returnToLaunch",
-                    "hold",
-                    "goTo",
-                    "uploadMission",
-                    "startMission",
-                    "pauseMission",
-                    "clearMission",
-                    "turn",
-                    "takePicture",
-                    "setRelay",
-                    "setHome",
-                    "readHome",
-                    "readParameters",
-                    "setParameters",
-                    "readLogs",
-                    "goToLocal",
-                    "emergencyStop",
-                    "readMap"
-                })
-        @Nullable
-        String type,
+/**
+ * A command as a client writes it, one record for each type with the members that this type has. Nothing is checked yet.
+ * Fence, rally points and the download of a log have addresses of their own.
+ */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
+@JsonTypeResolver(ObjectsOnly.class)
+@JsonSubTypes({
+    @JsonSubTypes.Type(value = CommandRequest.Arm.class, name = "arm"),
+    @JsonSubTypes.Type(value = CommandRequest.Disarm.class, name = "disarm"),
+    @JsonSubTypes.Type(value = CommandRequest.SetMode.class, name = "setMode"),
+    @JsonSubTypes.Type(value = CommandRequest.TakeOff.class, name = "takeOff"),
+    @JsonSubTypes.Type(value = CommandRequest.Land.class, name = "land"),
+    @JsonSubTypes.Type(value = CommandRequest.ReturnToLaunch.class, name = "returnToLaunch"),
+    @JsonSubTypes.Type(value = CommandRequest.Hold.class, name = "hold"),
+    @JsonSubTypes.Type(value = CommandRequest.GoTo.class, name = "goTo"),
+    @JsonSubTypes.Type(value = CommandRequest.UploadMission.class, name = "uploadMission"),
+    @JsonSubTypes.Type(value = CommandRequest.StartMission.class, name = "startMission"),
+    @JsonSubTypes.Type(value = CommandRequest.PauseMission.class, name = "pauseMission"),
+    @JsonSubTypes.Type(value = CommandRequest.ClearMission.class, name = "clearMission"),
+    @JsonSubTypes.Type(value = CommandRequest.Turn.class, name = "turn"),
+    @JsonSubTypes.Type(value = CommandRequest.TakePicture.class, name = "takePicture"),
+    @JsonSubTypes.Type(value = CommandRequest.SetRelay.class, name = "setRelay"),
+    @JsonSubTypes.Type(value = CommandRequest.SetHome.class, name = "setHome"),
+    @JsonSubTypes.Type(value = CommandRequest.ReadHome.class, name = "readHome"),
+    @JsonSubTypes.Type(value = CommandRequest.ReadParameters.class, name = "readParameters"),
+    @JsonSubTypes.Type(value = CommandRequest.SetParameters.class, name = "setParameters"),
+    @JsonSubTypes.Type(value = CommandRequest.ReadLogs.class, name = "readLogs"),
+    @JsonSubTypes.Type(value = CommandRequest.GoToLocal.class, name = "goToLocal"),
+    @JsonSubTypes.Type(value = CommandRequest.EmergencyStop.class, name = "emergencyStop"),
+    @JsonSubTypes.Type(value = CommandRequest.ReadMap.class, name = "readMap")
+})
+@Schema(name = "CommandRequest", description = "A command; which members there are depends on the type.")
+public sealed interface CommandRequest {
+    CommandKind kind();
 
-        @Schema(description = "Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once") @Nullable
-        String id,
+    @Schema(description = "Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once")
+    @Nullable
+    String id();
 
-        @Schema(description = "disarm: stop the motors even in the air") @Nullable
-        Boolean force,
+    @Schema(description = "The epoch of the control that you believe to have: refused when that has ended")
+    @Nullable
+    Long epoch();
 
-        @Schema(description = "setMode: one of the drone's modes") @Nullable
-        String mode,
+    @Schema(name = "ArmCommand", description = "Start the motors.")
+    record Arm(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.ARM;
+        }
+    }
 
-        @Schema(description = "goTo, setHome: degrees; setHome without a place means where the vehicle is") @Nullable
-        Double latitude,
+    @Schema(name = "DisarmCommand", description = "Stop the motors.")
+    record Disarm(
+            @Schema(description = "Even in the air") @Nullable
+            Boolean force,
 
-        @Schema(description = "goTo, setHome: degrees") @Nullable
-        Double longitude,
+            @Nullable String id,
+            @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.DISARM;
+        }
+    }
 
-        @Schema(description = "goToLocal: metres along the x axis of the vehicle's own map") @Nullable
-        Double x,
+    @Schema(name = "SetModeCommand", description = "Change the mode.")
+    record SetMode(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "One of the drone's modes") @Nullable
+            String mode,
 
-        @Schema(description = "goToLocal: metres along the y axis of the vehicle's own map") @Nullable
-        Double y,
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.SET_MODE;
+        }
+    }
 
-        @Schema(description = "takeOff, goTo, setHome: metres") @Nullable
-        Double altitude,
+    @Schema(name = "TakeOffCommand", description = "Climb straight up.")
+    record TakeOff(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres above home") @Nullable
+            Double altitude,
 
-        @Schema(description = "goTo, setHome: home as it is now (the default) or amsl")
-        @ValuesOf(Altitude.Reference.class)
-        @Nullable
-        String altitudeReference,
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.TAKE_OFF;
+        }
+    }
 
-        @Schema(description = "uploadMission: 1 to 500 items") @Nullable
-        List<MissionItemView> items,
+    @Schema(name = "LandCommand", description = "Land where it is.")
+    record Land(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.LAND;
+        }
+    }
 
-        @Schema(
-                description = "startMission: what the vehicle does by itself when it no longer hears the cloud:"
-                        + " continue (the default) or rtl",
-                allowableValues = {"continue", "rtl"})
-        @Nullable
-        String onCloudLoss,
+    @Schema(name = "ReturnToLaunchCommand", description = "Fly home and land there.")
+    record ReturnToLaunch(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.RETURN_TO_LAUNCH;
+        }
+    }
 
-        @Schema(description = "turn: degrees from where it looks now, clockwise when positive") @Nullable
-        Double degrees,
+    @Schema(name = "HoldCommand", description = "Stop and stay where it is.")
+    record Hold(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.HOLD;
+        }
+    }
 
-        @Schema(description = "setRelay: 0 to 15") @Nullable Integer relay,
+    @Schema(name = "GoToCommand", description = "Fly to a place and stay there.")
+    record GoTo(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees") @Nullable
+            Double latitude,
 
-        @Schema(description = "setRelay") @ValuesOf(RelaySetting.class) @Nullable
-        String setting,
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees") @Nullable
+            Double longitude,
 
-        @Schema(description = "setParameters: what is to be changed") @Nullable
-        List<ParameterRequest> parameters,
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres") @Nullable
+            Double altitude,
 
-        @Schema(description = "The epoch of the control that you believe to have: refused when that has ended")
-        @Nullable
-        Long epoch) {
-    /** What there is of types; fence, rally points and the download of a log have addresses of their own. */
-    static final String TYPES = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
-            + " startMission, pauseMission, clearMission, turn, takePicture, setRelay, setHome, readHome,"
-            + " readParameters, setParameters, readLogs, goToLocal, emergencyStop, readMap";
+            @Schema(description = "home as it is now (the default) or amsl")
+            @ValuesOf(Altitude.Reference.class)
+            @Nullable
+            String altitudeReference,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.GO_TO;
+        }
+    }
+
+    @Schema(name = "UploadMissionCommand", description = "Bring a mission to the vehicle in place of the one it has.")
+    record UploadMission(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "1 to 500 items") @Nullable
+            List<MissionItemView> items,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.UPLOAD_MISSION;
+        }
+    }
+
+    @Schema(name = "StartMissionCommand", description = "Fly the mission on the vehicle.")
+    record StartMission(
+            @Schema(
+                    description = "What the vehicle does by itself when it no longer hears the cloud:"
+                            + " continue (the default) or rtl",
+                    allowableValues = {"continue", "rtl"})
+            @Nullable
+            String onCloudLoss,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.START_MISSION;
+        }
+    }
+
+    @Schema(name = "PauseMissionCommand", description = "Stop in its mission.")
+    record PauseMission(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.PAUSE_MISSION;
+        }
+    }
+
+    @Schema(name = "ClearMissionCommand", description = "Delete the mission on the vehicle.")
+    record ClearMission(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.CLEAR_MISSION;
+        }
+    }
+
+    @Schema(name = "TurnCommand", description = "Turn on the spot.")
+    record Turn(
+            @Schema(
+                    requiredMode = Schema.RequiredMode.REQUIRED,
+                    description = "Degrees from where it looks now, clockwise when positive")
+            @Nullable
+            Double degrees,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.TURN;
+        }
+    }
+
+    @Schema(name = "TakePictureCommand", description = "Take one picture.")
+    record TakePicture(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.TAKE_PICTURE;
+        }
+    }
+
+    @Schema(name = "SetRelayCommand", description = "Switch a relay on the vehicle.")
+    record SetRelay(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Which relay, 0 to 15") @Nullable
+            Integer relay,
+
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @ValuesOf(RelaySetting.class) @Nullable
+            String setting,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.SET_RELAY;
+        }
+    }
+
+    @Schema(name = "SetHomeCommand", description = "Move home; without a place to where the vehicle is.")
+    record SetHome(
+            @Schema(description = "Degrees") @Nullable Double latitude,
+
+            @Schema(description = "Degrees") @Nullable Double longitude,
+
+            @Schema(description = "Metres") @Nullable Double altitude,
+
+            @Schema(description = "home as it is now (the default) or amsl")
+            @ValuesOf(Altitude.Reference.class)
+            @Nullable
+            String altitudeReference,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.SET_HOME;
+        }
+    }
+
+    @Schema(name = "ReadHomeCommand", description = "Ask the vehicle where its home is.")
+    record ReadHome(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.READ_HOME;
+        }
+    }
+
+    @Schema(name = "ReadParametersCommand", description = "Read all parameters of the vehicle.")
+    record ReadParameters(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.READ_PARAMETERS;
+        }
+    }
+
+    @Schema(name = "SetParametersCommand", description = "Change parameters of the vehicle.")
+    record SetParameters(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "What is to be changed") @Nullable
+            List<ParameterRequest> parameters,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.SET_PARAMETERS;
+        }
+    }
+
+    @Schema(name = "ReadLogsCommand", description = "List the logs on the vehicle.")
+    record ReadLogs(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.READ_LOGS;
+        }
+    }
+
+    @Schema(name = "GoToLocalCommand", description = "Go to a place on the vehicle's own map.")
+    record GoToLocal(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres along the x axis of that map")
+            @Nullable
+            Double x,
+
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres along the y axis of that map")
+            @Nullable
+            Double y,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.GO_TO_LOCAL;
+        }
+    }
+
+    @Schema(name = "EmergencyStopCommand", description = "Stand still at once, and give up whatever it was driving to.")
+    record EmergencyStop(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.EMERGENCY_STOP;
+        }
+    }
+
+    @Schema(name = "ReadMapCommand", description = "Ask the vehicle for the map that it goes by.")
+    record ReadMap(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
+        @Override
+        public CommandKind kind() {
+            return CommandKind.READ_MAP;
+        }
+    }
 
     /** A parameter and the value that it shall get. */
     @Schema(name = "CommandParameterRequest")
-    public record ParameterRequest(
-            @Nullable String name, @Nullable Double value) {}
-
-    CommandRequest withId(String given) {
-        return new CommandRequest(
-                type,
-                given,
-                force,
-                mode,
-                latitude,
-                longitude,
-                x,
-                y,
-                altitude,
-                altitudeReference,
-                items,
-                onCloudLoss,
-                degrees,
-                relay,
-                setting,
-                parameters,
-                epoch);
-    }
-
-    /** A command without parameters. */
-    public static CommandRequest simple(String type) {
-        return new Draft(type).request();
-    }
-
-    public static CommandRequest disarm(@Nullable Boolean force) {
-        Draft draft = new Draft("disarm");
-        draft.force = force;
-        return draft.request();
-    }
-
-    public static CommandRequest setMode(@Nullable String mode) {
-        Draft draft = new Draft("setMode");
-        draft.mode = mode;
-        return draft.request();
-    }
-
-    public static CommandRequest takeOff(@Nullable Double altitude) {
-        Draft draft = new Draft("takeOff");
-        draft.altitude = altitude;
-        return draft.request();
-    }
-
-    public static CommandRequest goTo(
-            @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude) {
-        return new Draft("goTo").at(latitude, longitude, altitude).request();
-    }
-
-    public static CommandRequest goToLocal(@Nullable Double x, @Nullable Double y) {
-        Draft draft = new Draft("goToLocal");
-        draft.x = x;
-        draft.y = y;
-        return draft.request();
-    }
-
-    public static CommandRequest uploadMission(@Nullable List<MissionItemView> items) {
-        Draft draft = new Draft("uploadMission");
-        draft.items = items;
-        return draft.request();
-    }
-
-    public static CommandRequest startMission(@Nullable String onCloudLoss) {
-        Draft draft = new Draft("startMission");
-        draft.onCloudLoss = onCloudLoss;
-        return draft.request();
-    }
-
-    public static CommandRequest turn(@Nullable Double degrees) {
-        Draft draft = new Draft("turn");
-        draft.degrees = degrees;
-        return draft.request();
-    }
-
-    public static CommandRequest setRelay(@Nullable Integer relay, @Nullable String setting) {
-        Draft draft = new Draft("setRelay");
-        draft.relay = relay;
-        draft.setting = setting;
-        return draft.request();
-    }
-
-    /** The altitude is above sea level; all three null: where the vehicle is. */
-    public static CommandRequest setHome(
-            @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitudeAmsl) {
-        Draft draft = new Draft("setHome").at(latitude, longitude, altitudeAmsl);
-        draft.altitudeReference = "amsl";
-        return draft.request();
-    }
-
-    public static CommandRequest setParameter(@Nullable String name, @Nullable Double value) {
-        Draft draft = new Draft("setParameters");
-        draft.parameters = List.of(new ParameterRequest(name, value));
-        return draft.request();
-    }
-
-    /** What is not set stays out. Owned by the method that makes it. */
-    private static final class Draft {
-        private final String type;
-        private @Nullable Boolean force;
-        private @Nullable String mode;
-        private @Nullable Double latitude;
-        private @Nullable Double longitude;
-        private @Nullable Double x;
-        private @Nullable Double y;
-        private @Nullable Double altitude;
-        private @Nullable String altitudeReference;
-        private @Nullable List<MissionItemView> items;
-        private @Nullable String onCloudLoss;
-        private @Nullable Double degrees;
-        private @Nullable Integer relay;
-        private @Nullable String setting;
-        private @Nullable List<ParameterRequest> parameters;
-
-        Draft(String type) {
-            this.type = type;
-        }
-
-        Draft at(@Nullable Double atLatitude, @Nullable Double atLongitude, @Nullable Double atAltitude) {
-            latitude = atLatitude;
-            longitude = atLongitude;
-            altitude = atAltitude;
-            return this;
-        }
-
-        CommandRequest request() {
-            return new CommandRequest(
-                    type,
-                    null,
-                    force,
-                    mode,
-                    latitude,
-                    longitude,
-                    x,
-                    y,
-                    altitude,
-                    altitudeReference,
-                    items,
-                    onCloudLoss,
-                    degrees,
-                    relay,
-                    setting,
-                    parameters,
-                    null);
-        }
-    }
+    record ParameterRequest(@Nullable String name, @Nullable Double value) {}
 }

@@ -14,7 +14,6 @@ import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.UnknownDroneException;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
-import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
@@ -44,24 +43,25 @@ public final class CommandService {
 
     /** Checks everything, then asks the gate; the answer is under way, or ended when the id is an old one. */
     public CommandView submit(Principal principal, String face, String droneId, CommandRequest request) {
-        pay(principal, request.type());
-        return submitPaid(principal, face, droneId, request);
+        pay(principal, request);
+        return submitPaid(principal, face, droneId, request.id(), request);
     }
 
     /** What is for safety costs nothing, however much somebody asked for before. */
-    void pay(Principal principal, @Nullable String type) {
-        if (!isForSafety(type)) {
+    void pay(Principal principal, CommandRequest request) {
+        if (!isForSafety(request)) {
             budgets.take(Work.COMMAND, principal.name());
         }
     }
 
-    /** As {@link #submit}, when it was paid for. */
-    CommandView submitPaid(Principal principal, String face, String droneId, CommandRequest request) {
+    /** As {@link #submit}, when it was paid for; {@code givenId} stands in place of the request's own. */
+    CommandView submitPaid(
+            Principal principal, String face, String droneId, @Nullable String givenId, CommandRequest request) {
         // Which commands these are is the gate's to say, and written down.
         DroneState drone = drones.state(principal, droneId, Role.OPERATOR, Role.PLANNER);
         Command asked = asked(request, drone);
         CommandGate.Source source = new CommandGate.Source(principal, face, request.epoch());
-        return give(source, drone, request.id(), asked).warned(warnings(CommandReader.complete(asked, drone), drone));
+        return give(source, drone, givenId, asked).warned(warnings(CommandReader.complete(asked, drone), drone));
     }
 
     private Command asked(CommandRequest request, DroneState drone) {
@@ -74,17 +74,16 @@ public final class CommandService {
     }
 
     /** Refuses an id that another command has; nothing is sent. What is for safety waits for no store. */
-    void checkId(Principal principal, CommandRequest request, DroneState drone) {
-        if (!isForSafety(request.type())) {
+    void checkId(Principal principal, String givenId, CommandRequest request, DroneState drone) {
+        if (!isForSafety(request)) {
             cloud.gate()
-                    .find(id(request.id()))
+                    .find(id(givenId))
                     .ifPresent(record -> requireSame(record, principal, drone, asked(request, drone)));
         }
     }
 
-    private static boolean isForSafety(@Nullable String type) {
-        Optional<CommandKind> kind = type == null ? Optional.empty() : CommandReader.kind(type);
-        return kind.filter(one -> one.purpose().interrupts()).isPresent();
+    private static boolean isForSafety(CommandRequest request) {
+        return request.kind().purpose().interrupts();
     }
 
     /** Nothing of it is refused: programs may mean what they say, and the page asks people before. */

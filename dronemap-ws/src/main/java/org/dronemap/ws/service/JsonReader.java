@@ -2,15 +2,19 @@ package org.dronemap.ws.service;
 
 import com.fasterxml.jackson.annotation.Nulls;
 import java.time.Instant;
+import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.core.exc.StreamReadException;
 import tools.jackson.databind.DatabindException;
 import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.exc.InvalidTypeIdException;
 import tools.jackson.databind.exc.MismatchedInputException;
 import tools.jackson.databind.exc.UnrecognizedPropertyException;
 import tools.jackson.databind.json.JsonMapper;
@@ -57,6 +61,15 @@ public final class JsonReader {
         }
     }
 
+    /** A text at the top of what could not be read as a whole; empty: it has none there, or is no JSON. */
+    public Optional<String> text(String json, String member) {
+        try {
+            return Optional.ofNullable(mapper.readTree(json).path(member).stringValue(null));
+        } catch (JacksonException alreadyTold) {
+            return Optional.empty();
+        }
+    }
+
     public String write(Object value) {
         return mapper.writeValueAsString(value);
     }
@@ -64,14 +77,17 @@ public final class JsonReader {
     /** What a client did wrong, with line and column, or with the field. */
     public static Rejection rejection(JacksonException e) {
         if (e instanceof UnrecognizedPropertyException unknown) {
-            String known = unknown.getKnownPropertyIds() == null
-                    ? ""
-                    : unknown.getKnownPropertyIds().stream()
-                            .map(String::valueOf)
-                            .collect(Collectors.joining(", "));
+            String known = known(unknown);
             String field = path(unknown);
             return new InvalidInput(
                     field, known, "There is no member \"" + field + "\" here; there are: " + known + ".");
+        }
+        if (e instanceof InvalidTypeIdException other) {
+            Alternatives all =
+                    Alternatives.of(other.getBaseType().getRawClass()).orElse(null);
+            if (all != null) {
+                return noneOf(all, other);
+            }
         }
         if (e instanceof MismatchedInputException mismatch
                 && !mismatch.getPath().isEmpty()) {
@@ -85,6 +101,23 @@ public final class JsonReader {
                     + ": " + firstLine(e.getOriginalMessage()) + ".");
         }
         return Rejection.malformed("A JSON object is needed here.");
+    }
+
+    private static String known(UnrecognizedPropertyException unknown) {
+        Stream<String> alternative = Alternatives.with(unknown.getReferringClass()).map(Alternatives::member).stream();
+        Stream<Object> members =
+                Optional.ofNullable(unknown.getKnownPropertyIds()).stream().flatMap(Collection::stream);
+        return Stream.concat(alternative, members.map(String::valueOf)).collect(Collectors.joining(", "));
+    }
+
+    private static Rejection noneOf(Alternatives all, InvalidTypeIdException other) {
+        String at = path(other);
+        String field = at.isEmpty() ? all.member() : at + "." + all.member();
+        String allowed = "one of " + String.join(", ", all.records().keySet());
+        String said = other.getTypeId();
+        return said == null
+                ? InvalidInput.missing(field, allowed)
+                : InvalidInput.outside(field, allowed, "\"" + said + "\"");
     }
 
     private static String firstLine(String text) {

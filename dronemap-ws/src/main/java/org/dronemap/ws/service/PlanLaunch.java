@@ -86,7 +86,7 @@ final class PlanLaunch {
                 tour.drone(),
                 PlanFlight.Stage.UPLOADING,
                 PlanFlight.Stage.UPLOADED,
-                CommandRequest.uploadMission(items));
+                new CommandRequest.UploadMission(items, null, null));
     }
 
     private CompletableFuture<Void> startAll(List<Tour> tours, boolean allUploaded) {
@@ -133,13 +133,16 @@ final class PlanLaunch {
 
     private CompletableFuture<Boolean> takeOrders(DroneId drone) {
         return modeForOrders(drone)
-                .map(mode ->
-                        give(drone, PlanFlight.Stage.ARMING, PlanFlight.Stage.ARMING, CommandRequest.setMode(mode)))
+                .map(mode -> give(
+                        drone,
+                        PlanFlight.Stage.ARMING,
+                        PlanFlight.Stage.ARMING,
+                        new CommandRequest.SetMode(mode, null, null)))
                 .orElse(CompletableFuture.completedFuture(true));
     }
 
     private CompletableFuture<Boolean> arm(DroneId drone) {
-        return give(drone, PlanFlight.Stage.ARMING, PlanFlight.Stage.STARTING, CommandRequest.simple("arm"));
+        return give(drone, PlanFlight.Stage.ARMING, PlanFlight.Stage.STARTING, new CommandRequest.Arm(null, null));
     }
 
     private CompletableFuture<Boolean> begin(DroneId drone) {
@@ -147,12 +150,16 @@ final class PlanLaunch {
                 drone,
                 PlanFlight.Stage.STARTING,
                 PlanFlight.Stage.STARTED,
-                CommandRequest.startMission(start.onCloudLoss()));
+                new CommandRequest.StartMission(start.onCloudLoss(), null, null));
     }
 
     /** It stands there with its motors running, and nobody will start it. */
     private CompletableFuture<Boolean> disarm(DroneId drone) {
-        return give(drone, PlanFlight.Stage.STARTING, PlanFlight.Stage.STARTING, CommandRequest.disarm(null))
+        return give(
+                        drone,
+                        PlanFlight.Stage.STARTING,
+                        PlanFlight.Stage.STARTING,
+                        new CommandRequest.Disarm(null, null, null))
                 .thenApply(disarmed -> {
                     goesOn(disarmed, drone);
                     return false;

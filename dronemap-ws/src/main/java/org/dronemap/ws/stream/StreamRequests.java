@@ -152,7 +152,9 @@ final class StreamRequests {
             if (client.principal().isEmpty()) {
                 expel(client, CloseFrame.POLICY_VALIDATION, rejection);
             } else {
-                say(client, new StreamMessage.Failure(Problem.of(rejection), requestId));
+                // Of what cannot be read as a whole, who sent it still has to know which it was.
+                String which = requestId == null ? json.text(text, "requestId").orElse(null) : requestId;
+                say(client, new StreamMessage.Failure(Problem.of(rejection), which));
             }
         } catch (RuntimeException e) {
             Problem problem = problem(e);

@@ -20,6 +20,7 @@ import org.dronemap.ws.rest.BackupController;
 import org.dronemap.ws.rest.BroadcastController;
 import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.ControlController;
+import org.dronemap.ws.rest.DescribedAlternatives;
 import org.dronemap.ws.rest.DescribedFiles;
 import org.dronemap.ws.rest.DescribedNulls;
 import org.dronemap.ws.rest.DescribedRecords;
@@ -122,6 +123,8 @@ public class RestConfiguration {
     /** One for the process, as what reads records for descriptions is: a second server would take it from the first. */
     private static final DescribedRecords RECORDS = new DescribedRecords();
 
+    private static final DescribedAlternatives ALTERNATIVES = new DescribedAlternatives(RECORDS);
+
     private static final int KEEP_ALIVE_MILLIS = 30_000;
 
     @Bean
@@ -221,6 +224,11 @@ public class RestConfiguration {
     @Bean
     DescribedRecords describedRecords() {
         return RECORDS;
+    }
+
+    @Bean
+    DescribedAlternatives describedAlternatives() {
+        return ALTERNATIVES;
     }
 
     @Bean

@@ -12,6 +12,7 @@ import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -60,15 +61,14 @@ class BadCommandTest {
     static Stream<Arguments> badValues() {
         return Stream.of(
                 Arguments.of(
-                        CommandRequest.uploadMission(List.of(waypoint(47.4, 8.5, 20.0), waypoint(47, 8, null))),
+                        Commands.uploadMission(List.of(waypoint(47.4, 8.5, 20.0), waypoint(47, 8, null))),
                         "items[1].altitude",
                         "altitude"),
-                Arguments.of(CommandRequest.goTo(95.0, 8.0, 20.0), "latitude", "-90 to 90"),
-                Arguments.of(CommandRequest.goTo(47.0, 181.0, 20.0), "longitude", "-180 to 180"),
-                Arguments.of(CommandRequest.takeOff(0.0), "altitude", "1 to 500"),
-                Arguments.of(CommandRequest.takeOff(null), "altitude", "altitude"),
-                Arguments.of(CommandRequest.simple("fly"), "type", "takeOff"),
-                Arguments.of(CommandRequest.uploadMission(List.of()), "items", "1 to 500"));
+                Arguments.of(Commands.goTo(95.0, 8.0, 20.0), "latitude", "-90 to 90"),
+                Arguments.of(Commands.goTo(47.0, 181.0, 20.0), "longitude", "-180 to 180"),
+                Arguments.of(Commands.takeOff(0.0), "altitude", "1 to 500"),
+                Arguments.of(Commands.takeOff(null), "altitude", "altitude"),
+                Arguments.of(Commands.uploadMission(List.of()), "items", "1 to 500"));
     }
 
     @ParameterizedTest
@@ -87,6 +87,6 @@ class BadCommandTest {
         Pilot vera = lab.pilot("vera", Role.VIEWER);
         assertThat(lab.server().drones().drones(vera.principal())).hasSize(1);
 
-        assertThat(vera.refusal(copter, CommandRequest.simple("arm"))).contains("operator");
+        assertThat(vera.refusal(copter, Commands.arm())).contains("operator");
     }
 }

@@ -14,12 +14,14 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.ScriptedPeer;
 import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.WireNames;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -33,22 +35,29 @@ class BadLinkTest {
     private static final List<String> MODES = List.of("LOITER", "BRAKE");
     private static final List<Double> MODE_NUMBERS = List.of(5.0, 17.0);
 
+    private static String type(CommandRequest body) {
+        return WireNames.lowerFirst(body.kind().word());
+    }
+
     /** One command of one drone as the server ended it. */
     private record Given(long nanos, CommandRequest body, String result) {
         /** Whether that is what the vehicle does when it carries this command out. */
         boolean showsIn(CountingCopter.Act act) {
-            if (!act.kind().equals(body.type())) {
+            if (!act.kind().equals(type(body))) {
                 return false;
             }
             List<Double> said = act.parameters();
             return switch (act.kind()) {
-                case "setMode" -> said.get(1).equals(MODE_NUMBERS.get(MODES.indexOf(body.mode())));
-                case "setRelay" -> said.get(0).intValue() == Objects.requireNonNull(body.relay());
+                case "setMode" ->
+                    said.get(1).equals(MODE_NUMBERS.get(MODES.indexOf(((CommandRequest.SetMode) body).mode())));
+                case "setRelay" ->
+                    said.get(0).intValue() == Objects.requireNonNull(((CommandRequest.SetRelay) body).relay());
                 case "turn" -> {
-                    double degrees = Objects.requireNonNull(body.degrees());
+                    double degrees = Objects.requireNonNull(((CommandRequest.Turn) body).degrees());
                     yield said.get(0) == Math.abs(degrees) && said.get(2) * degrees > 0;
                 }
-                case "goTo" -> Math.abs(said.get(0) - Objects.requireNonNull(body.latitude()) * 1e7) < 2;
+                case "goTo" ->
+                    Math.abs(said.get(0) - Objects.requireNonNull(((CommandRequest.GoTo) body).latitude()) * 1e7) < 2;
                 default -> true;
             };
         }
@@ -57,7 +66,7 @@ class BadLinkTest {
     /** One command beside what the vehicle's own log says of it. */
     private record Line(CommandRequest body, String result, int executions) {
         boolean isOnce() {
-            return CountingCopter.ONCE.containsValue(body.type());
+            return CountingCopter.ONCE.containsValue(type(body));
         }
 
         boolean isGood() {
@@ -136,11 +145,11 @@ class BadLinkTest {
         SplittableRandom chance = new SplittableRandom(seed);
         return IntStream.range(0, count)
                 .mapToObj(number -> switch (number % 5) {
-                    case 0 -> CommandRequest.simple("takePicture");
-                    case 1 -> CommandRequest.setMode(MODES.get(number / 5 % 2));
-                    case 2 -> CommandRequest.setRelay(number % 16, "toggle");
-                    case 3 -> CommandRequest.goTo(47.3 + number / 1e5, 8.5, 30.0);
-                    default -> CommandRequest.turn((number % 359 + 1) * (chance.nextBoolean() ? 1.0 : -1.0));
+                    case 0 -> Commands.takePicture();
+                    case 1 -> Commands.setMode(MODES.get(number / 5 % 2));
+                    case 2 -> Commands.setRelay(number % 16, "toggle");
+                    case 3 -> Commands.goTo(47.3 + number / 1e5, 8.5, 30.0);
+                    default -> Commands.turn((number % 359 + 1) * (chance.nextBoolean() ? 1.0 : -1.0));
                 })
                 .toList();
     }

@@ -13,6 +13,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -52,7 +53,7 @@ class BoundedKeyFlightTest {
 
     private static CommandRequest goTo(LabDrone copter, double north, double height) {
         Geodetic place = copter.place(north, 0);
-        return CommandRequest.goTo(place.latitudeDegrees(), place.longitudeDegrees(), height);
+        return Commands.goTo(place.latitudeDegrees(), place.longitudeDegrees(), height);
     }
 
     private static CommandRequest mission(LabDrone copter, double... norths) {
@@ -60,7 +61,7 @@ class BoundedKeyFlightTest {
         for (double north : norths) {
             items.add(new MissionItem.Waypoint(copter.place(north, 0), Altitude.aboveHome(10), 0));
         }
-        return CommandRequest.uploadMission(MissionItemView.of(items));
+        return Commands.uploadMission(MissionItemView.of(items));
     }
 
     /** It was told to go somewhere. */
@@ -95,15 +96,15 @@ class BoundedKeyFlightTest {
             lab.until("it is out of the child's reach", Duration.ofSeconds(60), () -> copter.away() > 65);
             field.does(copter, mission(copter, 50, 120));
             // Whoever was let in further may go on; the child may still call it home.
-            near.does(copter, CommandRequest.simple("returnToLaunch"));
+            near.does(copter, Commands.returnToLaunch());
             lab.until("it landed", Duration.ofMinutes(2), copter::isDown);
         }
     }
 
     private static void takesOffBelowTheCeiling(Laboratory lab, LabDrone copter, Pilot field) {
-        field.does(copter, CommandRequest.setMode("GUIDED")).does(copter, CommandRequest.simple("arm"));
-        assertThat(field.refusalByGate(copter, CommandRequest.takeOff(40.0))).contains(CEILING);
-        field.does(copter, CommandRequest.takeOff(10.0));
+        field.does(copter, Commands.setMode("GUIDED")).does(copter, Commands.arm());
+        assertThat(field.refusalByGate(copter, Commands.takeOff(40.0))).contains(CEILING);
+        field.does(copter, Commands.takeOff(10.0));
         lab.until("it is up", Duration.ofSeconds(30), () -> copter.height() > 9);
     }
 

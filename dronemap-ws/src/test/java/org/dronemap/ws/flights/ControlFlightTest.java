@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.Set;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
@@ -55,7 +55,7 @@ class ControlFlightTest {
         ControlView kept = ann.control(copter);
         assertThat(kept.explicit()).isTrue();
         assertThat(copter.mode()).isEqualTo(GUIDED);
-        Rejection refused = bob.rejection(copter, CommandRequest.setMode("LOITER"));
+        Rejection refused = bob.rejection(copter, Commands.setMode("LOITER"));
         assertThat(refused.kind()).isEqualTo(RejectionKind.CONFLICT);
         assertThat(refused.holder()).isEqualTo(kept.holder()).isEqualTo("ann");
 
@@ -77,13 +77,12 @@ class ControlFlightTest {
     void aSupervisorCallsBackWhatAnotherFliesAtAnyMoment() {
         ann.takesControl(copter);
 
-        chief.does(copter, CommandRequest.simple("hold"));
+        chief.does(copter, Commands.hold());
         assertThat(HOLDING).contains(copter.mode());
-        chief.does(copter, CommandRequest.simple("returnToLaunch"));
+        chief.does(copter, Commands.returnToLaunch());
         assertThat(copter.mode()).isEqualTo(RTL);
 
-        assertThat(chief.rejection(copter, CommandRequest.setMode("GUIDED")).kind())
-                .isEqualTo(RejectionKind.CONFLICT);
+        assertThat(chief.rejection(copter, Commands.setMode("GUIDED")).kind()).isEqualTo(RejectionKind.CONFLICT);
         assertThat(ann.controls(copter, ControlAction.RELEASE, ControlRequestView.NOTHING)
                         .state())
                 .isEqualTo("free");
@@ -98,12 +97,12 @@ class ControlFlightTest {
                 Duration.ofSeconds(3),
                 () -> ann.control(copter).state().equals("pilot"));
 
-        Rejection refused = ann.rejection(copter, CommandRequest.setMode("GUIDED"));
+        Rejection refused = ann.rejection(copter, Commands.setMode("GUIDED"));
         assertThat(refused.kind()).isEqualTo(RejectionKind.CONFLICT);
         assertThat(refused.sentence()).contains("pilot");
         assertThat(copter.mode()).isEqualTo(LOITER);
         assertThat(ann.takesControl(copter).epoch()).isGreaterThan(taken);
-        ann.does(copter, CommandRequest.setMode("GUIDED"));
+        ann.does(copter, Commands.setMode("GUIDED"));
         assertThat(copter.mode()).isEqualTo(GUIDED);
     }
 }

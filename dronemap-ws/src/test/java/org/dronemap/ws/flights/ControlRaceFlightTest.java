@@ -15,6 +15,7 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.Hoverer;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -125,7 +126,7 @@ class ControlRaceFlightTest {
         }
         int move = racer.next;
         racer.next += 2;
-        CommandRequest there = CommandRequest.goTo(10 + move * STEP_DEGREES, 8.0, 20.0);
+        CommandRequest there = Commands.goTo(10 + move * STEP_DEGREES, 8.0, 20.0);
         try {
             Long epoch = lab.server()
                     .commands()

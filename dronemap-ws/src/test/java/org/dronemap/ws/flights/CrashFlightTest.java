@@ -11,11 +11,11 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.OtherStation;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.MissionItemView;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -44,8 +44,8 @@ class CrashFlightTest {
         List<MissionItem> items = corners.stream()
                 .<MissionItem>map(corner -> new MissionItem.Waypoint(corner, Altitude.aboveHome(METERS), 0))
                 .toList();
-        ann.does(copter, CommandRequest.uploadMission(MissionItemView.of(items)))
-                .does(copter, CommandRequest.startMission(onCloudLoss));
+        ann.does(copter, Commands.uploadMission(MissionItemView.of(items)))
+                .does(copter, Commands.startMission(onCloudLoss));
         lab.until(
                 "it heads for the first waypoint",
                 Duration.ofSeconds(10),

@@ -10,6 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -46,10 +47,6 @@ class FleetCommandTest {
         return fleet;
     }
 
-    private static CommandRequest simple(String type) {
-        return CommandRequest.simple(type);
-    }
-
     private static List<String> ids(List<LabDrone> drones) {
         return drones.stream().map(drone -> drone.id().value()).toList();
     }
@@ -60,10 +57,10 @@ class FleetCommandTest {
                 .submit(ann.principal(), "laboratory", new BroadcastRequest(drones, command, id));
     }
 
-    private BroadcastView give(List<String> drones, String command, String id) {
+    private BroadcastView give(List<String> drones, CommandRequest command, String id) {
         CompletableFuture<BroadcastView> end =
-                lab.server().broadcasts().awaitEnd(begin(drones, simple(command), id), Duration.ofSeconds(60));
-        lab.until(command + " has ended for all", Duration.ofSeconds(60), end::isDone);
+                lab.server().broadcasts().awaitEnd(begin(drones, command, id), Duration.ofSeconds(60));
+        lab.until(command.kind() + " has ended for all", Duration.ofSeconds(60), end::isDone);
         return end.join();
     }
 
@@ -75,7 +72,7 @@ class FleetCommandTest {
     void twentyDronesGiveTwentyOutcomes() {
         List<LabDrone> fleet = fleet(20);
 
-        BroadcastView armed = give(ALL, "arm", "arm-all-of-them");
+        BroadcastView armed = give(ALL, Commands.arm(), "arm-all-of-them");
 
         assertThat(armed.results())
                 .extracting(BroadcastView.Result::drone)
@@ -94,10 +91,10 @@ class FleetCommandTest {
         List<LabDrone> fleet = fleet(2);
         String first = fleet.get(0).id().value();
         String second = fleet.get(1).id().value();
-        give(List.of(first, second), "arm", "arm-both");
-        give(List.of(first), "disarm", "disarm-first");
+        give(List.of(first, second), Commands.arm(), "arm-both");
+        give(List.of(first), Commands.disarm(), "disarm-first");
 
-        BroadcastView mixed = give(List.of(second, first, "nobody"), "disarm", "disarm-all");
+        BroadcastView mixed = give(List.of(second, first, "nobody"), Commands.disarm(), "disarm-all");
 
         assertThat(mixed.results()).extracting(BroadcastView.Result::drone).containsExactly(second, first, "nobody");
         assertThat(outcome(mixed.results().get(0)).result()).isEqualTo("succeeded");
@@ -113,8 +110,8 @@ class FleetCommandTest {
     void theSameIdActsOnceOnEachDrone() {
         List<String> ids = ids(fleet(3));
 
-        BroadcastView first = give(ids, "arm", "once-8251");
-        BroadcastView second = give(ids, "arm", "once-8251");
+        BroadcastView first = give(ids, Commands.arm(), "once-8251");
+        BroadcastView second = give(ids, Commands.arm(), "once-8251");
 
         assertThat(first.id()).isEqualTo(second.id()).isEqualTo("once-8251");
         assertThat(second.results())
@@ -134,11 +131,11 @@ class FleetCommandTest {
 
     @Test
     void anIdThatNobodyGaveIsTheSameInTheSameFlight() {
-        BroadcastRequest land = new BroadcastRequest(ALL, simple("land"), null);
+        BroadcastRequest land = new BroadcastRequest(ALL, Commands.land(), null);
         try (Laboratory same = new Laboratory(1)) {
             Pilot ben = same.pilot("ben", Role.OPERATOR);
 
-            String id = begin(ALL, simple("land"), null).id();
+            String id = begin(ALL, Commands.land(), null).id();
 
             assertThat(id).startsWith("all-").hasSize(22);
             assertThat(same.server()
@@ -151,12 +148,11 @@ class FleetCommandTest {
 
     static Stream<Arguments> badInput() {
         return Stream.of(
-                Arguments.of(null, simple("arm"), "a-good-id", "drones"),
-                Arguments.of(List.of(), simple("arm"), "a-good-id", "drones"),
+                Arguments.of(null, Commands.arm(), "a-good-id", "drones"),
+                Arguments.of(List.of(), Commands.arm(), "a-good-id", "drones"),
                 Arguments.of(ALL, null, "a-good-id", "command"),
-                Arguments.of(ALL, simple("takeOff"), "a-good-id", "command.altitude"),
-                Arguments.of(ALL, simple("fly"), "a-good-id", "command.type"),
-                Arguments.of(ALL, simple("arm"), "x", "id"));
+                Arguments.of(ALL, Commands.takeOff(null), "a-good-id", "command.altitude"),
+                Arguments.of(ALL, Commands.arm(), "x", "id"));
     }
 
     @ParameterizedTest

@@ -14,6 +14,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -55,7 +56,7 @@ class HomeAndPayloadTest {
     }
 
     private static CommandRequest homeHere() {
-        return CommandRequest.simple("setHome");
+        return Commands.setHome();
     }
 
     private static String payload(LabDrone drone) {
@@ -67,7 +68,7 @@ class HomeAndPayloadTest {
     void homeGoesWhereItIsPutAndIsShownThere(VehicleKit kit) {
         LabDrone drone = drone(kit);
         drone.wire().is(new Wire.Quality(0.1, Duration.ofMillis(100), Duration.ofMillis(200)));
-        ann.does(drone, CommandRequest.setHome(47.4012, 8.5501, 501.0));
+        ann.does(drone, Commands.setHome(47.4012, 8.5501, 501.0));
         assertThat(homeOf(drone)).containsExactly(474_012_000L, 85_501_000L, 501_000L);
         lab.until(
                 "it is shown",
@@ -75,7 +76,7 @@ class HomeAndPayloadTest {
                 () -> new Home(new Geodetic(47.4012, 8.5501), 501)
                         .equals(drone.state().home()));
 
-        ann.does(drone, CommandRequest.setHome(47.4013, 8.5502, 502.0));
+        ann.does(drone, Commands.setHome(47.4013, 8.5502, 502.0));
         assertThat(homeOf(drone)).containsExactly(474_013_000L, 85_502_000L, 502_000L);
 
         ann.does(drone, homeHere());
@@ -84,7 +85,7 @@ class HomeAndPayloadTest {
         LocalFrame home = drone.craft().home();
         assertThat(home.latitude()).isCloseTo(here.latitudeDegrees(), within(1e-5));
         assertThat(home.longitude()).isCloseTo(here.longitudeDegrees(), within(1e-5));
-        ann.does(drone, CommandRequest.simple("readHome"));
+        ann.does(drone, Commands.readHome());
     }
 
     @ParameterizedTest
@@ -94,8 +95,8 @@ class HomeAndPayloadTest {
         List<Long> before = homeOf(drone);
         WireTap tap = drone.wire().tap();
 
-        InvalidInput half = catchThrowableOfType(
-                InvalidInput.class, () -> ann.give(drone, CommandRequest.setHome(47.4, null, null)));
+        InvalidInput half =
+                catchThrowableOfType(InvalidInput.class, () -> ann.give(drone, Commands.setHome(47.4, null, null)));
 
         assertThat(half.field()).isEqualTo("longitude");
         lab.goOn(Duration.ofSeconds(3));
@@ -109,7 +110,7 @@ class HomeAndPayloadTest {
     void everyPictureIsOneOnTheVehicle(VehicleKit kit) {
         LabDrone drone = drone(kit);
 
-        ann.does(drone, CommandRequest.simple("takePicture")).does(drone, CommandRequest.simple("takePicture"));
+        ann.does(drone, Commands.takePicture()).does(drone, Commands.takePicture());
 
         assertThat(payload(drone)).contains("pictures 2 ");
     }
@@ -117,16 +118,16 @@ class HomeAndPayloadTest {
     @Test
     void everySwitchedRelayIsOneOnTheVehicle() {
         LabDrone drone = lab.copter();
-        ann.does(drone, CommandRequest.simple("takePicture")).does(drone, CommandRequest.simple("takePicture"));
+        ann.does(drone, Commands.takePicture()).does(drone, Commands.takePicture());
 
-        ann.does(drone, CommandRequest.setRelay(1, "on")).does(drone, CommandRequest.setRelay(4, "toggle"));
+        ann.does(drone, Commands.setRelay(1, "on")).does(drone, Commands.setRelay(4, "toggle"));
         assertThat(payload(drone)).isEqualTo("pictures 2 relays on: 1 4");
 
-        ann.does(drone, CommandRequest.setRelay(1, "off"));
+        ann.does(drone, Commands.setRelay(1, "off"));
         assertThat(payload(drone)).isEqualTo("pictures 2 relays on: 4");
 
         CommandView.OutcomeView missing = Objects.requireNonNull(
-                ann.outcome(drone, CommandRequest.setRelay(9, "on")).outcome());
+                ann.outcome(drone, Commands.setRelay(9, "on")).outcome());
         assertThat(missing.result()).isEqualTo("refused");
         assertThat(missing.by()).isEqualTo("vehicle");
         assertThat(payload(drone)).isEqualTo("pictures 2 relays on: 4");
@@ -136,7 +137,7 @@ class HomeAndPayloadTest {
     void aVehicleWithoutRelaysIsNotAskedToSwitchOne() {
         LabDrone px4 = drone(VehicleKit.PX4);
 
-        assertThat(ann.refusal(px4, CommandRequest.setRelay(1, "on"))).contains("cannot switch a relay");
+        assertThat(ann.refusal(px4, Commands.setRelay(1, "on"))).contains("cannot switch a relay");
     }
 
     @Test
@@ -146,7 +147,7 @@ class HomeAndPayloadTest {
         lab.until("it is up", Duration.ofSeconds(60), () -> copter.height() > 9);
         double before = heading(copter);
 
-        CommandView turn = ann.give(copter, CommandRequest.turn(-270.0));
+        CommandView turn = ann.give(copter, Commands.turn(-270.0));
 
         List<Double> passed = new ArrayList<>();
         lab.until("it has turned three quarters to the left", Duration.ofSeconds(40), () -> {

@@ -13,6 +13,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
@@ -35,8 +36,8 @@ class IdentityFlightTest {
     /** A new address is believed once the old one has been silent for 1.5 s; until then commands go to the old one. */
     private static final Duration LATEST_TO_AN_OLD_ADDRESS = Duration.ofSeconds(4);
 
-    private static final CommandRequest ARM = CommandRequest.simple("arm");
-    private static final CommandRequest DISARM = CommandRequest.simple("disarm");
+    private static final CommandRequest ARM = Commands.arm();
+    private static final CommandRequest DISARM = Commands.disarm();
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ada = lab.pilot("ada", Role.ADMINISTRATOR);

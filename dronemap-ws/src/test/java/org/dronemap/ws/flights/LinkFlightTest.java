@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.lab.WireLog;
-import org.dronemap.ws.service.CommandRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,7 +44,7 @@ class LinkFlightTest {
     private void goesAndLands() {
         ann.fliesTo(copter, copter.place(22, 0), METERS);
         lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(22, 0)) < 2);
-        ann.does(copter, CommandRequest.simple("land"));
+        ann.does(copter, Commands.land());
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
         lab.until(
                 "the server knows",
@@ -83,8 +83,8 @@ class LinkFlightTest {
         copter.wire().reconnect();
         var unused = lab.time().worker("the other side", 1).after(Duration.ofSeconds(2), copter.wire()::mend);
         // Given while there is no connection: it is sent again when there is one.
-        ann.does(copter, CommandRequest.simple("hold"));
-        ann.does(copter, CommandRequest.setMode("GUIDED"));
+        ann.does(copter, Commands.hold());
+        ann.does(copter, Commands.setMode("GUIDED"));
 
         goesAndLands();
         assertThat(copter.state().link().transport()).isEqualTo("tcp");
@@ -100,8 +100,8 @@ class LinkFlightTest {
 
         for (int i = 0; i < 3; i++) {
             copter.wire().move();
-            ann.does(copter, CommandRequest.simple("hold"));
-            ann.does(copter, CommandRequest.setMode("GUIDED"));
+            ann.does(copter, Commands.hold());
+            ann.does(copter, Commands.setMode("GUIDED"));
         }
         goesAndLands();
 

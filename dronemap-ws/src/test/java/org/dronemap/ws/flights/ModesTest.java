@@ -12,10 +12,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.ScriptedPeer;
-import org.dronemap.ws.service.CommandRequest;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -61,7 +61,7 @@ class ModesTest {
             List<Map.Entry<Long, String>> backwards = new ArrayList<>(modes.entrySet());
             Collections.reverse(backwards);
             for (Map.Entry<Long, String> mode : backwards) {
-                ann.does(peer, CommandRequest.setMode(mode.getValue()));
+                ann.does(peer, Commands.setMode(mode.getValue()));
                 assertThat(peer.customMode()).as(mode.getValue()).isEqualTo(mode.getKey());
             }
         }

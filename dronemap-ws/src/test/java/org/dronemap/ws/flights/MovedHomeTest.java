@@ -9,6 +9,7 @@ import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -69,9 +70,9 @@ class MovedHomeTest {
 
     private void takesOff(LabDrone drone, VehicleKit kit) {
         if (!kit.isPx4()) {
-            ann.does(drone, CommandRequest.setMode("GUIDED"));
+            ann.does(drone, Commands.setMode("GUIDED"));
         }
-        ann.does(drone, CommandRequest.simple("arm")).does(drone, CommandRequest.takeOff(20.0));
+        ann.does(drone, Commands.arm()).does(drone, Commands.takeOff(20.0));
         lab.until("it is up", Duration.ofMinutes(1), () -> up(drone) > 19);
     }
 
@@ -86,7 +87,7 @@ class MovedHomeTest {
 
     private static CommandRequest raisedHome(LabDrone drone) {
         Geodetic here = drone.place(0, 0);
-        return CommandRequest.setHome(here.latitudeDegrees(), here.longitudeDegrees(), homeAmsl(drone) + RAISED_METERS);
+        return Commands.setHome(here.latitudeDegrees(), here.longitudeDegrees(), homeAmsl(drone) + RAISED_METERS);
     }
 
     private void raiseHome(LabDrone drone) {
@@ -101,7 +102,7 @@ class MovedHomeTest {
 
     private static CommandRequest goTo(LabDrone drone, double height) {
         Geodetic place = drone.place(60, 0);
-        return CommandRequest.goTo(place.latitudeDegrees(), place.longitudeDegrees(), height);
+        return Commands.goTo(place.latitudeDegrees(), place.longitudeDegrees(), height);
     }
 
     @ParameterizedTest
@@ -114,11 +115,11 @@ class MovedHomeTest {
         assertThat(ann.refusalByGate(drone, raisedHome(drone))).contains("at that height only");
         takesOff(drone, kit);
         assertThat(ann.refusalByGate(drone, raisedHome(drone))).contains("at that height only");
-        assertThat(ann.refusalByGate(drone, CommandRequest.simple("setHome"))).contains("at that height only");
+        assertThat(ann.refusalByGate(drone, Commands.setHome())).contains("at that height only");
 
         assertThat(homeAmsl(drone)).isEqualTo(before);
         Geodetic beside = drone.place(10, 0);
-        ann.does(drone, CommandRequest.setHome(beside.latitudeDegrees(), beside.longitudeDegrees(), before));
+        ann.does(drone, Commands.setHome(beside.latitudeDegrees(), beside.longitudeDegrees(), before));
         ann.does(drone, goTo(drone, CEILING_METERS));
     }
 
@@ -131,7 +132,7 @@ class MovedHomeTest {
 
         assertThat(ann.refusalByGate(
                         drone,
-                        CommandRequest.uploadMission(MissionItemView.of(List.of(
+                        Commands.uploadMission(MissionItemView.of(List.of(
                                 new MissionItem.TakeOff(40),
                                 new MissionItem.Waypoint(drone.place(60, 0), Altitude.aboveHome(40), 0))))))
                 .contains("over the ceiling of");

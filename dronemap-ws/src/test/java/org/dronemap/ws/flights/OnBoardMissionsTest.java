@@ -18,6 +18,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -25,7 +26,6 @@ import org.dronemap.ws.lab.PluggedStation;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.lab.WireTap;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FenceView;
@@ -77,7 +77,7 @@ class OnBoardMissionsTest {
     }
 
     private CommandView begin(LabDrone drone, List<MissionItemView> items) {
-        return ann.give(drone, CommandRequest.uploadMission(items));
+        return ann.give(drone, Commands.uploadMission(items));
     }
 
     /** What the vehicle itself has last in its mission, whatever stands before. */
@@ -126,7 +126,7 @@ class OnBoardMissionsTest {
         List<MissionItemView> items = waypoints(8, 0);
 
         CommandView.OutcomeView outcome = Objects.requireNonNull(
-                ann.outcome(drone, CommandRequest.uploadMission(items)).outcome());
+                ann.outcome(drone, Commands.uploadMission(items)).outcome());
 
         assertThat(outcome.result()).isEqualTo("failed");
         assertThat(outcome.reason()).contains("another mission than the one sent");

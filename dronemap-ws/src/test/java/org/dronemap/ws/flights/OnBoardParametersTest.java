@@ -209,24 +209,7 @@ class OnBoardParametersTest {
         List<CommandRequest.ParameterRequest> values = IntStream.range(from, to)
                 .mapToObj(number -> new CommandRequest.ParameterRequest(String.format("SPARE_%04d", number), 50.0))
                 .toList();
-        return new CommandRequest(
-                "setParameters",
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                values,
-                null);
+        return new CommandRequest.SetParameters(values, null, null);
     }
 
     @ParameterizedTest

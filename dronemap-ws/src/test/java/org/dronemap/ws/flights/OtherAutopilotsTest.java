@@ -14,12 +14,12 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.WireTap;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.MissionItemView;
 import org.junit.jupiter.api.Test;
 
@@ -33,7 +33,7 @@ class OtherAutopilotsTest {
     private static void fly(Laboratory lab, LabDrone drone) {
         Pilot ann = lab.pilot("ann", Role.OPERATOR);
         List<Geodetic> corners = List.of(drone.place(20, 0), drone.place(20, 20), drone.place(0, 20));
-        ann.does(drone, CommandRequest.simple("arm")).does(drone, CommandRequest.takeOff(HEIGHT));
+        ann.does(drone, Commands.arm()).does(drone, Commands.takeOff(HEIGHT));
         lab.until("it hovers", Duration.ofSeconds(60), () -> drone.height() > HEIGHT - 1 && above(drone) > HEIGHT - 1);
         ann.fliesTo(drone, corners.get(0), HEIGHT);
         lab.until(
@@ -43,8 +43,7 @@ class OtherAutopilotsTest {
         assertThat(drone.height()).isBetween(HEIGHT - 1, HEIGHT + 1);
         List<MissionItem> items = new ArrayList<>();
         corners.forEach(corner -> items.add(new MissionItem.Waypoint(corner, Altitude.aboveHome(HEIGHT), 0)));
-        ann.does(drone, CommandRequest.uploadMission(MissionItemView.of(items)))
-                .does(drone, CommandRequest.startMission(null));
+        ann.does(drone, Commands.uploadMission(MissionItemView.of(items))).does(drone, Commands.startMission(null));
         int last = drone.state().mission().items().size() - 1;
         for (Geodetic corner : corners) {
             lab.until("it is at the next corner", Duration.ofSeconds(60), () -> drone.distanceTo(corner) < 2);
@@ -54,7 +53,7 @@ class OtherAutopilotsTest {
         // Not every vehicle says it: MAVLink 1 has no field for it.
         lab.until("the mission is over", Duration.ofSeconds(30), () -> isOver(drone));
         assertThat(reached(drone, last)).as("what was reached stays so").isTrue();
-        ann.does(drone, CommandRequest.simple("hold")).does(drone, CommandRequest.simple("returnToLaunch"));
+        ann.does(drone, Commands.hold()).does(drone, Commands.returnToLaunch());
         lab.until(
                 "it landed and disarmed",
                 Duration.ofSeconds(150),

@@ -16,6 +16,7 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.ws.lab.Administrator;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.GroundStation;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.LabRobot;
@@ -25,7 +26,6 @@ import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RobotKit;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.OutletView;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
@@ -268,7 +268,7 @@ class OutletAttachTest {
             ground.line().is(new Wire.Quality(0.2, Duration.ofMillis(20), Duration.ofMillis(100)));
             LabRobot rover = lab.robot(RobotKit.rover(3_000)).allows(ann, "hold");
             ann.takesOff(copter, 10);
-            rover.does(ann, CommandRequest.simple("hold"));
+            rover.does(ann, Commands.hold());
             ground.hears(1);
             return lab.sum();
         }

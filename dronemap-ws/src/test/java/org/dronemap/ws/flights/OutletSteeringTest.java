@@ -15,12 +15,12 @@ import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.mavlink.message.VfrHud;
 import org.dronemap.ws.lab.Administrator;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.GroundStation;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Line;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
@@ -114,7 +114,7 @@ class OutletSteeringTest {
     }
 
     private void land(Pilot who) {
-        who.does(copter, CommandRequest.simple("land"));
+        who.does(copter, Commands.land());
         lab.until(
                 "it is down",
                 A_FLIGHT,

@@ -19,6 +19,7 @@ import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.ws.lab.Administrator;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.GroundStation;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
@@ -27,7 +28,6 @@ import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.VehicleLog;
 import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.service.CommandRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -252,7 +252,7 @@ class OutletTransfersTest {
 
     @Test
     void aParameterIsSetByWhoMayAndToldAsItIsToOthers() {
-        administrator.account().does(copter, CommandRequest.simple("readParameters"));
+        administrator.account().does(copter, Commands.readParameters());
         for (Role role : List.of(Role.OPERATOR, Role.VIEWER)) {
             GroundStation ground = station(user(role), 255);
             int number = ground.hears(1).get(0);

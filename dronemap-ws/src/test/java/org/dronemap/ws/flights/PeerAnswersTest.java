@@ -11,6 +11,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabVehicle;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -69,7 +70,7 @@ class PeerAnswersTest {
     }
 
     private static CommandRequest arm() {
-        return CommandRequest.simple("arm");
+        return Commands.arm();
     }
 
     @Test
@@ -125,24 +126,7 @@ class PeerAnswersTest {
     @Test
     void theSameCommandIdActsOnce() {
         ScriptedPeer peer = copter(ScriptedPeer.OBEDIENT);
-        CommandRequest once = new CommandRequest(
-                "arm",
-                "once-8251",
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null);
+        CommandRequest once = new CommandRequest.Arm("once-8251", null);
 
         CommandView first = ann.outcome(peer, once);
         CommandView second = ann.outcome(peer, once);
@@ -243,7 +227,7 @@ class PeerAnswersTest {
         });
         ann.does(peer, arm());
 
-        CommandView.OutcomeView outcome = outcome(peer, CommandRequest.takeOff(10.0));
+        CommandView.OutcomeView outcome = outcome(peer, Commands.takeOff(10.0));
 
         assertThat(outcome.result()).isIn("refused", "failed", "timedOut");
         assertThat(outcome.reason()).isNotEmpty();

@@ -13,12 +13,12 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.lab.Administrator;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Phone;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RunFlight;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.FollowRequest.PlaceRequest;
@@ -150,14 +150,14 @@ class RandomMomentsTest {
                 case STICKS -> {
                     pilot.takesOff(drone, HEIGHT);
                     lab.until("it is up", Duration.ofSeconds(40), () -> drone.height() > HEIGHT - 1);
-                    pilot.does(drone, CommandRequest.setMode("LOITER"));
+                    pilot.does(drone, Commands.setMode("LOITER"));
                     steers = true;
                 }
                 case MISSION -> {
                     pilot.plans(drone, HEIGHT, drone.place(30, 0), drone.place(60, 0));
-                    pilot.does(drone, CommandRequest.setMode("GUIDED"));
-                    pilot.does(drone, CommandRequest.simple("arm"));
-                    pilot.does(drone, CommandRequest.startMission("continue"));
+                    pilot.does(drone, Commands.setMode("GUIDED"));
+                    pilot.does(drone, Commands.arm());
+                    pilot.does(drone, Commands.startMission("continue"));
                 }
                 case RUN -> beginsRun();
                 case FOLLOW -> {
@@ -209,7 +209,7 @@ class RandomMomentsTest {
                 }
                 case IS_STOPPED_BY_A_SUPERVISOR -> {
                     vanishes();
-                    tries(() -> chief.does(drone, CommandRequest.simple("hold")));
+                    tries(() -> chief.does(drone, Commands.hold()));
                 }
                 case PILOT_TAKES_IT -> isTakenInto(drone.mode() == LOITER ? ALT_HOLD : LOITER);
                 case STATION_TAKES_IT -> isTakenInto(drone.mode() == GUIDED ? LOITER : GUIDED);

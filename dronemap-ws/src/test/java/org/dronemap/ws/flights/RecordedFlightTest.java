@@ -18,6 +18,7 @@ import java.util.TreeSet;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -39,7 +40,7 @@ import org.junit.jupiter.api.Test;
 class RecordedFlightTest {
     private static final int CLOUD = 255;
     private static final int ARMED = 128;
-    private static final CommandRequest ARM = CommandRequest.simple("arm");
+    private static final CommandRequest ARM = Commands.arm();
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ann = lab.pilot("ann", Role.OPERATOR);
@@ -129,7 +130,7 @@ class RecordedFlightTest {
     void aFlightIsRecordedByteForByteInBothDirections() throws IOException {
         lab.goOn(Duration.ofSeconds(5));
         List<CommandView> given = new ArrayList<>();
-        for (CommandRequest each : List.of(ARM, CommandRequest.takeOff(8.0), CommandRequest.simple("land"))) {
+        for (CommandRequest each : List.of(ARM, Commands.takeOff(8.0), Commands.land())) {
             given.add(ann.outcome(copter, each));
         }
         assertThat(given).extracting(command -> command.outcome().result()).containsOnly("succeeded");
@@ -190,7 +191,7 @@ class RecordedFlightTest {
 
     @Test
     void aRecordingIsPlayedAndDeleted() throws IOException {
-        ann.does(copter, ARM).does(copter, CommandRequest.simple("disarm"));
+        ann.does(copter, ARM).does(copter, Commands.disarm());
         RecordingView done = recording("complete");
         Pilot viewer = lab.pilot("looks", Role.VIEWER);
         assertThat(service().download(viewer.principal(), done.id()).file()).isNotEmptyFile();

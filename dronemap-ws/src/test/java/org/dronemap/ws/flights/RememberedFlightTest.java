@@ -16,11 +16,11 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.GlobalPositionInt;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.WireLog;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.EventView;
 import org.dronemap.ws.service.FlightSearch;
 import org.dronemap.ws.service.FlightView;
@@ -79,7 +79,7 @@ class RememberedFlightTest {
     private FlightView fly() {
         ann.takesOff(copter, 8).fliesTo(copter, copter.place(30, 30), 12);
         lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(30, 30)) < 3);
-        ann.does(copter, CommandRequest.simple("land"));
+        ann.does(copter, Commands.land());
         return flight("ended");
     }
 
@@ -188,7 +188,7 @@ class RememberedFlightTest {
                 "it is heard again",
                 Duration.ofSeconds(10),
                 () -> flights().get(0).state().equals("running"));
-        ann.does(copter, CommandRequest.simple("land"));
+        ann.does(copter, Commands.land());
         FlightView after = flight("ended");
         assertThat(copter.isDown()).isTrue();
         assertThat(after.id()).isEqualTo(before.id());

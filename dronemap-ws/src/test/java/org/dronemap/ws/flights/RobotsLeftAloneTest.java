@@ -6,6 +6,7 @@ import java.time.Duration;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.time.Repetition;
 import org.dronemap.sim.robot.Quirk;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabRobot;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -44,7 +45,7 @@ class RobotsLeftAloneTest {
                 Duration.ofSeconds(20),
                 () -> flyer.truth().height() > 2.5);
         assertThat(rover.heartbeats() - before).isBetween(18L, 21L);
-        begin(rover, CommandRequest.goToLocal(3.0, -1.0));
+        begin(rover, Commands.goToLocal(3.0, -1.0));
         lab.until("it goes", SOON, () -> rover.truth().speed() > 0.3);
 
         lab.crashServer();
@@ -104,8 +105,8 @@ class RobotsLeftAloneTest {
     }
 
     private void fly(LabRobot flyer) {
-        flyer.does(ann, CommandRequest.simple("arm"));
-        flyer.does(ann, CommandRequest.takeOff(3.0));
+        flyer.does(ann, Commands.arm());
+        flyer.does(ann, Commands.takeOff(3.0));
         assertThat(flyer.truth().height()).isGreaterThan(2.5);
     }
 

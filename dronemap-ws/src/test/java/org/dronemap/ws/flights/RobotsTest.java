@@ -8,11 +8,11 @@ import java.util.Objects;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.time.Repetition;
 import org.dronemap.sim.robot.Quirk;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabRobot;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RobotKit;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.SteeringRequest;
@@ -64,7 +64,7 @@ class RobotsTest {
         push.callOff();
         assertThat(rover.truth().x()).isGreaterThan(before);
         assertThat(rover.truth().speed()).isEqualTo(0.4);
-        rover.does(ann, CommandRequest.simple("hold"));
+        rover.does(ann, Commands.hold());
 
         assertThat(rover.truth().speed()).isZero();
         assertThat(rover.orders()).containsOnly(LabRobot.TWIST);
@@ -81,14 +81,14 @@ class RobotsTest {
     @Test
     void aDroneBehindMavrosIsFlown() {
         LabRobot flyer = lab.robot(RobotKit.flyer(3_026)).allows(ann, "arm");
-        flyer.does(ann, CommandRequest.simple("arm"));
+        flyer.does(ann, Commands.arm());
         assertThat(flyer.truth().armed()).isTrue();
-        flyer.does(ann, CommandRequest.takeOff(3.0));
+        flyer.does(ann, Commands.takeOff(3.0));
         assertThat(flyer.truth().height()).isGreaterThan(2.5);
         assertThat(flyer.view(ann).mode()).isEqualTo("GUIDED");
-        flyer.does(ann, CommandRequest.simple("land"));
+        flyer.does(ann, Commands.land());
         assertThat(flyer.truth().height()).isZero();
-        flyer.does(ann, CommandRequest.simple("disarm"));
+        flyer.does(ann, Commands.disarm());
         assertThat(flyer.truth().armed()).isFalse();
         assertThat(flyer.wrong()).isZero();
     }
@@ -97,7 +97,7 @@ class RobotsTest {
     void aRobotThatIgnoresAnOrderIsNeverSaidToHaveFollowedIt() {
         LabRobot stubborn =
                 lab.robot(RobotKit.flyer(3_099).with(Quirk.IGNORES_ORDERS)).allows(ann, "arm");
-        CommandView.OutcomeView ended = stubborn.outcome(ann, CommandRequest.simple("arm"));
+        CommandView.OutcomeView ended = stubborn.outcome(ann, Commands.arm());
         assertThat(ended.result()).isEqualTo("failed");
         assertThat(ended.reason()).contains("still disarmed");
         assertThat(stubborn.truth().armed()).isFalse();

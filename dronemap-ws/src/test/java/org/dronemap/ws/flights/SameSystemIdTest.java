@@ -6,11 +6,11 @@ import java.time.Duration;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.SigningPeer;
-import org.dronemap.ws.service.CommandRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -77,7 +77,7 @@ class SameSystemIdTest {
     }
 
     private void gives(DroneId drone, SigningPeer peer, boolean arm) {
-        ada.does(drone, CommandRequest.simple(arm ? "arm" : "disarm"));
+        ada.does(drone, arm ? Commands.arm() : Commands.disarm());
         assertThat(peer.isArmed()).isEqualTo(arm);
     }
 }

@@ -12,6 +12,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.signing.SigningClock;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
@@ -31,7 +32,7 @@ import org.junit.jupiter.api.Test;
 class SignedLinkTest {
     private static final long SECOND = SigningClock.TICKS_PER_SECOND;
     private static final Duration SOON = Duration.ofSeconds(2);
-    private static final CommandRequest ARM = CommandRequest.simple("arm");
+    private static final CommandRequest ARM = Commands.arm();
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ada = lab.pilot("ada", Role.ADMINISTRATOR);
@@ -167,7 +168,7 @@ class SignedLinkTest {
         CommandView[] disarm = new CommandView[1];
         peer.goesOn(Duration.ofMillis(5), () -> {
             if (disarm[0] == null && peer.signing().keys().size() == 2) {
-                disarm[0] = ada.give(drone, CommandRequest.simple("disarm"));
+                disarm[0] = ada.give(drone, Commands.disarm());
             }
         });
         LinkSecurityView rotated = keys.rotate();
@@ -252,7 +253,7 @@ class SignedLinkTest {
                         Rejection.class,
                         refused -> assertThat(refused.sentence()).contains("armed"));
 
-        ada.does(copter, CommandRequest.simple("land"));
+        ada.does(copter, Commands.land());
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
         Messages counts = own.counts();
         assertThat(counts.valid()).isGreaterThan(30);

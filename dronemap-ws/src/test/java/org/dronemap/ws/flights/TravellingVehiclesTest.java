@@ -14,12 +14,12 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.Timesync;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.SigningPeer;
 import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -164,7 +164,7 @@ class TravellingVehiclesTest {
             traveller.commanded++;
         }
         boolean arm = !traveller.peer.isArmed();
-        traveller.underWay = ada.give(traveller.drone, CommandRequest.simple(arm ? "arm" : "disarm"));
+        traveller.underWay = ada.give(traveller.drone, arm ? Commands.arm() : Commands.disarm());
     }
 
     /** Nobody is lost, doubled or moved by a forger. */

@@ -7,13 +7,13 @@ import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.DtlsKeyService.DtlsKeyRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -100,7 +100,7 @@ class TwoLinksTest {
 
         // The worse one is cut: nothing changes for anybody.
         used.cut();
-        ada.does(copter, CommandRequest.simple("hold"));
+        ada.does(copter, Commands.hold());
         staysTheOnlyOne();
         assertThat(uses(spare)).isTrue();
 
@@ -108,13 +108,13 @@ class TwoLinksTest {
         used.mend();
         lab.until("the worse link is heard again", Duration.ofSeconds(30), this::isOnBoth);
         spare.cut();
-        ada.does(copter, CommandRequest.setMode("GUIDED"));
+        ada.does(copter, Commands.setMode("GUIDED"));
         staysTheOnlyOne();
         assertThat(uses(used)).isTrue();
 
         ada.fliesTo(copter, copter.place(22, 0), 8);
         lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(22, 0)) < 2);
-        ada.does(copter, CommandRequest.simple("land"));
+        ada.does(copter, Commands.land());
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
         lab.until(
                 "the server knows",

@@ -12,6 +12,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -44,12 +45,12 @@ class ZoneFlightTest {
         for (Geodetic place : places) {
             items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(10), 0));
         }
-        return CommandRequest.uploadMission(MissionItemView.of(items));
+        return Commands.uploadMission(MissionItemView.of(items));
     }
 
     private CommandRequest goTo(double north, double east) {
         Geodetic place = copter.place(north, east);
-        return CommandRequest.goTo(place.latitudeDegrees(), place.longitudeDegrees(), 10.0);
+        return Commands.goTo(place.latitudeDegrees(), place.longitudeDegrees(), 10.0);
     }
 
     private double north() {
@@ -76,7 +77,7 @@ class ZoneFlightTest {
 
         chief.does(copter, mission(copter.place(0, 50), copter.place(90, 50), copter.place(90, 0)))
                 .takesOff(copter, 10)
-                .does(copter, CommandRequest.simple("startMission"));
+                .does(copter, Commands.startMission(null));
         int last = Objects.requireNonNull(copter.state().mission().items()).size() - 1;
         lab.until(
                 "it is round",
@@ -85,7 +86,7 @@ class ZoneFlightTest {
         assertThat(copter.distanceTo(copter.place(90, 0))).isLessThan(3);
 
         assertThat(chief.refusalByGate(copter, goTo(0, 0))).contains("enters the no-fly zone “School” after 30 m");
-        chief.does(copter, CommandRequest.simple("returnToLaunch"));
+        chief.does(copter, Commands.returnToLaunch());
         lab.until(
                 "who returns through it is warned",
                 Duration.ofSeconds(5),
@@ -118,7 +119,7 @@ class ZoneFlightTest {
                 "it stands", Duration.ofSeconds(10), () -> copter.craft().body().groundSpeed() < 0.5);
         assertThat(north()).isBetween(150.0, 175.0);
         assertThat(chief.refusalByGate(copter, goTo(400, 0))).contains("begins inside the no-fly zone “School”");
-        chief.does(copter, CommandRequest.simple("returnToLaunch"));
+        chief.does(copter, Commands.returnToLaunch());
         lab.until("it landed", Duration.ofMinutes(3), copter::isDown);
     }
 

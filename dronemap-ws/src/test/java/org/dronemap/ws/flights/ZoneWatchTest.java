@@ -13,13 +13,13 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.SetMode;
 import org.dronemap.sim.physics.Position;
+import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.Track;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Zones;
-import org.dronemap.ws.service.CommandRequest;
 import org.junit.jupiter.api.Test;
 
 /** The watch over zones in flight, in wind and for some drones at once: judged by where they are and what they are told. */
@@ -67,7 +67,7 @@ class ZoneWatchTest {
     private static Breach sentOff(Laboratory lab, Pilot chief, LabDrone drone, double bearing) {
         Position start = drone.craft().body().position();
         Geodetic target = drone.place(start.north() + 500 * Math.cos(bearing), start.east() + 500 * Math.sin(bearing));
-        chief.does(drone, CommandRequest.goTo(target.latitudeDegrees(), target.longitudeDegrees(), 10.0));
+        chief.does(drone, Commands.goTo(target.latitudeDegrees(), target.longitudeDegrees(), 10.0));
         lab.until(
                 "it flies there",
                 Duration.ofMinutes(1),

@@ -173,7 +173,7 @@ public final class LabRobot {
     public LabRobot does(Pilot user, CommandRequest what) {
         CommandView.OutcomeView outcome = outcome(user, what);
         if (!outcome.result().equals("succeeded")) {
-            throw new AssertionError(what.type() + ": " + outcome);
+            throw new AssertionError(what.kind() + ": " + outcome);
         }
         return this;
     }

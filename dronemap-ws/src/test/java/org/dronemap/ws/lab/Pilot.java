@@ -217,13 +217,13 @@ public final class Pilot {
     }
 
     public Pilot takesOff(LabDrone drone, double meters) {
-        return does(drone, CommandRequest.setMode("GUIDED"))
-                .does(drone, CommandRequest.simple("arm"))
-                .does(drone, CommandRequest.takeOff(meters));
+        return does(drone, Commands.setMode("GUIDED"))
+                .does(drone, Commands.arm())
+                .does(drone, Commands.takeOff(meters));
     }
 
     public Pilot fliesTo(LabDrone drone, Geodetic place, double meters) {
-        return does(drone, CommandRequest.goTo(place.latitudeDegrees(), place.longitudeDegrees(), meters));
+        return does(drone, Commands.goTo(place.latitudeDegrees(), place.longitudeDegrees(), meters));
     }
 
     /** Uploads a take-off, those places at one height, and the way home. */
@@ -234,6 +234,6 @@ public final class Pilot {
             items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(meters), 0));
         }
         items.add(new MissionItem.ReturnToLaunch());
-        return does(drone, CommandRequest.uploadMission(MissionItemView.of(items)));
+        return does(drone, Commands.uploadMission(MissionItemView.of(items)));
     }
 }

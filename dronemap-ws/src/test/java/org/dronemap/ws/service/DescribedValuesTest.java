@@ -27,7 +27,6 @@ class DescribedValuesTest {
 
     @Test
     void areThoseOfWhatTheyAreReadFrom() throws ReflectiveOperationException {
-        assertThat(values(CommandRequest.class, "type")).containsExactly(CommandRequest.TYPES.split(", "));
         assertThat(values(DroneView.GpsView.class, "fix")).containsExactly(words(GpsFix.values(), GpsFix::label));
         assertThat(values(EndpointView.class, "state"))
                 .containsExactly(words(EndpointState.Phase.values(), WireNames::camel));

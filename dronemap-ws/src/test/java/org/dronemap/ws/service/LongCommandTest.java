@@ -15,6 +15,7 @@ import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.lab.Commands;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -34,7 +35,7 @@ class LongCommandTest {
     void give() {
         ScriptedVehicle vehicle = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
         vehicle.takesItsTime();
-        given = commands.submit(ANN, "rest", vehicle.id(), CommandRequest.simple("takePicture"));
+        given = commands.submit(ANN, "rest", vehicle.id(), Commands.takePicture());
         report = Waiting.until("it is under way", () -> Optional.ofNullable(vehicle.underWay()));
     }
 

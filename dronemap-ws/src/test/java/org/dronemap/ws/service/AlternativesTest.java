@@ -1,0 +1,103 @@
+package org.dronemap.ws.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.annotation.JsonTypeResolver;
+
+/** Bodies that are one of several records: which they are, and what is said where they are none. */
+class AlternativesTest {
+    @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "form")
+    @JsonTypeResolver(ObjectsOnly.class)
+    @JsonSubTypes({
+        @JsonSubTypes.Type(value = Square.class, name = "square"),
+        @JsonSubTypes.Type(value = Disc.class, name = "disc")
+    })
+    sealed interface Shape {}
+
+    record Square(@Nullable Double side) implements Shape {}
+
+    record Disc(@Nullable Double radius, @Nullable String note) implements Shape {}
+
+    record Drawing(@Nullable Shape frame, @Nullable List<Shape> shapes) {}
+
+    private final JsonReader json = new JsonReader();
+
+    private InvalidInput wrong(String text, Class<?> type) {
+        return catchThrowableOfType(InvalidInput.class, () -> json.read(text, type));
+    }
+
+    @Test
+    void areKnownByTheirNamesInTheOrderInWhichTheyAreNamed() {
+        Alternatives all = Alternatives.of(Shape.class).orElseThrow();
+
+        assertThat(all.member()).isEqualTo("form");
+        assertThat(all.records().keySet()).containsExactly("square", "disc");
+        assertThat(Alternatives.with(Disc.class)).contains(all);
+        assertThat(all.nameOf(Disc.class)).isEqualTo("disc");
+        assertThat(Alternatives.of(Disc.class)).isEmpty();
+        assertThat(Alternatives.with(Drawing.class)).isEmpty();
+    }
+
+    @Test
+    void areReadWhereverTheMemberStands() {
+        assertThat(json.read("{\"radius\":2,\"form\":\"disc\"}", Shape.class)).isEqualTo(new Disc(2.0, null));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"{}", "{\"side\":1}", "{\"form\":null}"})
+    void areToldWhereNoneIsNamed(String text) {
+        InvalidInput wrong = wrong(text, Shape.class);
+
+        assertThat(wrong.sentence()).isEqualTo("\"form\" is missing; it must be one of square, disc.");
+        assertThat(wrong.field()).isEqualTo("form");
+        assertThat(wrong.allowed()).isEqualTo("one of square, disc");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '\0',
+            value = {
+                "{\"frame\":{\"form\":\"ring\"}} | frame.form | ring",
+                "{\"shapes\":[{\"form\":\"disc\"},{\"form\":\"ring\"}]} | shapes[1].form | ring",
+                "{\"frame\":{\"form\":7}} | frame.form | 7"
+            })
+    void areToldWithThePlaceWhereAnotherIsNamed(String text, String field, String said) {
+        InvalidInput wrong = wrong(text, Drawing.class);
+
+        assertThat(wrong.field()).isEqualTo(field);
+        assertThat(wrong.sentence()).isEqualTo("\"" + field + "\" must be one of square, disc, not \"" + said + "\".");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{\"form\":\"disc\",\"side\":1}",
+                "{\"form\":\"disc\",\"side\":null}",
+                "{\"side\":1,\"form\":\"disc\"}"
+            })
+    void haveTheirOwnMembersAndNoOthers(String text) {
+        InvalidInput wrong = wrong(text, Shape.class);
+
+        assertThat(wrong.field()).isEqualTo("side");
+        assertThat(wrong.sentence()).isEqualTo("There is no member \"side\" here; there are: form, radius, note.");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"[]", "[\"disc\",{\"radius\":2}]", "\"disc\"", "7"})
+    void areObjectsAndNothingElse(String text) {
+        Rejection wrong = catchThrowableOfType(Rejection.class, () -> json.read(text, Shape.class));
+
+        assertThat(wrong.kind()).isEqualTo(RejectionKind.MALFORMED);
+        assertThat(wrong.sentence()).isEqualTo("A JSON object is needed here.");
+    }
+}
