@@ -80,7 +80,7 @@ final class CommandReader {
     }
 
     private static InvalidInput unknown(String type) {
-        return InvalidInput.outside("type", KINDS, "\"" + type + "\"");
+        return InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "type", KINDS, "\"" + type + "\"");
     }
 
     /** What the drone needs beside what was asked. */
@@ -122,7 +122,9 @@ final class CommandReader {
             case "on" -> RelaySetting.ON;
             case "toggle" -> RelaySetting.TOGGLE;
             case "" -> throw InvalidInput.missing("setting", RELAY_SETTINGS);
-            default -> throw InvalidInput.outside("setting", RELAY_SETTINGS, "\"" + value + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "setting", RELAY_SETTINGS, "\"" + value + "\"");
         };
     }
 
@@ -130,7 +132,9 @@ final class CommandReader {
         return switch (value == null ? "continue" : value) {
             case "continue" -> CloudLoss.CONTINUE;
             case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
-            default -> throw InvalidInput.outside("onCloudLoss", CLOUD_LOSS, "\"" + value + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", CLOUD_LOSS, "\"" + value + "\"");
         };
     }
 }

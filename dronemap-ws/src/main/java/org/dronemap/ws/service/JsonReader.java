@@ -49,7 +49,7 @@ public final class JsonReader {
         try {
             T value = mapper.readValue(json, type);
             if (value == null) {
-                throw Rejection.malformed("A JSON object is needed, not null.");
+                throw Rejection.of(RequestProblem.BODY_NOT_AN_OBJECT, "A JSON object is needed, not null.");
             }
             return value;
         } catch (JacksonException e) {
@@ -71,20 +71,28 @@ public final class JsonReader {
                             .collect(Collectors.joining(", "));
             String field = path(unknown);
             return new InvalidInput(
-                    field, known, "There is no member \"" + field + "\" here; there are: " + known + ".");
+                    ValueProblem.MEMBER_UNKNOWN,
+                    field,
+                    known,
+                    "There is no member \"" + field + "\" here; there are: " + known + ".");
         }
         if (e instanceof MismatchedInputException mismatch
                 && !mismatch.getPath().isEmpty()) {
             String field = path(mismatch);
             String allowed = wanted(mismatch.getTargetType());
-            return new InvalidInput(field, allowed, "\"" + field + "\" must be " + allowed + ".");
+            return new InvalidInput(
+                    ValueProblem.VALUE_MALFORMED, field, allowed, "\"" + field + "\" must be " + allowed + ".");
         }
         if (e instanceof StreamReadException && e.getLocation() != null) {
             TokenStreamLocation at = e.getLocation();
-            return Rejection.malformed("This is not JSON: line " + at.getLineNr() + ", column " + at.getColumnNr()
-                    + ": " + firstLine(e.getOriginalMessage()) + ".");
+            return Rejection.of(
+                    RequestProblem.JSON_UNREADABLE,
+                    "This is not JSON: line " + at.getLineNr() + ", column " + at.getColumnNr() + ": "
+                            + firstLine(e.getOriginalMessage()) + ".",
+                    ProblemParameter.LINE.is(at.getLineNr()),
+                    ProblemParameter.COLUMN.is(at.getColumnNr()));
         }
-        return Rejection.malformed("A JSON object is needed here.");
+        return Rejection.of(RequestProblem.BODY_NOT_AN_OBJECT, "A JSON object is needed here.");
     }
 
     private static String firstLine(String text) {

@@ -8,10 +8,12 @@ import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlService;
+import org.dronemap.ws.service.DroneProblem;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.FlightSearch;
 import org.dronemap.ws.service.MissionItemView;
 import org.dronemap.ws.service.ParameterService;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
 import org.jspecify.annotations.Nullable;
 
@@ -133,7 +135,10 @@ public class ControllerService extends RobotKeyCalls {
             List<MissionItemView> items =
                     drones.drone(caller.reading(), droneId).mission().items();
             if (items == null) {
-                throw Rejection.conflict("The mission on the vehicle has not been read yet.");
+                throw Rejection.of(
+                        DroneProblem.MISSION_NOT_READ,
+                        "The mission on the vehicle has not been read yet.",
+                        ProblemParameter.DRONE.is(droneId));
             }
             return items.stream().map(SoapWaypoint::of).toList();
         });

@@ -13,6 +13,7 @@ import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RequestProblem;
 
 /** Says in each fault whose mistake it was, and what is wrong with XML that cannot be read, as the other faces say it. */
 final class FaultWords extends AbstractPhaseInterceptor<Message> {
@@ -46,7 +47,8 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
             if (Fault.FAULT_CODE_SERVER.equals(told.getFaultCode())) {
                 AuditNotes.turnedAway(Problem.internal());
             } else {
-                AuditNotes.turnedAway(Problem.of(Rejection.malformed("The XML cannot be read.")));
+                AuditNotes.turnedAway(
+                        Problem.of(Rejection.of(RequestProblem.XML_UNREADABLE, "The XML cannot be read.")));
             }
             message.setContent(Exception.class, told);
         }

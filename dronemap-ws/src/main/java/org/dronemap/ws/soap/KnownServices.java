@@ -7,8 +7,9 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.RequestProblem;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /** Answers for addresses under /services that are none; the SOAP library would send a page of its own. */
@@ -32,9 +33,10 @@ public final class KnownServices extends OncePerRequestFilter {
         }
         problems.write(
                 response,
-                Problem.of(new Rejection(
-                        RejectionKind.UNKNOWN,
+                Problem.of(Rejection.of(
+                        RequestProblem.ADDRESS_UNKNOWN,
                         "There is nothing at " + request.getRequestURI() + "; the SOAP services are described at "
-                                + CONTROLLER + "?wsdl and " + FOLLOWER + "?wsdl.")));
+                                + CONTROLLER + "?wsdl and " + FOLLOWER + "?wsdl.",
+                        ProblemParameter.ADDRESS.is(request.getRequestURI()))));
     }
 }

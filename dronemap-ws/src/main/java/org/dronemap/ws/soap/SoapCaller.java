@@ -12,6 +12,7 @@ import org.apache.cxf.transport.http.AbstractHTTPDestination;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.Work;
@@ -46,7 +47,9 @@ public final class SoapCaller {
         }
         String authorization = request.getHeader("Authorization");
         SignedIn caller = authorization == null
-                ? accessKey(message).map(authentication::byKey).orElseThrow(() -> Rejection.notSignedIn(WAYS))
+                ? accessKey(message)
+                        .map(authentication::byKey)
+                        .orElseThrow(() -> Rejection.of(AccessProblem.SIGN_IN_NEEDED, WAYS))
                 : byHttp(authorization, request.getRemoteAddr());
         authentication.admit(caller);
         return caller.principal();
@@ -58,12 +61,12 @@ public final class SoapCaller {
             return authentication.byKey(parts[1]);
         }
         if (parts.length != 2 || !parts[0].equalsIgnoreCase("Basic")) {
-            throw Rejection.notSignedIn(WAYS);
+            throw Rejection.of(AccessProblem.AUTHORIZATION_UNREADABLE, WAYS);
         }
         String credentials = decode(parts[1]);
         int colon = credentials.indexOf(':');
         if (colon < 0) {
-            throw Rejection.notSignedIn(WAYS);
+            throw Rejection.of(AccessProblem.AUTHORIZATION_UNREADABLE, WAYS);
         }
         return authentication.byPassword(credentials.substring(0, colon), credentials.substring(colon + 1), address);
     }
@@ -72,7 +75,7 @@ public final class SoapCaller {
         try {
             return new String(Base64.getDecoder().decode(base64), StandardCharsets.UTF_8);
         } catch (IllegalArgumentException notBase64) {
-            throw Rejection.notSignedIn(WAYS);
+            throw Rejection.of(AccessProblem.AUTHORIZATION_UNREADABLE, WAYS);
         }
     }
 

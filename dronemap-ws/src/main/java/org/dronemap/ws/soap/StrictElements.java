@@ -13,6 +13,7 @@ import org.apache.cxf.service.model.BindingOperationInfo;
 import org.apache.cxf.service.model.MessagePartInfo;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.ValueProblem;
 
 /**
  * Turns away what the XML binding lets pass: elements that no operation knows (it tells of the first few of its life only),
@@ -87,19 +88,23 @@ final class StrictElements extends AbstractPhaseInterceptor<Message> {
                 .reduce((one, other) -> one + ", " + other)
                 .orElse("none");
         return FaultWords.fault(Problem.of(new InvalidInput(
-                field, allowed, "There is no element \"" + field + "\" here; there are: " + allowed + ".")));
+                ValueProblem.MEMBER_UNKNOWN,
+                field,
+                allowed,
+                "There is no element \"" + field + "\" here; there are: " + allowed + ".")));
     }
 
     private static Fault inNamespace(Whereabouts.Value seen) {
         String allowed = "an element without a namespace";
         return FaultWords.fault(Problem.of(new InvalidInput(
+                ValueProblem.VALUE_MALFORMED,
                 seen.path(),
                 allowed,
                 "\"" + seen.path() + "\" must be " + allowed + "; it is in " + seen.namespace() + ".")));
     }
 
     private static Fault wrong(String field, String allowed) {
-        return FaultWords.fault(
-                Problem.of(new InvalidInput(field, allowed, "\"" + field + "\" must be " + allowed + ".")));
+        return FaultWords.fault(Problem.of(new InvalidInput(
+                ValueProblem.VALUE_MALFORMED, field, allowed, "\"" + field + "\" must be " + allowed + ".")));
     }
 }

@@ -5,6 +5,7 @@ import jakarta.xml.bind.ValidationEventHandler;
 import org.apache.cxf.message.Message;
 import org.apache.cxf.phase.PhaseInterceptorChain;
 import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.ValueProblem;
 
 /** Notes which value of a message cannot be read, in the words that the other faces have for it. */
 final class UnreadableValues implements ValidationEventHandler {
@@ -23,7 +24,11 @@ final class UnreadableValues implements ValidationEventHandler {
             message.getExchange()
                     .put(
                             InvalidInput.class,
-                            new InvalidInput(field, allowed, "\"" + field + "\" must be " + allowed + "."));
+                            new InvalidInput(
+                                    ValueProblem.VALUE_MALFORMED,
+                                    field,
+                                    allowed,
+                                    "\"" + field + "\" must be " + allowed + "."));
         }
         return false;
     }
