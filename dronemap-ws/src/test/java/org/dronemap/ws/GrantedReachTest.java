@@ -151,8 +151,8 @@ class GrantedReachTest extends ReachTrial {
                 values.put(element, own.thing(kind).orElseThrow());
                 values.putAll(ARGUMENTS.getOrDefault(operation, Map.of()));
                 String answer = faces.soap(granted.member().http(), operation, values);
-                boolean open = !answer.contains("<code>forbidden</code>")
-                        && !answer.contains("<code>unknown</code>")
+                boolean open = !answer.contains("problem:forbidden</type>")
+                        && !answer.contains("problem:unknown</type>")
                         && !REFUSAL.matcher(answer).find();
                 String command = COMMAND_OF.getOrDefault(operation, operation);
                 // Keys of robots concern a whole organisation.

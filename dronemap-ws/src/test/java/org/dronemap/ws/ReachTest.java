@@ -125,7 +125,7 @@ class ReachTest extends ReachTrial {
                         ? own.fresh(kind)
                         : own.thing(kind).orElseThrow();
                 String mine = soap(caller, operation, element, about);
-                boolean refused = mine.contains("<code>forbidden</code>") || mine.contains("<code>unknown</code>");
+                boolean refused = mine.contains("problem:forbidden</type>") || mine.contains("problem:unknown</type>");
                 if (refused == table.promises(operation, Caller.valueOf(role.name()))) {
                     wrong.add(operation + " for " + role + ": " + mine);
                 }

@@ -133,8 +133,9 @@ class RightsTest {
     private boolean mayCallSoap(String operation, Caller caller) {
         Map<String, String> of = Faces.isList(operation) ? Map.of() : Map.of(Faces.elementOf(operation), "nosuchthing");
         String answer = faces.soap(callers.get(caller), operation, of);
-        boolean refused = answer.contains("<code>not-signed-in</code>") || answer.contains("<code>forbidden</code>");
-        assertThat(refused || answer.contains("<code>unknown</code>") || answer.contains(operation + "Response"))
+        boolean refused =
+                answer.contains("problem:not-signed-in</type>") || answer.contains("problem:forbidden</type>");
+        assertThat(refused || answer.contains("problem:unknown</type>") || answer.contains(operation + "Response"))
                 .as(operation + " for " + caller + ": " + answer)
                 .isTrue();
         return !refused;

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.ValueProblem;
 import org.dronemap.ws.soap.SoapOperation.Argument;
 import org.dronemap.ws.soap.SoapOperation.Body;
 import org.dronemap.ws.soap.SoapOperation.Place;
@@ -44,7 +45,11 @@ final class CallReader {
         for (Element child : XmlToJson.children(call)) {
             String name = child.getLocalName();
             if (!seen.add(name)) {
-                throw new InvalidInput(name, "one element", "There must be one element \"" + name + "\", not several.");
+                throw new InvalidInput(
+                        ValueProblem.VALUES_EXCLUSIVE,
+                        name,
+                        "one element",
+                        "There must be one element \"" + name + "\", not several.");
             }
             Argument argument = operation.argument(name).orElse(null);
             if (argument == null) {
@@ -84,7 +89,10 @@ final class CallReader {
                 || value.chars().anyMatch(letter -> letter < ' ' || letter == 0x7f || "/\\;".indexOf(letter) >= 0);
         if (never) {
             throw InvalidInput.outside(
-                    name, "a text without '/', '\\', ';' and control characters", "\"" + value + "\"");
+                    ValueProblem.VALUE_MALFORMED,
+                    name,
+                    "a text without '/', '\\', ';' and control characters",
+                    "\"" + value + "\"");
         }
         return UriUtils.encodePathSegment(value, StandardCharsets.UTF_8);
     }
@@ -122,7 +130,7 @@ final class CallReader {
         try {
             return Base64.getMimeDecoder().decode(XmlToJson.text(SoapOperation.CONTENT, found));
         } catch (IllegalArgumentException notBase64) {
-            throw InvalidInput.outside(SoapOperation.CONTENT, "base64", "something else");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, SoapOperation.CONTENT, "base64", "something else");
         }
     }
 
@@ -131,6 +139,9 @@ final class CallReader {
                 ? "none"
                 : operation.elements().stream().map(XmlMember::name).collect(Collectors.joining(", "));
         return new InvalidInput(
-                name, allowed, "There is no element \"" + name + "\" here; there are: " + allowed + ".");
+                ValueProblem.MEMBER_UNKNOWN,
+                name,
+                allowed,
+                "There is no element \"" + name + "\" here; there are: " + allowed + ".");
     }
 }

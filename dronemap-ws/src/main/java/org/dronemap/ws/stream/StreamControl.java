@@ -7,6 +7,7 @@ import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Roles;
+import org.dronemap.ws.service.ValueProblem;
 
 /** Answers what clients of the stream say about control. Any thread. */
 final class StreamControl {
@@ -32,7 +33,8 @@ final class StreamControl {
                 principal,
                 drone,
                 ControlAction.named(action)
-                        .orElseThrow(() -> InvalidInput.outside("action", ACTIONS, "\"" + action + "\"")),
+                        .orElseThrow(() -> InvalidInput.outside(
+                                ValueProblem.VALUE_NOT_ALLOWED, "action", ACTIONS, "\"" + action + "\"")),
                 new ControlRequestView(message.reason(), message.user(), message.epoch()));
         return new StreamMessage.ControlAnswer(message.requestId(), drone, answer.waiting(), answer.control());
     }

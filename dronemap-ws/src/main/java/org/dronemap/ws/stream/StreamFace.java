@@ -30,6 +30,7 @@ import org.dronemap.core.zone.ZoneBook;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
@@ -294,7 +295,8 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         SignedIn caller = client.caller().orElse(null);
         if (caller == null) {
             if (now - client.connectedNanos() > TIME_TO_SIGN_IN_NANOS) {
-                Rejection late = Rejection.notSignedIn("No ticket, key or authenticate message came within 5 s.");
+                Rejection late = Rejection.of(
+                        AccessProblem.SIGN_IN_NEEDED, "No ticket, key or authenticate message came within 5 s.");
                 requests.say(client, new StreamMessage.Failure(Problem.of(late), null));
                 client.pump(now, server.reminder());
                 client.close(CloseFrame.POLICY_VALIDATION, late.sentence());

@@ -10,6 +10,7 @@ import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandRequest;
@@ -23,9 +24,12 @@ import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.dronemap.ws.service.Roles;
+import org.dronemap.ws.service.ServerProblem;
+import org.dronemap.ws.service.ValueProblem;
 import org.dronemap.ws.service.WireNames;
 import org.dronemap.ws.service.Work;
 import org.java_websocket.framing.CloseFrame;
@@ -96,7 +100,10 @@ final class StreamRequests {
             if (now.isEmpty()) {
                 expel(client, CloseFrame.POLICY_VALIDATION, Rejection.sessionEnded());
             } else if (!now.get().principal().equals(before.principal())) {
-                expel(client, CloseFrame.TRY_AGAIN_LATER, Rejection.forbidden("Your role was changed; connect again."));
+                expel(
+                        client,
+                        CloseFrame.TRY_AGAIN_LATER,
+                        Rejection.of(AccessProblem.ROLE_CHANGED, "Your role was changed; connect again."));
             }
         } catch (RuntimeException e) {
             // Who cannot be judged cannot stay.
@@ -104,7 +111,7 @@ final class StreamRequests {
             expel(
                     client,
                     CloseFrame.TRY_AGAIN_LATER,
-                    new Rejection(RejectionKind.UNAVAILABLE, "Your rights are not known; try again."));
+                    Rejection.of(ServerProblem.RIGHTS_NOT_KNOWN, "Your rights are not known; try again."));
         }
     }
 
@@ -184,7 +191,8 @@ final class StreamRequests {
             return;
         }
         Principal principal = client.principal()
-                .orElseThrow(() -> Rejection.notSignedIn(
+                .orElseThrow(() -> Rejection.of(
+                        AccessProblem.SIGN_IN_NEEDED,
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
         if (!PAID_ELSEWHERE.contains(type)) {
             budgets.take(Work.REQUEST, principal.name());
@@ -197,7 +205,7 @@ final class StreamRequests {
             case "positions" -> say(client, positions(client, principal, message));
             case "subscribe" -> subscribe(client, message);
             case "ping" -> say(client, new StreamMessage.Pong());
-            default -> throw InvalidInput.outside("type", TYPES, "\"" + type + "\"");
+            default -> throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "type", TYPES, "\"" + type + "\"");
         }
     }
 
@@ -241,7 +249,14 @@ final class StreamRequests {
             return;
         }
         if (rate < 1 || rate > Turns.MOST_PER_SECOND) {
-            throw InvalidInput.outside("rate", "1 to " + Turns.MOST_PER_SECOND + " a second", rate);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "rate",
+                    "1 to " + Turns.MOST_PER_SECOND + " a second",
+                    rate,
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(Turns.MOST_PER_SECOND),
+                    ProblemParameter.UNIT.is("a second"));
         }
         client.slowDown(rate);
     }
