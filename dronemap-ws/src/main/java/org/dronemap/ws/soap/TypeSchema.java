@@ -65,6 +65,9 @@ final class TypeSchema {
         if (type instanceof XmlType.Named one) {
             return one.name();
         }
+        if (type instanceof XmlType.Plain) {
+            return "Plain";
+        }
         String xsd = type instanceof XmlType.Text text ? text.xsd() : "string";
         return xsd.substring(0, 1).toUpperCase(Locale.ROOT) + xsd.substring(1);
     }
@@ -179,11 +182,17 @@ final class TypeSchema {
     private void entries(XmlType.Mapped mapped) {
         out.open("xs:element", "name", XmlToJson.ENTRY, "minOccurs", "0", "maxOccurs", "unbounded");
         out.open("xs:complexType");
-        boolean simple = mapped.value() instanceof XmlType.Text;
-        String base =
-                mapped.value() instanceof XmlType.Text text ? "xs:" + text.xsd() : PREFIX + ":" + name(mapped.value());
+        boolean plain = mapped.value() instanceof XmlType.Plain;
+        boolean simple = plain || mapped.value() instanceof XmlType.Text;
+        String base = PREFIX + ":" + name(mapped.value());
+        if (simple) {
+            base = mapped.value() instanceof XmlType.Text text ? "xs:" + text.xsd() : "xs:string";
+        }
         out.open(simple ? "xs:simpleContent" : "xs:complexContent").open("xs:extension", "base", base);
         out.empty("xs:attribute", "name", XmlToJson.KEY, "type", "xs:string", "use", "required");
+        if (plain) {
+            out.empty("xs:attribute", "name", JsonToXml.TYPE, "type", "xs:string", "use", "required");
+        }
         out.close().close();
         out.close().close();
     }

@@ -71,7 +71,16 @@ final class XmlToJson {
         if (type instanceof XmlType.Named named) {
             return complex(named.name(), field, element);
         }
-        return anything(field, element);
+        return type instanceof XmlType.Plain ? untold(field, element) : anything(field, element);
+    }
+
+    private JsonNode untold(String field, Element element) {
+        String text = text(field, element);
+        return switch (element.getAttribute(JsonToXml.TYPE)) {
+            case "number" -> NUMBER.matcher(text.strip()).matches() ? number(text.strip()) : StringNode.valueOf(text);
+            case "boolean" -> truth(text.strip());
+            default -> StringNode.valueOf(text);
+        };
     }
 
     private JsonNode plain(XmlType.Text type, String text) {
