@@ -19,8 +19,7 @@ import org.dronemap.ws.service.ZoneFeature;
 import org.jspecify.annotations.Nullable;
 
 /** The messages of the stream, each with its type as clients see it. */
-final class StreamMessage {
-    private StreamMessage() {}
+sealed interface StreamMessage {
 
     /** From a client; which members are there depends on the type. */
     record FromClient(
@@ -42,128 +41,130 @@ final class StreamMessage {
             @Nullable Double roundTrip,
             @Nullable List<FollowRequest.@Nullable PositionRequest> positions) {}
 
-    record Hello(String type, String user, String role) {
+    record Hello(String type, String user, String role) implements StreamMessage {
         Hello(String user, String role) {
             this("hello", user, role);
         }
     }
 
-    record Drones(String type, List<DroneView> drones) {
+    record Drones(String type, List<DroneView> drones) implements StreamMessage {
         Drones(List<DroneView> drones) {
             this("drones", drones);
         }
     }
 
-    record Drone(String type, DroneView drone) {
+    record Drone(String type, DroneView drone) implements StreamMessage {
         Drone(DroneView drone) {
             this("drone", drone);
         }
     }
 
-    record DroneRemoved(String type, String id) {
+    record DroneRemoved(String type, String id) implements StreamMessage {
         DroneRemoved(String id) {
             this("droneRemoved", id);
         }
     }
 
-    record ZoneChanged(String type, ZoneFeature zone) {
+    record ZoneChanged(String type, ZoneFeature zone) implements StreamMessage {
         ZoneChanged(ZoneFeature zone) {
             this("zone", zone);
         }
     }
 
-    record ZoneRemoved(String type, String id) {
+    record ZoneRemoved(String type, String id) implements StreamMessage {
         ZoneRemoved(String id) {
             this("zoneRemoved", id);
         }
     }
 
-    record VirtualDroneChanged(String type, VirtualDroneView virtualDrone) {
+    record VirtualDroneChanged(String type, VirtualDroneView virtualDrone) implements StreamMessage {
         VirtualDroneChanged(VirtualDroneView virtualDrone) {
             this("virtualDrone", virtualDrone);
         }
     }
 
-    record VirtualDroneRemoved(String type, String id) {
+    record VirtualDroneRemoved(String type, String id) implements StreamMessage {
         VirtualDroneRemoved(String id) {
             this("virtualDroneRemoved", id);
         }
     }
 
-    record PlanChanged(String type, PlanView plan) {
+    record PlanChanged(String type, PlanView plan) implements StreamMessage {
         PlanChanged(PlanView plan) {
             this("plan", plan);
         }
     }
 
-    record PlanRemoved(String type, String id) {
+    record PlanRemoved(String type, String id) implements StreamMessage {
         PlanRemoved(String id) {
             this("planRemoved", id);
         }
     }
 
-    record RunChanged(String type, RunView run) {
+    record RunChanged(String type, RunView run) implements StreamMessage {
         RunChanged(RunView run) {
             this("run", run);
         }
     }
 
-    record FollowChanged(String type, FollowView follow) {
+    record FollowChanged(String type, FollowView follow) implements StreamMessage {
         FollowChanged(FollowView follow) {
             this("follow", follow);
         }
     }
 
-    record FollowNow(String type, String id, FollowView.@Nullable NowView now) {
+    record FollowNow(String type, String id, FollowView.@Nullable NowView now) implements StreamMessage {
         FollowNow(String id, FollowView.@Nullable NowView now) {
             this("followNow", id, now);
         }
     }
 
-    record PositionsHeard(String type, @Nullable String requestId, FollowReceipt receipt) {
+    record PositionsHeard(String type, @Nullable String requestId, FollowReceipt receipt) implements StreamMessage {
         PositionsHeard(@Nullable String requestId, FollowReceipt receipt) {
             this("positionsHeard", requestId, receipt);
         }
     }
 
-    record Command(String type, CommandView command) {
+    record Command(String type, CommandView command) implements StreamMessage {
         Command(CommandView command) {
             this("command", command);
         }
     }
 
-    record CommandAccepted(String type, @Nullable String requestId, CommandView command) {
+    record CommandAccepted(String type, @Nullable String requestId, CommandView command) implements StreamMessage {
         CommandAccepted(@Nullable String requestId, CommandView command) {
             this("commandAccepted", requestId, command);
         }
     }
 
-    record Control(String type, String drone, ControlView control, ControlView.ChangeView change) {
+    record Control(String type, String drone, ControlView control, ControlView.ChangeView change)
+            implements StreamMessage {
         Control(String drone, ControlView control, ControlView.ChangeView change) {
             this("control", drone, control, change);
         }
     }
 
-    record ControlAnswer(String type, @Nullable String requestId, String drone, boolean waiting, ControlView control) {
+    record ControlAnswer(String type, @Nullable String requestId, String drone, boolean waiting, ControlView control)
+            implements StreamMessage {
         ControlAnswer(@Nullable String requestId, String drone, boolean waiting, ControlView control) {
             this("controlAnswer", requestId, drone, waiting, control);
         }
     }
 
     @JsonInclude(JsonInclude.Include.NON_NULL)
-    record Failure(String type, Problem problem, @Nullable String requestId) {
+    record Failure(String type, Problem problem, @Nullable String requestId) implements StreamMessage {
         Failure(Problem problem, @Nullable String requestId) {
             this("error", problem, requestId);
         }
     }
 
-    record Ping(String type, Instant at) {
+    record Ping(String type, Instant at) implements StreamMessage {
         Ping(Instant at) {
             this("ping", at);
         }
     }
 
-    record Pong(String type) {
+    record Pong(String type) implements StreamMessage {
         Pong() {
             this("pong");
         }

@@ -79,7 +79,10 @@ final class StreamRequests {
             List<DroneView> all = drones.drones(principal);
             all.forEach(drone -> {
                 DroneId id = new DroneId(drone.id());
-                client.shown().put(id, principal.permissions(id));
+                Object sight = Topics.sightOf(principal, id);
+                if (sight != null) {
+                    client.shown().put(Subject.drone(id), sight);
+                }
             });
             say(client, new StreamMessage.Drones(all));
             client.unsettle();
@@ -269,7 +272,7 @@ final class StreamRequests {
                         message.requestId(), commands.submit(principal, "stream", drone, command)));
     }
 
-    void say(StreamClient client, Object message) {
+    void say(StreamClient client, StreamMessage message) {
         client.outbox().add(json.write(message));
     }
 }
