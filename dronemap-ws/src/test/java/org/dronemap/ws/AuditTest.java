@@ -23,6 +23,7 @@ import org.dronemap.ws.house.RightsTable.Caller;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.StreamWords;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.service.AuditRules;
@@ -123,9 +124,7 @@ class AuditTest {
             for (String type : types) {
                 String id = String.valueOf(++number);
                 List<AuditEntry> left = left(() -> {
-                            stream.send(
-                                    "{\"type\":\"" + type
-                                            + "\",\"drone\":\"nosuchdrone\",\"action\":\"take\",\"command\":{\"type\":\"land\"}}");
+                            stream.send(StreamWords.about("nosuchdrone", type));
                             // Answered in order, so that all is done that came before it.
                             stream.send("{\"type\":\"nosuchtype\",\"requestId\":\"" + id + "\"}");
                             error(stream, id);

@@ -18,10 +18,10 @@ final class StreamControl {
         this.controls = controls;
     }
 
-    StreamMessage.ControlAnswer answer(Principal principal, StreamMessage.FromClient message) {
+    StreamMessage.ControlAnswer answer(Principal principal, StreamRequest.ActOnControl request) {
         Roles.require(principal, Role.OPERATOR);
-        String drone = message.drone();
-        String action = message.action();
+        String drone = request.drone();
+        String action = request.action();
         if (drone == null) {
             throw InvalidInput.missing("drone", "the id of a drone");
         }
@@ -33,7 +33,7 @@ final class StreamControl {
                 drone,
                 ControlAction.named(action)
                         .orElseThrow(() -> InvalidInput.outside("action", ACTIONS, "\"" + action + "\"")),
-                new ControlRequestView(message.reason(), message.user(), message.epoch()));
-        return new StreamMessage.ControlAnswer(message.requestId(), drone, answer.waiting(), answer.control());
+                new ControlRequestView(request.reason(), request.user(), request.epoch()));
+        return new StreamMessage.ControlAnswer(request.requestId(), drone, answer.waiting(), answer.control());
     }
 }

@@ -12,6 +12,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.dronemap.ws.service.Alternatives;
 import org.jspecify.annotations.Nullable;
 
 /** Makes records whose members are always the same. */
@@ -63,6 +64,12 @@ final class RecordSample {
         }
         if (raw.isRecord()) {
             return within.contains(raw) ? null : made(canonical(raw));
+        }
+        Class<?> alternative = Alternatives.of(raw)
+                .map(all -> all.records().values().iterator().next())
+                .orElse(null);
+        if (alternative != null) {
+            return made(canonical(alternative));
         }
         return raw.isEnum() ? raw.getEnumConstants()[0] : plain(raw);
     }

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.dronemap.ws.service.Alternatives;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -50,6 +51,10 @@ final class RecordShape {
         }
         within.push(record);
         List<String> known = new ArrayList<>();
+        Alternatives.with(record).ifPresent(all -> {
+            known.add(all.member());
+            lines.add(path + all.member() + ": always \"" + all.nameOf(record) + "\"");
+        });
         for (RecordComponent component : record.getRecordComponents()) {
             String name = nameOf(component);
             known.add(name);
@@ -87,7 +92,14 @@ final class RecordShape {
             member(path + ".*", inner(type, 1), full.path("text"), below == null ? null : below.path("text"));
         } else if (raw.isRecord()) {
             members(path + ".", raw, full, below);
+        } else {
+            Alternatives.of(raw).ifPresent(all -> all.records().forEach((name, one) -> alternative(path, name, one)));
         }
+    }
+
+    private void alternative(String path, String name, Class<?> record) {
+        JsonNode whole = mapper.valueToTree(new RecordSample(true).of(record));
+        members(path + "(" + name + ").", record, whole, mapper.valueToTree(new RecordSample(false).of(record)));
     }
 
     private static AnnotatedType inner(AnnotatedType type, int index) {
@@ -105,7 +117,9 @@ final class RecordShape {
                             .map(mapper::writeValueAsString)
                             .toList();
         }
-        if (raw.isRecord() || Map.class.isAssignableFrom(raw)) {
+        if (raw.isRecord()
+                || Map.class.isAssignableFrom(raw)
+                || Alternatives.of(raw).isPresent()) {
             return "object";
         }
         if (Collection.class.isAssignableFrom(raw)) {

@@ -1,0 +1,46 @@
+package org.dronemap.ws.service;
+
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The records that a body, or a part of one, may be, and the member that tells them apart.
+ *
+ * @param member the name of that member, such as {@code type}
+ * @param records by what that member says, in the order in which they are named to clients
+ */
+public record Alternatives(String member, Map<String, Class<?>> records) {
+    /** Those of a sealed type; empty: what is written as that type is of one form. */
+    public static Optional<Alternatives> of(Class<?> type) {
+        JsonTypeInfo told = type.getDeclaredAnnotation(JsonTypeInfo.class);
+        JsonSubTypes named = type.getDeclaredAnnotation(JsonSubTypes.class);
+        if (!type.isSealed() || told == null || named == null) {
+            return Optional.empty();
+        }
+        Map<String, Class<?>> records = new LinkedHashMap<>();
+        for (JsonSubTypes.Type one : named.value()) {
+            records.put(one.name(), one.value());
+        }
+        return Optional.of(new Alternatives(told.property(), records));
+    }
+
+    /** Those that a record is one of; empty: it is none. */
+    public static Optional<Alternatives> with(Class<?> record) {
+        return Arrays.stream(record.getInterfaces())
+                .flatMap(type -> of(type).stream())
+                .findFirst();
+    }
+
+    /** What the member says where it is that record. */
+    public String nameOf(Class<?> record) {
+        return records.entrySet().stream()
+                .filter(one -> one.getValue() == record)
+                .map(Map.Entry::getKey)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(record + " has no name among " + records.keySet()));
+    }
+}
