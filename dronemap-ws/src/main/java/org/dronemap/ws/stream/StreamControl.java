@@ -1,12 +1,10 @@
 package org.dronemap.ws.stream;
 
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Role;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.InvalidInput;
-import org.dronemap.ws.service.Roles;
 
 /** Answers what clients of the stream say about control. Any thread. */
 final class StreamControl {
@@ -19,21 +17,24 @@ final class StreamControl {
     }
 
     StreamMessage.ControlAnswer answer(Principal principal, StreamRequest.ActOnControl request) {
-        Roles.require(principal, Role.OPERATOR);
         String drone = request.drone();
-        String action = request.action();
         if (drone == null) {
             throw InvalidInput.missing("drone", "the id of a drone");
-        }
-        if (action == null) {
-            throw InvalidInput.missing("action", ACTIONS);
         }
         ControlService.Answer answer = controls.act(
                 principal,
                 drone,
-                ControlAction.named(action)
-                        .orElseThrow(() -> InvalidInput.outside("action", ACTIONS, "\"" + action + "\"")),
+                action(request),
                 new ControlRequestView(request.reason(), request.user(), request.epoch()));
         return new StreamMessage.ControlAnswer(request.requestId(), drone, answer.waiting(), answer.control());
+    }
+
+    static ControlAction action(StreamRequest.ActOnControl request) {
+        String action = request.action();
+        if (action == null) {
+            throw InvalidInput.missing("action", ACTIONS);
+        }
+        return ControlAction.named(action)
+                .orElseThrow(() -> InvalidInput.outside("action", ACTIONS, "\"" + action + "\""));
     }
 }

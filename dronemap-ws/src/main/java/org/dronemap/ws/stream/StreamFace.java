@@ -13,6 +13,7 @@ import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
@@ -74,8 +75,8 @@ public final class StreamFace implements AutoCloseable {
             GrantBook grants,
             AuditDesk desk) {}
 
-    /** How much users may do, and how many streams they may have. */
-    public record Bounds(Budgets budgets, StreamCrowd crowd) {}
+    /** How much users may do, how many streams they may have, and who may do what REST has, too. */
+    public record Bounds(Budgets budgets, StreamCrowd crowd, RestOperations operations) {}
 
     /** What is shown, and how. */
     public record Pictures(

@@ -1,22 +1,31 @@
 package org.dronemap.ws.stream;
 
 import org.dronemap.core.audit.Activity;
+import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.service.AuditNotes;
-import org.dronemap.ws.service.AuditRules;
 
 /** Notes what a client says, for the record that it leaves. */
 final class StreamNotes {
-    private static final String HEARTBEAT = "heartbeat";
 
     private StreamNotes() {}
+
+    /** It leaves the record that its rule says. */
+    static void note(Audit audit) {
+        Activity.current().ifPresent(call -> {
+            switch (audit) {
+                case REFUSALS_ONLY -> call.leaveOutUnlessTurnedAway();
+                case LEFT_OUT, ONLY_LOOKS -> call.leaveOut();
+                case BY_METHOD, RECORDED, RECORDED_WITH_PLACE -> {}
+            }
+        });
+    }
 
     static void note(StreamRequest request) {
         Activity.current().ifPresent(call -> note(call, request));
     }
 
     private static void note(Activity call, StreamRequest request) {
-        String type = request.kind().word();
-        call.operation(type);
+        call.operation(request.kind().word());
         String drone = request.drone();
         if (drone != null) {
             call.drone(AuditNotes.told(drone));
@@ -29,12 +38,6 @@ final class StreamNotes {
                     AuditNotes.summaryOf(
                             "action", control.action(), "user", control.user(), "reason", control.reason()),
                     "");
-        }
-        if (AuditRules.leavesOutStream(type)
-                || (request instanceof StreamRequest.ActOnControl control && HEARTBEAT.equals(control.action()))) {
-            call.leaveOut();
-        } else if (AuditRules.recordsElsewhere(type)) {
-            call.leaveOutUnlessTurnedAway();
         }
     }
 }

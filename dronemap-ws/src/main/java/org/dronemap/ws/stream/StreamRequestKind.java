@@ -2,7 +2,7 @@ package org.dronemap.ws.stream;
 
 import org.dronemap.ws.service.WireNames;
 
-/** What there is of requests on the stream. */
+/** What there is of requests on the stream; {@link StreamRules} says by what each is judged. */
 enum StreamRequestKind {
     AUTHENTICATE,
     COMMAND,

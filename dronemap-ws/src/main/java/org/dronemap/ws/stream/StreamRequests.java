@@ -2,16 +2,15 @@ package org.dronemap.ws.stream;
 
 import com.fasterxml.jackson.annotation.JsonIgnoreProperties;
 import java.util.Arrays;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.AuditNotes;
@@ -31,7 +30,6 @@ import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.dronemap.ws.service.Roles;
 import org.dronemap.ws.service.WireNames;
-import org.dronemap.ws.service.Work;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -42,12 +40,9 @@ final class StreamRequests {
     private static final Logger LOG = LoggerFactory.getLogger(StreamRequests.class);
     private static final String TYPES = types();
 
-    /** Of these some cost nothing, as they are for safety. */
-    private static final Set<StreamRequestKind> PAID_ELSEWHERE = EnumSet.of(
-            StreamRequestKind.COMMAND, StreamRequestKind.CONTROL, StreamRequestKind.STEER, StreamRequestKind.LET_GO);
-
     private final Authentication authentication;
     private final Budgets budgets;
+    private final StreamRules rules;
     private final DroneService drones;
     private final CommandService commands;
     private final StreamControl controls;
@@ -65,6 +60,7 @@ final class StreamRequests {
     StreamRequests(StreamFace.Services services, StreamPhones phones) {
         this.authentication = services.entrance().authentication();
         this.budgets = services.entrance().bounds().budgets();
+        this.rules = new StreamRules(services.entrance().bounds().operations());
         this.drones = services.drones();
         this.commands = services.commands();
         this.controls = new StreamControl(services.reins().controls());
@@ -201,18 +197,27 @@ final class StreamRequests {
         }
     }
 
+    /** As the filters do with a request to REST. */
+    private void judge(Principal principal, AccessRule rule) {
+        StreamNotes.note(rule.audit());
+        rule.costs().work().forEach(work -> budgets.take(work, principal.name()));
+        Role least = rule.from().role();
+        if (least != null) {
+            Roles.requireRole(principal, least);
+        }
+    }
+
     private void answer(StreamClient client, StreamRequest request) {
         StreamNotes.note(request);
         if (request instanceof StreamRequest.Authenticate proof) {
+            StreamNotes.note(rules.rule(request).audit());
             authenticate(client, proof.key());
             return;
         }
         Principal principal = client.principal()
                 .orElseThrow(() -> Rejection.notSignedIn(
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
-        if (!PAID_ELSEWHERE.contains(request.kind())) {
-            budgets.take(Work.REQUEST, principal.name());
-        }
+        judge(principal, rules.rule(request));
         switch (request.kind()) {
             case AUTHENTICATE -> throw new IllegalStateException("It is authenticated before.");
             case COMMAND -> say(client, command(principal, (StreamRequest.GiveCommand) request));
@@ -242,7 +247,6 @@ final class StreamRequests {
 
     private StreamMessage.PositionsHeard positions(
             StreamClient client, Principal principal, StreamRequest.Positions request) {
-        Roles.require(principal, Role.OPERATOR);
         String follow = request.follow();
         if (follow == null) {
             throw InvalidInput.missing("follow", "the id of a follow");
