@@ -191,7 +191,7 @@ final class HouseRules {
             .whereLayer("guard")
             .mayOnlyBeAccessedByLayers("wiring")
             .whereLayer("access")
-            .mayOnlyBeAccessedByLayers("security", "rest", "wiring")
+            .mayOnlyBeAccessedByLayers("security", "rest", "stream", "wiring")
             .whereLayer("security")
             .mayOnlyBeAccessedByLayers("guard", "rest", "soap", "stream", "wiring");
 
