@@ -1888,12 +1888,18 @@ export interface components {
         /** @description Why a request was not carried out (RFC 9457); the detail is a sentence for people. */
         Problem: {
             allowed?: string;
+            /** @description Why exactly, for programs; docs/problems.md lists them */
+            code: string;
             commandId?: string;
             detail: string;
             field?: string;
             /** Format: date-time */
             heldSince?: string;
             holder?: string;
+            /** @description What the detail is about; which of them come with which code, docs/problems.md tells */
+            parameters: {
+                [key: string]: string | number | boolean;
+            };
             /** Format: int64 */
             retryAfterSeconds?: number;
             /** Format: int32 */

@@ -7,6 +7,8 @@ export class Problem extends Error {
   readonly allowed: string | null;
   readonly commandId: string | null;
   readonly type: string;
+  /** Why exactly, for programs; empty where no problem was told. */
+  readonly code: string;
 
   constructor(body: ProblemBody) {
     super(sentenceOf(body));
@@ -16,6 +18,7 @@ export class Problem extends Error {
     this.allowed = body.allowed ?? null;
     this.commandId = body.commandId ?? null;
     this.type = body.type ?? '';
+    this.code = body.code ?? '';
   }
 
   /** There was a session, and the cloud no longer knows it. */

@@ -36,6 +36,7 @@ describe('REST client', () => {
   it('turns a problem into a sentence with field and allowed range', async () => {
     const [client] = answering(422, {
       detail: 'Latitude 95 is not on Earth.',
+      code: 'value-out-of-range',
       field: 'latitude',
       allowed: '-90 to 90 degrees',
     });
@@ -45,6 +46,7 @@ describe('REST client', () => {
     expect(problem).toBeInstanceOf(Problem);
     expect(problem).toMatchObject({
       status: 422,
+      code: 'value-out-of-range',
       field: 'latitude',
       message: 'Latitude 95 is not on Earth. Allowed: -90 to 90 degrees.',
     });

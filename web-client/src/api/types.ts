@@ -96,6 +96,8 @@ export interface ProblemBody {
   title?: string;
   status: number;
   detail?: string;
+  code?: string;
+  parameters?: Record<string, string | number | boolean>;
   field?: string;
   allowed?: string;
   commandId?: string;

@@ -232,7 +232,7 @@ class FloodTest {
         assertThat(rest.text("detail")).startsWith("More than 1 commands a second");
         assertThat(broadcast.status()).isEqualTo(429);
         assertThat(bySoap(operator, "arm"))
-                .contains("<code>throttled</code>", "<retryAfterSeconds>")
+                .contains("problem:throttled</type>", "<retryAfterSeconds>")
                 .containsPattern("<faultcode>\\w+:Client</faultcode>");
         try (StreamListener stream = StreamListener.withKey(thrifty, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));

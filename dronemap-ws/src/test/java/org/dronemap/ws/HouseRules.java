@@ -1,6 +1,7 @@
 package org.dronemap.ws;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
@@ -12,6 +13,7 @@ import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaAnnotation;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaField;
 import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.ConditionEvents;
@@ -25,6 +27,7 @@ import org.dronemap.proxy.endpoint.BoundedDraft;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.service.PasswordHashing;
+import org.dronemap.ws.service.ProblemCode;
 import org.java_websocket.client.WebSocketClient;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.drafts.Draft_6455;
@@ -188,7 +191,7 @@ final class HouseRules {
             .whereLayer("guard")
             .mayOnlyBeAccessedByLayers("wiring")
             .whereLayer("access")
-            .mayOnlyBeAccessedByLayers("security", "rest", "wiring")
+            .mayOnlyBeAccessedByLayers("security", "rest", "stream", "wiring")
             .whereLayer("security")
             .mayOnlyBeAccessedByLayers("guard", "rest", "soap", "stream", "wiring");
 
@@ -207,6 +210,23 @@ final class HouseRules {
             .should()
             .beAnnotatedWith(Access.class)
             .as("each handler says who may call it");
+
+    static final ArchRule EACH_CODE_OF_A_PROBLEM_IS_TOLD = fields().that()
+            .areDeclaredInClassesThat()
+            .implement(ProblemCode.class)
+            .should(new ArchCondition<JavaField>("be told by something else than the catalogue") {
+                @Override
+                public void check(JavaField field, ConditionEvents events) {
+                    JavaClass catalogue = field.getOwner();
+                    boolean isCode = field.getRawType().equals(catalogue);
+                    boolean told = field.getAccessesToSelf().stream()
+                            .anyMatch(access -> !access.getOriginOwner().equals(catalogue));
+                    if (isCode && !told) {
+                        events.add(SimpleConditionEvent.violated(field, field.getFullName() + " is told by nothing"));
+                    }
+                }
+            })
+            .as("each code of the catalogue of problems is told by something");
 
     static final ArchRule ONLY_THE_WIRING_SEES_LINKS_AND_STORES = noClasses()
             .that()

@@ -21,6 +21,7 @@ import org.dronemap.ws.house.RightsTable.Caller;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.StreamWords;
 import org.dronemap.ws.house.TestHouse;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -199,7 +200,7 @@ class RightsTest {
             }
             // A reporter is shown out before saying anything.
             if (inside || caller == Caller.NOBODY) {
-                stream.send("{\"type\":\"" + type + "\",\"drone\":\"nosuchdrone\",\"command\":{\"type\":\"land\"}}");
+                stream.send(StreamWords.about("nosuchdrone", type));
             }
             if (inside) {
                 // What has no answer of its own is followed by what has.

@@ -61,10 +61,11 @@ class SoapFaultsTest {
 
         assertThat(badValue)
                 .containsPattern(OF_THE_CALLER)
-                .contains("<type>urn:dronemap:problem:invalid-value</type>", "<field>latitude</field>")
+                .contains("<code>value-out-of-range</code>", "problem:invalid-value</type>")
+                .contains("<field>latitude</field>")
                 .contains("<allowed>-90 to 90 degrees</allowed>");
-        assertThat(stranger).containsPattern(OF_THE_CALLER).contains("<type>urn:dronemap:problem:not-signed-in</type>");
-        assertThat(unknown).containsPattern(OF_THE_CALLER).contains("<type>urn:dronemap:problem:unknown</type>");
+        assertThat(stranger).containsPattern(OF_THE_CALLER).contains("<code>sign-in-needed</code>");
+        assertThat(unknown).containsPattern(OF_THE_CALLER).contains("<code>drone-unknown</code>");
     }
 
     static Stream<Arguments> unreadableValues() {
@@ -86,7 +87,7 @@ class SoapFaultsTest {
     void namesTheFieldAndWhatIsAllowed(String operation, String field, String allowed) {
         assertThat(fault(operation))
                 .containsPattern(OF_THE_CALLER)
-                .contains("<type>urn:dronemap:problem:invalid-value</type>", "<field>" + field + "</field>")
+                .contains("<code>value-malformed</code>", "<field>" + field + "</field>")
                 .contains("<allowed>" + allowed + "</allowed>")
                 .contains("\"" + field + "\" must be " + allowed + ".")
                 .doesNotContain("Unmarshalling", "Exception");

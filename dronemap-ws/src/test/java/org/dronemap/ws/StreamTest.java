@@ -179,7 +179,7 @@ class StreamTest {
 
             Waiting.until("the deaf one is closed", () -> {
                 for (int count = 0; count < 50; count++) {
-                    face.commandChanged(large);
+                    face.news().commandChanged(large);
                 }
                 return clients() == 1 ? Optional.of(true) : Optional.empty();
             });

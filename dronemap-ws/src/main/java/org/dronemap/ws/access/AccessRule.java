@@ -6,7 +6,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * The rule for one request.
  *
- * @param operation what it is dispatched to; null: there is nothing at the address, or it does not take the method
+ * @param operation what it is dispatched to; null: there is nothing at the address, it does not take the method, or REST does
+ *     not have it
  */
 public record AccessRule(
         From from, Cost costs, Audit audit, @Nullable RestOperation operation) {

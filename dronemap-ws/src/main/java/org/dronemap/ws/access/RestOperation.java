@@ -1,9 +1,14 @@
 package org.dronemap.ws.access;
 
+import org.jspecify.annotations.Nullable;
 import org.springframework.web.util.pattern.PathPattern;
 
-/** A method and an address that a handler is mapped to, and what its {@link Access} says. */
-public record RestOperation(String method, PathPattern pattern, Access access) {
+/**
+ * A method and an address that a handler is mapped to, and what its {@link Access} says.
+ *
+ * @param id as the description of REST calls it; null: it has no description
+ */
+public record RestOperation(@Nullable String id, String method, PathPattern pattern, Access access) {
     /** As the table of who may do what has it. */
     public String name() {
         return method + " " + pattern.getPatternString();

@@ -1,5 +1,6 @@
 package org.dronemap.ws.access;
 
+import io.swagger.v3.oas.annotations.Operation;
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.Comparator;
 import java.util.List;
@@ -63,10 +64,12 @@ public final class RestOperations implements SmartInitializingSingleton {
                             + handler.getMethod().getName()
                             + " has no @Access; say there who may call it, and what it is about.");
         }
+        Operation described = AnnotatedElementUtils.findMergedAnnotation(handler.getMethod(), Operation.class);
+        String id = described == null ? null : described.operationId();
         var patterns = mapping.getPathPatternsCondition();
         Set<PathPattern> addresses = patterns == null ? Set.of() : patterns.getPatterns();
         return addresses.stream()
-                .flatMap(pattern -> methods(mapping).map(method -> new RestOperation(method, pattern, access)));
+                .flatMap(pattern -> methods(mapping).map(method -> new RestOperation(id, method, pattern, access)));
     }
 
     /** One that names none takes all of them. */
@@ -83,6 +86,15 @@ public final class RestOperations implements SmartInitializingSingleton {
         AccessRule rule = find(request.getMethod(), PathContainer.parsePath(request.getRequestURI()));
         request.setAttribute(RULE, rule);
         return rule;
+    }
+
+    /** The rule for what another face has done as the operation with that id. */
+    public AccessRule rule(String id) {
+        return all().stream()
+                .filter(operation -> id.equals(operation.id()))
+                .findFirst()
+                .map(AccessRule::of)
+                .orElseThrow(() -> new IllegalArgumentException("There is no operation of REST called " + id + "."));
     }
 
     private AccessRule find(String method, PathContainer path) {

@@ -12,7 +12,7 @@ import java.util.Set;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.RequestProblem;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
@@ -66,8 +66,8 @@ public final class OriginalAddresses extends OncePerRequestFilter {
         } else {
             problems.write(
                     response,
-                    Problem.of(new Rejection(
-                            RejectionKind.UNKNOWN,
+                    Problem.of(Rejection.of(
+                            RequestProblem.ADDRESS_UNKNOWN,
                             "There is nothing at " + request.getRequestURI() + " on this port; it has " + address.path()
                                     + ".")));
         }

@@ -4,8 +4,9 @@ import jakarta.servlet.ReadListener;
 import jakarta.servlet.ServletInputStream;
 import java.io.IOException;
 import java.net.SocketTimeoutException;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.RequestProblem;
 
 /** A request's body that may have so many bytes and take so long. Owned by the request's thread. */
 final class BoundedBody extends ServletInputStream {
@@ -74,11 +75,15 @@ final class BoundedBody extends ServletInputStream {
     static Rejection tooLarge(long mostBytes) {
         long megabytes = mostBytes / BodyLimitFilter.MEGABYTE;
         String most = megabytes > 0 ? megabytes + " MB" : mostBytes / BodyLimitFilter.KILOBYTE + " kB";
-        return new Rejection(RejectionKind.TOO_LARGE, "The body of this request may have at most " + most + ".");
+        return Rejection.of(
+                RequestProblem.BODY_TOO_LARGE,
+                "The body of this request may have at most " + most + ".",
+                ProblemParameter.MOST.is(mostBytes),
+                ProblemParameter.UNIT.is("bytes"));
     }
 
     private static Rejection tooSlow() {
-        return new Rejection(RejectionKind.TOO_SLOW, "The body of this request came too slowly; send it again.");
+        return Rejection.of(RequestProblem.BODY_TOO_SLOW, "The body of this request came too slowly; send it again.");
     }
 
     @Override

@@ -12,6 +12,8 @@ import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.core.link.Host;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.ProblemParameter;
+import org.dronemap.ws.service.ServerProblem;
 import org.dronemap.ws.service.Throttled;
 import org.springframework.web.filter.OncePerRequestFilter;
 
@@ -46,8 +48,10 @@ public final class CrowdFilter extends OncePerRequestFilter {
                 problems.write(
                         response,
                         Problem.of(Throttled.of(
+                                ServerProblem.ADDRESS_CROWDED,
                                 "More than " + most + " requests of your address are being answered",
-                                Duration.ofSeconds(1))));
+                                Duration.ofSeconds(1),
+                                ProblemParameter.MOST.is(most))));
                 return;
             }
             chain.doFilter(request, response);

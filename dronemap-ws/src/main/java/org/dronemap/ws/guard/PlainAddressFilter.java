@@ -8,7 +8,7 @@ import java.io.IOException;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.RequestProblem;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
@@ -34,8 +34,8 @@ public final class PlainAddressFilter extends OncePerRequestFilter {
         } else {
             problems.write(
                     response,
-                    Problem.of(new Rejection(
-                            RejectionKind.MALFORMED,
+                    Problem.of(Rejection.of(
+                            RequestProblem.ADDRESS_NOT_PLAIN,
                             "The address must be written plainly: without empty, '.' or '..' parts, without ';', and"
                                     + " with '%' only for what cannot stand in an address otherwise.")));
         }

@@ -5,9 +5,13 @@ import io.swagger.v3.oas.models.Components;
 import io.swagger.v3.oas.models.OpenAPI;
 import io.swagger.v3.oas.models.info.Info;
 import io.swagger.v3.oas.models.info.License;
+import io.swagger.v3.oas.models.media.Schema;
 import io.swagger.v3.oas.models.security.SecurityRequirement;
 import io.swagger.v3.oas.models.security.SecurityScheme;
 import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
 import org.dronemap.ws.service.Problem;
 
 /** What stands at the head of the OpenAPI description. */
@@ -26,7 +30,7 @@ public final class ApiDescription {
                                         + " for people. Programs send an access key as Authorization: Bearer KEY; a browser's"
                                         + " session has to send X-Dronemap: 1 with every change.")
                         .license(new License().name("Apache-2.0").url("https://www.apache.org/licenses/LICENSE-2.0")))
-                .components(new Components()
+                .components(typed(new Components()
                         .schemas(new LinkedHashMap<>(
                                 ModelConverters.getInstance(true).readAll(Problem.class)))
                         .addSecuritySchemes(
@@ -39,8 +43,21 @@ public final class ApiDescription {
                                 new SecurityScheme()
                                         .type(SecurityScheme.Type.APIKEY)
                                         .in(SecurityScheme.In.COOKIE)
-                                        .name("dronemap-session")))
+                                        .name("dronemap-session"))))
                 .addSecurityItem(new SecurityRequirement().addList("accessKey"))
                 .addSecurityItem(new SecurityRequirement().addList("session"));
+    }
+
+    /** Its parameters are texts, numbers or truths, which the type of their map does not say. */
+    private static Components typed(Components components) {
+        Schema<?> problem = Objects.requireNonNull(components.getSchemas().get("Problem"));
+        Schema<?> parameters = Objects.requireNonNull(problem.getProperties().get("parameters"));
+        parameters.setAdditionalProperties(
+                new Schema<>().oneOf(List.of(type("string"), type("number"), type("boolean"))));
+        return components;
+    }
+
+    private static Schema<?> type(String name) {
+        return new Schema<>().types(Set.of(name));
     }
 }

@@ -6,6 +6,8 @@ import java.util.concurrent.CompletableFuture;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.ProblemParameter;
+import org.dronemap.ws.service.ValueProblem;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -36,7 +38,14 @@ final class CommandAnswer {
             return Duration.ZERO;
         }
         if (!(seconds >= 0 && seconds <= LONGEST_WAIT_SECONDS)) {
-            throw InvalidInput.outside("wait", "0 to " + LONGEST_WAIT_SECONDS + " seconds", seconds);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "wait",
+                    "0 to " + LONGEST_WAIT_SECONDS + " seconds",
+                    seconds,
+                    ProblemParameter.LEAST.is(0),
+                    ProblemParameter.MOST.is(LONGEST_WAIT_SECONDS),
+                    ProblemParameter.UNIT.is("seconds"));
         }
         return Duration.ofMillis(Math.round(seconds * 1000));
     }

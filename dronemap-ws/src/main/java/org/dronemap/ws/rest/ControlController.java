@@ -118,7 +118,7 @@ public class ControlController {
     }
 
     @DeleteMapping
-    @Access(from = From.PLANNER, about = About.DRONE)
+    @Access(from = From.PLANNER, about = About.DRONE, costs = Cost.NOTHING)
     @Answers({200, 202})
     @Operation(operationId = "releaseControl", summary = "Give control back (holder)")
     public ResponseEntity<ControlView> release(@PathVariable String id) {

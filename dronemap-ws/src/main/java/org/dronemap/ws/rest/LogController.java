@@ -7,6 +7,7 @@ import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.SoapName;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.LogService;
@@ -52,6 +53,7 @@ public class LogController {
     @PostMapping("/refresh")
     @Access(from = From.OPERATOR, about = About.DRONE)
     @Answers({200, 202})
+    @SoapName("refreshLogs")
     @Operation(operationId = "readLogs", summary = "Ask the vehicle for the list of its logs (operator)")
     public ResponseEntity<CommandView> refresh(@PathVariable String id) {
         return CommandAnswer.of(logs.refresh(current.caller(), id));

@@ -15,6 +15,7 @@ import org.dronemap.ws.access.WithoutSoap;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SessionCookie;
 import org.dronemap.ws.security.oidc.OidcSignIn;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
@@ -92,8 +93,9 @@ public class OidcController {
     }
 
     private OidcSignIn oidc() {
-        return signIn.orElseThrow(() -> new Rejection(
-                RejectionKind.UNKNOWN, "There is no other provider to sign in with; sign in by name and password."));
+        return signIn.orElseThrow(() -> Rejection.of(
+                AccessProblem.NO_OTHER_PROVIDER,
+                "There is no other provider to sign in with; sign in by name and password."));
     }
 
     /** The way back begins at another site, which a strict cookie would not be sent from. */

@@ -12,6 +12,7 @@ import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.SoapName;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
@@ -62,6 +63,7 @@ public class ParameterController {
     @PostMapping("/refresh")
     @Access(from = From.OPERATOR, about = About.DRONE)
     @Answers({200, 202})
+    @SoapName("refreshParameters")
     @Operation(
             operationId = "readParameters",
             summary = "Read all parameters from the vehicle (operator)",

@@ -11,8 +11,11 @@ import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.RequestProblem;
+import org.dronemap.ws.service.ValueProblem;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -52,7 +55,9 @@ public class ProblemAdvice {
         JacksonException json = causeOf(e, JacksonException.class);
         return answer(
                 json == null
-                        ? Rejection.malformed("A JSON object is needed as the body of this request.")
+                        ? Rejection.of(
+                                RequestProblem.BODY_NOT_AN_OBJECT,
+                                "A JSON object is needed as the body of this request.")
                         : JsonReader.rejection(json));
     }
 
@@ -69,8 +74,11 @@ public class ProblemAdvice {
     public ResponseEntity<Problem> wrongParameter(MethodArgumentTypeMismatchException e) {
         Class<?> type = e.getRequiredType();
         boolean number = type != null && (Number.class.isAssignableFrom(type) || type.isPrimitive());
-        return answer(
-                InvalidInput.outside(e.getName(), number ? "a number" : "another value", "\"" + e.getValue() + "\""));
+        return answer(InvalidInput.outside(
+                ValueProblem.VALUE_MALFORMED,
+                e.getName(),
+                number ? "a number" : "another value",
+                "\"" + e.getValue() + "\""));
     }
 
     @ExceptionHandler(MissingServletRequestParameterException.class)
@@ -84,8 +92,11 @@ public class ProblemAdvice {
         String allowed = supported == null
                 ? "another method"
                 : supported.stream().map(HttpMethod::name).sorted().collect(Collectors.joining(", "));
-        Rejection rejection = new Rejection(
-                RejectionKind.METHOD, "This address does not take " + e.getMethod() + "; it takes " + allowed + ".");
+        Rejection rejection = Rejection.of(
+                RequestProblem.METHOD_NOT_TAKEN,
+                "This address does not take " + e.getMethod() + "; it takes " + allowed + ".",
+                ProblemParameter.METHOD.is(e.getMethod()),
+                ProblemParameter.ALLOWED.is(allowed));
         return ResponseEntity.status(RejectionKind.METHOD.status())
                 .header("Allow", allowed)
                 .contentType(MediaType.APPLICATION_PROBLEM_JSON)
@@ -94,33 +105,38 @@ public class ProblemAdvice {
 
     @ExceptionHandler(HttpMediaTypeNotSupportedException.class)
     public ResponseEntity<Problem> wrongContent(HttpMediaTypeNotSupportedException e) {
-        return answer(new Rejection(
-                RejectionKind.MEDIA_TYPE,
-                "The body must be "
-                        + e.getSupportedMediaTypes().stream()
-                                .map(MediaType::toString)
-                                .filter(type -> !type.contains("+") && !type.contains("*") && !type.contains("yaml"))
-                                .distinct()
-                                .collect(Collectors.joining(" or "))
-                        + "; say so in Content-Type."));
+        String allowed = e.getSupportedMediaTypes().stream()
+                .map(MediaType::toString)
+                .filter(type -> !type.contains("+") && !type.contains("*") && !type.contains("yaml"))
+                .distinct()
+                .collect(Collectors.joining(" or "));
+        return answer(Rejection.of(
+                RequestProblem.CONTENT_TYPE_NOT_TAKEN,
+                "The body must be " + allowed + "; say so in Content-Type.",
+                ProblemParameter.ALLOWED.is(allowed)));
     }
 
     /** The web server's own reader of forms, which no address takes. */
     @ExceptionHandler(InvalidParameterException.class)
     public ResponseEntity<Problem> form(InvalidParameterException e) {
-        return answer(new Rejection(RejectionKind.MEDIA_TYPE, "No address here takes forms; send JSON."));
+        return answer(Rejection.of(
+                RequestProblem.CONTENT_TYPE_NOT_TAKEN,
+                "No address here takes forms; send JSON.",
+                ProblemParameter.ALLOWED.is(MediaType.APPLICATION_JSON_VALUE)));
     }
 
     @ExceptionHandler(HttpMediaTypeNotAcceptableException.class)
     public ResponseEntity<Problem> wrongAccept(HttpMediaTypeNotAcceptableException e) {
-        return answer(new Rejection(RejectionKind.MEDIA_TYPE, "The answer is JSON; the Accept header rules that out."));
+        return answer(Rejection.of(
+                RequestProblem.ANSWER_TYPE_NOT_SERVED, "The answer is JSON; the Accept header rules that out."));
     }
 
     @ExceptionHandler(NoResourceFoundException.class)
     public ResponseEntity<Problem> noSuchAddress(HttpServletRequest request) {
-        return answer(new Rejection(
-                RejectionKind.UNKNOWN,
-                "There is nothing at " + request.getRequestURI() + "; /api/docs lists the addresses."));
+        return answer(Rejection.of(
+                RequestProblem.ADDRESS_UNKNOWN,
+                "There is nothing at " + request.getRequestURI() + "; /api/docs lists the addresses.",
+                ProblemParameter.ADDRESS.is(request.getRequestURI())));
     }
 
     /** The client went away while the answer was on its way: nobody to answer. */

@@ -56,7 +56,6 @@ public class SessionController {
 
     @GetMapping
     @Access(from = From.SIGNED_IN, about = About.OWN)
-    @WithoutSoap("A browser's session is a cookie; a call of SOAP says itself who calls.")
     @Operation(operationId = "getSession", summary = "Who is signed in")
     public Authentication.SessionView session() {
         return authentication.session(current.signedIn());

@@ -11,6 +11,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.access.From;
 import org.dronemap.ws.access.RestOperations;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
@@ -84,7 +85,7 @@ public final class AccessFilter extends OncePerRequestFilter {
     private static Rejection noCaller(HttpServletRequest request) {
         return SessionCookie.read(request).isPresent()
                 ? Rejection.sessionEnded()
-                : Rejection.notSignedIn("Sign in first, or send an access key.");
+                : Rejection.of(AccessProblem.SIGN_IN_NEEDED, "Sign in first, or send an access key.");
     }
 
     private Optional<SignedIn> identify(HttpServletRequest request) {
@@ -98,7 +99,8 @@ public final class AccessFilter extends OncePerRequestFilter {
         }
         Optional<SignedIn> caller = SessionCookie.read(request).flatMap(authentication::bySession);
         if (caller.isPresent() && !READING.contains(request.getMethod()) && request.getHeader("X-Dronemap") == null) {
-            throw Rejection.forbidden(
+            throw Rejection.of(
+                    AccessProblem.SESSION_HEADER_MISSING,
                     "A change with a browser's session needs the header X-Dronemap: 1, which other sites cannot send.");
         }
         return caller;
@@ -106,7 +108,9 @@ public final class AccessFilter extends OncePerRequestFilter {
 
     private static String bearer(@Nullable String header) {
         if (header == null || !header.regionMatches(true, 0, BEARER, 0, BEARER.length())) {
-            throw Rejection.notSignedIn("The Authorization header must be: Bearer, a space, and an access key.");
+            throw Rejection.of(
+                    AccessProblem.AUTHORIZATION_UNREADABLE,
+                    "The Authorization header must be: Bearer, a space, and an access key.");
         }
         return header.substring(BEARER.length()).strip();
     }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.concurrent.Semaphore;
 import java.util.function.Supplier;
 import org.dronemap.ws.service.PasswordHashing;
+import org.dronemap.ws.service.ServerProblem;
 import org.dronemap.ws.service.Throttled;
 import org.springframework.security.crypto.argon2.Argon2PasswordEncoder;
 
@@ -44,7 +45,7 @@ public final class Argon2Passwords implements PasswordHashing {
 
     private <T> T inTurn(Supplier<T> work) {
         if (!waiting.tryAcquire()) {
-            throw Throttled.of("Too many people are signing in at this moment", WAIT);
+            throw Throttled.of(ServerProblem.SIGN_INS_CROWDED, "Too many people are signing in at this moment", WAIT);
         }
         try {
             atOnce.acquireUninterruptibly();

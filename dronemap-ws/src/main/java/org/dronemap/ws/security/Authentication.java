@@ -19,6 +19,7 @@ import org.dronemap.core.access.User;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.OwnPassword;
@@ -136,7 +137,8 @@ public final class Authentication implements OwnPassword {
 
     /** A key never does more than its owner may now. */
     public SignedIn byKey(String key) {
-        SignedIn caller = byKeyHash(Secrets.hash(key)).orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
+        SignedIn caller =
+                byKeyHash(Secrets.hash(key)).orElseThrow(() -> Rejection.of(AccessProblem.ACCESS_KEY_WRONG, WRONG_KEY));
         isKnown(caller.principal(), null);
         String id = caller.principal().key();
         if (id != null) {
@@ -214,10 +216,10 @@ public final class Authentication implements OwnPassword {
     public void admit(SignedIn caller) {
         Optional<String> closed = firstPassword.closed();
         if (closed.isPresent()) {
-            throw Rejection.forbidden(closed.get());
+            throw Rejection.of(AccessProblem.FIRST_PASSWORD_SEEN, closed.get());
         }
         if (caller.passwordSeen() && !firstPassword.mayStay(caller.principal().name())) {
-            throw Rejection.forbidden(PASSWORD_SEEN);
+            throw Rejection.of(AccessProblem.PASSWORD_SEEN, PASSWORD_SEEN);
         }
         Roles.require(caller.principal(), Role.VIEWER);
     }
@@ -237,7 +239,7 @@ public final class Authentication implements OwnPassword {
         // an unknown name takes as long as a wrong password, so that names cannot be found out
         boolean right = isRight(name, password, user.map(User::passwordHash).orElse(nobodysHash), address);
         if (!right || user.isEmpty()) {
-            throw Rejection.notSignedIn(WRONG);
+            throw Rejection.of(AccessProblem.CREDENTIALS_WRONG, WRONG);
         }
         return active(user.get());
     }
@@ -263,8 +265,12 @@ public final class Authentication implements OwnPassword {
         return switch (user.state()) {
             case ACTIVE -> user;
             case WAITING ->
-                throw Rejection.forbidden("Your account waits until an administrator lets you in; try again later.");
-            case DISABLED -> throw Rejection.forbidden("Your account has been disabled; ask an administrator.");
+                throw Rejection.of(
+                        AccessProblem.ACCOUNT_WAITS,
+                        "Your account waits until an administrator lets you in; try again later.");
+            case DISABLED ->
+                throw Rejection.of(
+                        AccessProblem.ACCOUNT_DISABLED, "Your account has been disabled; ask an administrator.");
         };
     }
 

@@ -3,6 +3,7 @@ package org.dronemap.ws.security;
 import jakarta.servlet.ServletRequest;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.Caller;
 import org.dronemap.ws.service.Rejection;
 import org.springframework.web.context.request.RequestAttributes;
@@ -18,7 +19,7 @@ public final class CurrentPrincipal {
         RequestAttributes request = RequestContextHolder.currentRequestAttributes();
         return Optional.ofNullable(request.getAttribute(ATTRIBUTE, RequestAttributes.SCOPE_REQUEST))
                 .map(SignedIn.class::cast)
-                .orElseThrow(() -> Rejection.notSignedIn("Sign in first, or send an access key."));
+                .orElseThrow(() -> Rejection.of(AccessProblem.SIGN_IN_NEEDED, "Sign in first, or send an access key."));
     }
 
     /** A 401 for strangers; what may be looked at by everybody who is signed in asks for no more. */

@@ -8,6 +8,7 @@ import org.apache.catalina.valves.ErrorReportValve;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RequestProblem;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -30,7 +31,8 @@ public final class RefusedByTomcat extends ErrorReportValve {
             return;
         }
         Problem problem = status == BAD_REQUEST
-                ? Problem.of(Rejection.malformed(
+                ? Problem.of(Rejection.of(
+                        RequestProblem.REQUEST_UNREADABLE,
                         "The request cannot be read: its address has a broken escape or a character that must be"
                                 + " escaped, or a header is malformed."))
                 : Problem.ofStatus(status);

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.dronemap.ws.service.ServerProblem;
 import org.dronemap.ws.service.Throttled;
 
 /**
@@ -66,7 +67,7 @@ final class SignInThrottle {
         if (left.isNegative() || left.isZero()) {
             return;
         }
-        throw Throttled.of("Too many wrong passwords", left);
+        throw Throttled.of(ServerProblem.ATTEMPTS_SPENT, "Too many wrong passwords", left);
     }
 
     private static Duration rest(int doublings) {

@@ -63,10 +63,14 @@ public final class AccessKeyService {
     /** A key made with a key stays within it, and goes with it. */
     public KeyView addKey(Principal principal, KeyRequest request) {
         if (store.user(principal.name()).isEmpty()) {
-            throw Rejection.forbidden("Only a user can own access keys; sign in as one.");
+            throw Rejection.of(AccessProblem.NO_OWN_ACCOUNT, "Only a user can own access keys; sign in as one.");
         }
         if (store.accessKeys(principal.name()).size() >= MOST_OF_ONE_OWNER) {
-            throw Rejection.conflict("You have " + MOST_OF_ONE_OWNER + " access keys; remove some first.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "You have " + MOST_OF_ONE_OWNER + " access keys; remove some first.",
+                    ProblemParameter.WHAT.is("access keys"),
+                    ProblemParameter.MOST.is(MOST_OF_ONE_OWNER));
         }
         Instant now = clock.instant();
         KeyRights widest = widest(principal);
@@ -93,7 +97,7 @@ public final class AccessKeyService {
         AccessKey key = find(principal, id);
         String secret = secrets.token();
         if (!store.replaceSecret(principal.name(), id, Secrets.hash(secret))) {
-            throw Rejection.unknown("access key", id);
+            throw Rejection.unknown(UnknownProblem.ACCESS_KEY, id);
         }
         accounts.tell(principal.name());
         return KeyView.of(key, secret);
@@ -106,7 +110,7 @@ public final class AccessKeyService {
 
     private void remove(String owner, String id) {
         if (!store.deleteAccessKey(owner, id)) {
-            throw Rejection.unknown("access key", id);
+            throw Rejection.unknown(UnknownProblem.ACCESS_KEY, id);
         }
         accounts.tell(owner);
     }
@@ -116,7 +120,7 @@ public final class AccessKeyService {
         return store.accessKeys(principal.name()).stream()
                 .filter(key -> key.id().equals(id) && within.contains(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("access key", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ACCESS_KEY, id));
     }
 
     /** The key that was shown and all made from it; without one, all of the user's. */
@@ -153,22 +157,36 @@ public final class AccessKeyService {
     private static Rejection refusal(KeyRights.Excess excess, Principal principal) {
         return switch (excess) {
             case ROLE ->
-                Rejection.forbidden(
-                        "A key cannot do more than its owner, who is " + WireNames.camel(principal.role()) + ".");
+                Rejection.of(
+                        AccessProblem.KEY_TOO_WIDE,
+                        "A key cannot do more than its owner, who is " + WireNames.camel(principal.role()) + ".",
+                        ProblemParameter.CLOSED_BY.is("role"));
             case DRONES ->
-                Rejection.forbidden(
-                        "A key made with this one cannot reach drones other than " + drones(principal) + ".");
+                Rejection.of(
+                        AccessProblem.KEY_TOO_WIDE,
+                        "A key made with this one cannot reach drones other than " + drones(principal) + ".",
+                        ProblemParameter.CLOSED_BY.is("drones"));
             case PERMISSIONS ->
-                Rejection.forbidden("A key made with this one can do no more than " + operations(principal) + ".");
+                Rejection.of(
+                        AccessProblem.KEY_TOO_WIDE,
+                        "A key made with this one can do no more than " + operations(principal) + ".",
+                        ProblemParameter.CLOSED_BY.is("operations"));
             case AREA -> beyond(KeyArea.FIELD, "within " + area(principal));
             case ALTITUDE -> beyond("ceiling", heights(principal));
-            case EXPIRY -> Rejection.forbidden("A key made with this one cannot last longer than it.");
+            case EXPIRY ->
+                Rejection.of(
+                        AccessProblem.KEY_TOO_WIDE,
+                        "A key made with this one cannot last longer than it.",
+                        ProblemParameter.CLOSED_BY.is("expiry"));
         };
     }
 
     private static Rejection beyond(String field, String allowed) {
         return new InvalidInput(
-                field, allowed, "\"" + field + "\" of a key made with this one must be " + allowed + ".");
+                ValueProblem.KEY_BOUNDS_TOO_WIDE,
+                field,
+                allowed,
+                "\"" + field + "\" of a key made with this one must be " + allowed + ".");
     }
 
     private static String area(Principal principal) {

@@ -36,21 +36,30 @@ public final class AccountService {
     /** Ends every session of the user but the one kept. {@code address}: where it is asked for. */
     public void changePassword(Principal principal, String keepTokenHash, PasswordRequest request, String address) {
         User user = store.user(principal.name())
-                .orElseThrow(() -> Rejection.forbidden("Only a user who signed in by password has one to change."));
+                .orElseThrow(() -> Rejection.of(
+                        AccessProblem.NO_OWN_ACCOUNT, "Only a user who signed in by password has one to change."));
         if (isLimited(principal, user)) {
-            throw Rejection.forbidden("A limited access key changes no password; sign in to do this.");
+            throw Rejection.of(
+                    AccessProblem.KEY_LIMITED, "A limited access key changes no password; sign in to do this.");
         }
         String current = request.current();
         if (current == null) {
             throw InvalidInput.missing("current", "your present password");
         }
         if (!ownPassword.isOf(user, current, address)) {
-            throw new InvalidInput("current", "your present password", "The present password is not right.");
+            throw new InvalidInput(
+                    ValueProblem.PRESENT_PASSWORD_WRONG,
+                    "current",
+                    "your present password",
+                    "The present password is not right.");
         }
         String next = PasswordRule.acceptable("next", request.next());
         if (next.equals(current)) {
             throw new InvalidInput(
-                    "next", "another password", "The new password must be another one than the present.");
+                    ValueProblem.PASSWORD_UNCHANGED,
+                    "next",
+                    "another password",
+                    "The new password must be another one than the present.");
         }
         String hash = passwords.hash(next);
         accounts.changeOwn(user.name(), before -> before.withPassword(hash, false), keepTokenHash);
@@ -67,7 +76,7 @@ public final class AccountService {
         if (store.user(principal.name())
                 .filter(user -> !isLimited(principal, user))
                 .isEmpty()) {
-            throw Rejection.forbidden("A limited access key ends no sessions; sign in to do this.");
+            throw Rejection.of(AccessProblem.KEY_LIMITED, "A limited access key ends no sessions; sign in to do this.");
         }
         store.deleteOtherSignIns(principal.name(), "");
         accounts.tell(principal.name());

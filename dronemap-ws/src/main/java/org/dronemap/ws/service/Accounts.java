@@ -58,7 +58,7 @@ public final class Accounts {
     void delete(Principal actor, String name) {
         changeOther(actor, name, () -> {
             if (!store.deleteUser(find(actor, name).name())) {
-                throw Rejection.unknown("user", name);
+                throw Rejection.unknown(UnknownProblem.USER, name);
             }
         });
     }
@@ -66,7 +66,8 @@ public final class Accounts {
     /** A user's own change, which takes no rights from others. */
     void changeOwn(String name, UnaryOperator<User> change, String keepTokenHash) {
         synchronized (this) {
-            store.updateUser(change.apply(store.user(name).orElseThrow(() -> Rejection.unknown("user", name))));
+            store.updateUser(
+                    change.apply(store.user(name).orElseThrow(() -> Rejection.unknown(UnknownProblem.USER, name))));
             store.deleteOtherSignIns(name, keepTokenHash);
         }
         tell(name);
@@ -81,12 +82,13 @@ public final class Accounts {
     User find(Principal actor, String name) {
         return store.user(name)
                 .filter(user -> user.organisation().equals(actor.organisation()))
-                .orElseThrow(() -> Rejection.unknown("user", name));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.USER, name));
     }
 
     private void changeOther(Principal actor, String name, Runnable change) {
         if (actor.name().equals(name)) {
-            throw Rejection.conflict("You cannot do this to yourself; ask another administrator.");
+            throw Rejection.of(
+                    AccessProblem.NOT_TO_ONESELF, "You cannot do this to yourself; ask another administrator.");
         }
         synchronized (this) {
             // Rights may have gone since the request was admitted.
@@ -95,7 +97,7 @@ public final class Accounts {
                     .map(user -> user.role().includes(Role.ADMINISTRATOR))
                     .orElse(false);
             if (!still) {
-                throw Rejection.forbidden("You are no longer an administrator.");
+                throw Rejection.of(AccessProblem.ROLE_CHANGED, "You are no longer an administrator.");
             }
             change.run();
         }

@@ -34,11 +34,14 @@ final class AreaReader {
                         Ranges.checked(radiusField, radius, 1, 100_000, "m"));
             default ->
                 throw InvalidInput.outside(
-                        at + ".type", SHAPES, geometry.type() == null ? NOTHING : "\"" + geometry.type() + "\"");
+                        ValueProblem.VALUE_NOT_ALLOWED,
+                        at + ".type",
+                        SHAPES,
+                        geometry.type() == null ? NOTHING : "\"" + geometry.type() + "\"");
         };
         Optional<String> fault = ShapeFaults.of(shape);
         if (fault.isPresent()) {
-            throw new InvalidInput(at, "a simple area", fault.get());
+            throw new InvalidInput(ValueProblem.AREA_UNUSABLE, at, "a simple area", fault.get());
         }
         return shape;
     }
@@ -47,11 +50,14 @@ final class AreaReader {
         String field = at + ".coordinates";
         List<?> rings = list(field, "one ring of positions", geometry.coordinates());
         if (rings.isEmpty()) {
-            throw InvalidInput.outside(field, "one ring of positions", "none");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "one ring of positions", "none");
         }
         if (rings.size() != 1) {
             throw new InvalidInput(
-                    field, "one ring", "An area with holes cannot be guarded as one; draw it in parts without holes.");
+                    ValueProblem.AREA_UNUSABLE,
+                    field,
+                    "one ring",
+                    "An area with holes cannot be guarded as one; draw it in parts without holes.");
         }
         List<?> ring = list(field + "[0]", CORNERS, rings.get(0));
         List<Geodetic> corners = new ArrayList<>();
@@ -63,7 +69,13 @@ final class AreaReader {
             corners.remove(corners.size() - 1);
         }
         if (corners.size() < 3 || corners.size() > 100) {
-            throw InvalidInput.outside(field + "[0]", CORNERS, corners.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    field + "[0]",
+                    CORNERS,
+                    corners.size(),
+                    ProblemParameter.LEAST.is(3),
+                    ProblemParameter.MOST.is(100));
         }
         return corners;
     }
@@ -72,13 +84,13 @@ final class AreaReader {
         if (value instanceof List<?> list) {
             return list;
         }
-        throw InvalidInput.outside(field, allowed, value == null ? NOTHING : value);
+        throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, allowed, value == null ? NOTHING : value);
     }
 
     private static Geodetic position(String field, @Nullable Object value) {
         List<?> numbers = list(field, "longitude and latitude", value);
         if (numbers.size() < 2) {
-            throw InvalidInput.outside(field, "longitude and latitude", numbers);
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "longitude and latitude", numbers);
         }
         return new Geodetic(
                 Ranges.latitude(field + "[1]", number(field + "[1]", numbers.get(1))),
@@ -89,6 +101,6 @@ final class AreaReader {
         if (value instanceof Number number) {
             return number.doubleValue();
         }
-        throw InvalidInput.outside(field, "a number", value == null ? NOTHING : value);
+        throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "a number", value == null ? NOTHING : value);
     }
 }

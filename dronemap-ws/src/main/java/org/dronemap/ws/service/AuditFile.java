@@ -25,7 +25,8 @@ public enum AuditFile {
         return Arrays.stream(values())
                 .filter(one -> WireNames.camel(one).equals(form))
                 .findFirst()
-                .orElseThrow(() -> InvalidInput.outside("form", "csv or jsonl", "\"" + form + "\""));
+                .orElseThrow(() -> InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "form", "csv or jsonl", "\"" + form + "\""));
     }
 
     public String mediaType() {

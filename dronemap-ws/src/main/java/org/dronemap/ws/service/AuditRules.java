@@ -3,8 +3,8 @@ package org.dronemap.ws.service;
 import java.util.Set;
 
 /**
- * The calls of SOAP and of the stream that leave a record: every one, but for those that only look, named here; of REST the
- * handlers say so. A sign of life of who has control comes every two seconds and changes nothing that lasts; that control ends
+ * The calls of SOAP that leave a record: every one, but for those that only look, named here; of REST the handlers say so, and
+ * of the stream its kinds of requests. A sign of life of who has control comes every two seconds and changes nothing that lasts; that control ends
  * without it does leave its trace.
  */
 public final class AuditRules {
@@ -27,14 +27,11 @@ public final class AuditRules {
             "getFollowsList",
             "getFollow",
             "controlHeartbeat");
-    private static final Set<String> LEFT_OUT_OF_STREAM = Set.of("ping", "subscribe");
-
     /**
-     * Whose success another record tells: what follows a sign-in, or that of a turn at the helm, from begin to end. A followed
-     * phone's positions come each second; what is steered because of them is such a turn.
+     * Whose success another record tells: a followed phone's positions come each second, and what is steered because of them
+     * is one turn, from begin to end.
      */
-    private static final Set<String> TOLD_ELSEWHERE =
-            Set.of("authenticate", "steer", "letGo", "positions", "sendNewGPSLocation");
+    private static final Set<String> TOLD_ELSEWHERE = Set.of("sendNewGPSLocation");
 
     private AuditRules() {}
 
@@ -50,9 +47,5 @@ public final class AuditRules {
     /** Of these only what is turned away leaves a record of its own. */
     public static boolean recordsElsewhere(String operation) {
         return TOLD_ELSEWHERE.contains(operation);
-    }
-
-    public static boolean leavesOutStream(String type) {
-        return LEFT_OUT_OF_STREAM.contains(type);
     }
 }

@@ -42,6 +42,7 @@ public record AuditSearch(
                 .filter(one -> WireNames.camel(one).equals(name))
                 .findFirst()
                 .orElseThrow(() -> InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED,
                         "outcome",
                         Arrays.stream(AuditOutcome.values())
                                 .map(WireNames::camel)
@@ -56,7 +57,8 @@ public record AuditSearch(
         try {
             return Instant.parse(text);
         } catch (DateTimeException e) {
-            throw InvalidInput.outside(field, "a time such as 2026-03-04T05:06:07Z", "\"" + text + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_MALFORMED, field, "a time such as 2026-03-04T05:06:07Z", "\"" + text + "\"");
         }
     }
 }

@@ -54,7 +54,13 @@ public final class AuditService {
         AuditQuery query = checked(principal, search);
         int most = limit == null ? USUALLY : limit;
         if (most < 1 || most > MOST_AT_ONCE) {
-            throw InvalidInput.outside("limit", "1 to " + MOST_AT_ONCE, most);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "limit",
+                    "1 to " + MOST_AT_ONCE,
+                    most,
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST_AT_ONCE));
         }
         List<AuditLine> lines = store.search(query, before == null ? Long.MAX_VALUE : before, most);
         Long next = lines.size() < most ? null : lines.get(most - 1).record().sequence();
@@ -84,7 +90,9 @@ public final class AuditService {
     public ReceiptView receipt(Principal principal) {
         Roles.requireServer(principal, Role.SUPERVISOR);
         if (store.head().equals(AuditHead.EMPTY)) {
-            throw Rejection.conflict("Nothing has been recorded yet; there is nothing to give a receipt for.");
+            throw Rejection.of(
+                    DroneProblem.NOTHING_RECORDED,
+                    "Nothing has been recorded yet; there is nothing to give a receipt for.");
         }
         return ReceiptView.of(heads.receipt());
     }

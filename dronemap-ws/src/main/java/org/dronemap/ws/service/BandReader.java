@@ -18,7 +18,13 @@ final class BandReader {
         Double low = height("floor", floor);
         Double high = height("ceiling", ceiling);
         if (low != null && high != null && low >= high) {
-            throw InvalidInput.outside(at + "ceiling", "above the floor of " + low + " m", high);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    at + "ceiling",
+                    "above the floor of " + low + " m",
+                    high,
+                    ProblemParameter.LEAST.is(low),
+                    ProblemParameter.UNIT.is("m"));
         }
         return new AltitudeBand(low, high, reference);
     }
@@ -27,7 +33,9 @@ final class BandReader {
         return switch (name == null ? "home" : name) {
             case "home" -> Altitude.Reference.HOME;
             case "amsl" -> Altitude.Reference.AMSL;
-            default -> throw InvalidInput.outside(at + "altitudeReference", "home or amsl", "\"" + name + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, at + "altitudeReference", "home or amsl", "\"" + name + "\"");
         };
     }
 

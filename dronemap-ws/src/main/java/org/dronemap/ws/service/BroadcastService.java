@@ -39,7 +39,11 @@ public final class BroadcastService {
             throw InvalidInput.missing("command", "a command such as {\"type\":\"land\"}");
         }
         if (command.id() != null) {
-            throw new InvalidInput("command.id", "left out", "The id of a command for several stands beside it.");
+            throw new InvalidInput(
+                    ValueProblem.VALUE_NOT_ALLOWED,
+                    "command.id",
+                    "left out",
+                    "The id of a command for several stands beside it.");
         }
         commands.pay(principal, command);
         String id = id(request.id());
@@ -79,7 +83,7 @@ public final class BroadcastService {
             try {
                 commands.check(command, drone);
             } catch (InvalidInput wrong) {
-                throw new InvalidInput("command." + wrong.field(), wrong.allowed(), wrong.sentence());
+                throw wrong.within("command.");
             }
         });
     }
@@ -102,12 +106,19 @@ public final class BroadcastService {
         Set<String> each = new LinkedHashSet<>();
         for (String drone : asked) {
             if (drone == null) {
-                throw InvalidInput.outside("drones", DRONES_FORM, "a list with null in it");
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_MALFORMED, "drones", DRONES_FORM, "a list with null in it");
             }
             each.add(drone);
         }
         if (each.size() > MOST_DRONES) {
-            throw InvalidInput.outside("drones", DRONES_FORM, each.size() + " ids");
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "drones",
+                    DRONES_FORM,
+                    each.size() + " ids",
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST_DRONES));
         }
         return List.copyOf(each);
     }
@@ -135,7 +146,7 @@ public final class BroadcastService {
             return "all-" + commands.newId().substring(0, 18);
         }
         if (!given.matches("[A-Za-z0-9_-]{8,36}")) {
-            throw InvalidInput.outside("id", ID_FORM, "\"" + given + "\"");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, "id", ID_FORM, "\"" + given + "\"");
         }
         return given;
     }

@@ -59,8 +59,10 @@ public final class Budgets {
         if (missing > 0) {
             count(work).increment();
             throw Throttled.of(
+                    ServerProblem.BUDGET_SPENT,
                     "More than " + number(rate) + " " + work.plural() + " a second for a while",
-                    Duration.ofNanos((long) (missing / rate * NANOS)));
+                    Duration.ofNanos((long) (missing / rate * NANOS)),
+                    ProblemParameter.WHAT.is(work.plural()));
         }
     }
 

@@ -116,7 +116,9 @@ final class CommandReader {
             case "on" -> RelaySetting.ON;
             case "toggle" -> RelaySetting.TOGGLE;
             case "" -> throw InvalidInput.missing("setting", RELAY_SETTINGS);
-            default -> throw InvalidInput.outside("setting", RELAY_SETTINGS, "\"" + value + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "setting", RELAY_SETTINGS, "\"" + value + "\"");
         };
     }
 
@@ -124,7 +126,9 @@ final class CommandReader {
         return switch (value == null ? "continue" : value) {
             case "continue" -> CloudLoss.CONTINUE;
             case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
-            default -> throw InvalidInput.outside("onCloudLoss", CLOUD_LOSS, "\"" + value + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", CLOUD_LOSS, "\"" + value + "\"");
         };
     }
 }

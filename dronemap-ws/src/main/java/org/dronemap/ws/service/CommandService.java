@@ -121,8 +121,10 @@ public final class CommandService {
                 principal.name(), principal.account(), drone.id(), CommandReader.complete(asked, drone), asked)) {
             String which =
                     principal.sight(record.drone(), record.at()) != Sight.NONE ? " (" + record.summary() + ")" : "";
-            throw Rejection.conflict(
-                    "The id " + record.id() + " belongs to another command already" + which + "; take a new one.");
+            throw Rejection.of(
+                    DroneProblem.COMMAND_ID_TAKEN,
+                    "The id " + record.id() + " belongs to another command already" + which + "; take a new one.",
+                    ProblemParameter.COMMAND.is(record.id().value()));
         }
     }
 
@@ -130,7 +132,7 @@ public final class CommandService {
         try {
             return cloud.gate().submit(source, drone.id(), id, CommandReader.complete(asked, drone), asked);
         } catch (UnknownDroneException removedMeanwhile) {
-            throw Rejection.unknown("drone", drone.id().value());
+            throw Rejection.unknown(UnknownProblem.DRONE, drone.id().value());
         }
     }
 
@@ -163,7 +165,7 @@ public final class CommandService {
                 .filter(CommandService::isId)
                 .flatMap(text -> cloud.gate().find(new CommandId(text)))
                 .flatMap(record -> shown(principal, record))
-                .orElseThrow(() -> Rejection.unknown("command", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.COMMAND, id));
     }
 
     /** Newest first. */
@@ -200,7 +202,7 @@ public final class CommandService {
             return new CommandId(newId());
         }
         if (!isId(given)) {
-            throw InvalidInput.outside("id", ID_FORM, "\"" + given + "\"");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, "id", ID_FORM, "\"" + given + "\"");
         }
         return new CommandId(given);
     }

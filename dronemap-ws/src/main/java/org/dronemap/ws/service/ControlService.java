@@ -57,7 +57,10 @@ public final class ControlService {
     public Answer act(Principal principal, String droneId, ControlAction action, ControlRequestView with) {
         DroneState drone = drone(principal, droneId, action);
         if (drone.replay()) {
-            throw Rejection.conflict("This is a recording; it cannot be commanded.");
+            throw Rejection.of(
+                    DroneProblem.DRONE_IS_A_RECORDING,
+                    "This is a recording; it cannot be commanded.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         LeaseStep step = apply(drone.id(), event(principal.name(), action, with, drone.id()));
         if (step.answer() instanceof LeaseAnswer.Denied denied) {
@@ -80,11 +83,11 @@ public final class ControlService {
         try {
             return cloud.controls().apply(drone, event);
         } catch (UnknownDroneException removedMeanwhile) {
-            throw Rejection.unknown("drone", drone.value());
+            throw Rejection.unknown(UnknownProblem.DRONE, drone.value());
         } catch (CompletionException notWritten) {
             LOG.warn("A change of who has control of {} could not be written down", drone, notWritten);
-            throw new Rejection(
-                    RejectionKind.UNAVAILABLE,
+            throw Rejection.of(
+                    ServerProblem.CHANGE_NOT_KEPT,
                     "Control has changed as you asked, but that could not be written down: should the server be started"
                             + " anew now, it may be as it was before.");
         }
@@ -125,7 +128,8 @@ public final class ControlService {
     private String pilot(@Nullable String user, DroneId drone) {
         String name = named(user);
         if (!mayCommand(name, drone)) {
-            throw InvalidInput.outside("user", "a user who may command drones", "\"" + name + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.REFERENCE_UNKNOWN, "user", "a user who may command drones", "\"" + name + "\"");
         }
         return name;
     }

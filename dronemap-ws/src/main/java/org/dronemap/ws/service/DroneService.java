@@ -56,7 +56,7 @@ public final class DroneService {
         Optional<String> why =
                 cloud.forget(state(principal, id, Role.ADMINISTRATOR).id());
         if (why.isPresent()) {
-            throw Rejection.conflict(why.get());
+            throw Rejection.of(DroneProblem.DRONE_IN_CONTACT, why.get(), ProblemParameter.DRONE.is(id));
         }
     }
 
@@ -78,7 +78,7 @@ public final class DroneService {
 
     /** What the asker may not see is told from what is not there by nothing. */
     DroneState state(Principal principal, String id) {
-        return find(principal, id).orElseThrow(() -> Rejection.unknown("drone", id));
+        return find(principal, id).orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, id));
     }
 
     Optional<DroneState> find(Principal principal, String id) {

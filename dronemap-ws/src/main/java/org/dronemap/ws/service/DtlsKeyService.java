@@ -90,9 +90,9 @@ public final class DtlsKeyService {
         try {
             return cloud.drone(new DroneId(drone))
                     .filter(state -> principal.sees(state.id()))
-                    .orElseThrow(() -> Rejection.unknown("drone", drone));
+                    .orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, drone));
         } catch (IllegalArgumentException noDronesId) {
-            throw Rejection.unknown("drone", drone);
+            throw Rejection.unknown(UnknownProblem.DRONE, drone);
         }
     }
 
@@ -104,7 +104,7 @@ public final class DtlsKeyService {
     public void revoke(Principal principal, String identity) {
         Roles.requireServer(principal, Role.ADMINISTRATOR);
         if (!ring.remove(identity)) {
-            throw Rejection.unknown("DTLS key", identity);
+            throw Rejection.unknown(UnknownProblem.DTLS_KEY, identity);
         }
         links.disconnect(identity);
     }

@@ -68,7 +68,10 @@ public final class ExternalUsers {
         // Of a password that nobody knows.
         User user = new User(own + mark, role, state, passwords.hash(secrets.token()), false);
         if (!store.addUser(user)) {
-            throw Rejection.conflict("The name " + user.name() + " is taken; ask an administrator.");
+            throw Rejection.of(
+                    AccessProblem.NAME_TAKEN,
+                    "The name " + user.name() + " is taken; ask an administrator.",
+                    ProblemParameter.NAME.is(user.name()));
         }
         return user;
     }

@@ -20,7 +20,12 @@ final class FenceReader {
     static List<FenceZone> fence(FenceView written) {
         List<FenceView.ZoneView> zones = written.zones();
         if (zones == null || zones.size() > MOST) {
-            throw InvalidInput.outside("zones", ZONES, zones == null ? "nothing" : zones.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "zones",
+                    ZONES,
+                    zones == null ? "nothing" : zones.size(),
+                    ProblemParameter.MOST.is(MOST));
         }
         List<FenceZone> read = new ArrayList<>();
         for (int index = 0; index < zones.size(); index++) {
@@ -41,13 +46,21 @@ final class FenceReader {
                         point(at + "center.", zone.center()),
                         Ranges.checked(at + "radius", zone.radius(), 1, 100_000, "m"));
             case "" -> throw InvalidInput.missing(at + "type", TYPES);
-            default -> throw InvalidInput.outside(at + "type", TYPES, "\"" + zone.type() + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, at + "type", TYPES, "\"" + zone.type() + "\"");
         };
     }
 
     private static List<Geodetic> corners(String at, @Nullable List<FenceView.PointView> corners) {
         if (corners == null || corners.size() < 3 || corners.size() > 100) {
-            throw InvalidInput.outside(at + "corners", CORNERS, corners == null ? "nothing" : corners.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    at + "corners",
+                    CORNERS,
+                    corners == null ? "nothing" : corners.size(),
+                    ProblemParameter.LEAST.is(3),
+                    ProblemParameter.MOST.is(100));
         }
         List<Geodetic> read = new ArrayList<>();
         for (int index = 0; index < corners.size(); index++) {
@@ -65,7 +78,12 @@ final class FenceReader {
     static List<RallyPoint> rally(FenceView.RallyView written) {
         List<FenceView.RallyPointView> points = written.points();
         if (points == null || points.size() > MOST) {
-            throw InvalidInput.outside("points", POINTS, points == null ? "nothing" : points.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "points",
+                    POINTS,
+                    points == null ? "nothing" : points.size(),
+                    ProblemParameter.MOST.is(MOST));
         }
         List<RallyPoint> read = new ArrayList<>();
         for (int index = 0; index < points.size(); index++) {

@@ -54,12 +54,19 @@ public final class FenceService {
         DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
         VehicleFence fence = VehicleFence.of(cloud.zones(), drone.id(), clock.instant());
         if (fence.shapes().isEmpty()) {
-            throw Rejection.conflict(
-                    "No zone without floor and ceiling binds this drone now; its fence stays as it is.");
+            throw Rejection.of(
+                    DroneProblem.NO_ZONE_FOR_FENCE,
+                    "No zone without floor and ceiling binds this drone now; its fence stays as it is.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         if (fence.shapes().size() > FenceReader.MOST) {
-            throw Rejection.conflict(fence.shapes().size() + " zones bind this drone now; a vehicle keeps "
-                    + FenceReader.MOST + " at most. Its fence stays as it is.");
+            throw Rejection.of(
+                    DroneProblem.FENCE_FULL,
+                    fence.shapes().size() + " zones bind this drone now; a vehicle keeps " + FenceReader.MOST
+                            + " at most. Its fence stays as it is.",
+                    ProblemParameter.DRONE.is(drone.id().value()),
+                    ProblemParameter.COUNT.is(fence.shapes().size()),
+                    ProblemParameter.MOST.is(FenceReader.MOST));
         }
         List<String> leftOut = fence.leftOut().stream()
                 .map(zone -> "Not on board is " + zone.words() + ": vehicles know no floor and no ceiling.")

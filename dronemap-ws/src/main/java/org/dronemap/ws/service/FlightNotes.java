@@ -14,7 +14,13 @@ public record FlightNotes(@Nullable String notes) {
             throw InvalidInput.missing("notes", ALLOWED);
         }
         if (notes.length() > LONGEST) {
-            throw InvalidInput.outside("notes", ALLOWED, notes.length());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "notes",
+                    ALLOWED,
+                    notes.length(),
+                    ProblemParameter.LEAST.is(0),
+                    ProblemParameter.MOST.is(LONGEST));
         }
         return notes;
     }

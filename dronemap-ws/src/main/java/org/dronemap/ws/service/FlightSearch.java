@@ -34,7 +34,7 @@ public record FlightSearch(
         try {
             return new DroneId(id);
         } catch (IllegalArgumentException notAnId) {
-            throw InvalidInput.outside("drone", "the id of a drone", "\"" + id + "\"");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, "drone", "the id of a drone", "\"" + id + "\"");
         }
     }
 

@@ -69,7 +69,13 @@ public final class FlightService {
             return USUAL;
         }
         if (limit < 1 || limit > MOST) {
-            throw InvalidInput.outside("limit", "1 to " + MOST, limit);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "limit",
+                    "1 to " + MOST,
+                    limit,
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST));
         }
         return limit;
     }
@@ -77,7 +83,8 @@ public final class FlightService {
     private Flight after(Principal principal, String id) {
         return flights.flight(id)
                 .filter(flight -> sight(principal, flight) != Sight.NONE)
-                .orElseThrow(() -> InvalidInput.outside("before", "the id of a flight", "\"" + id + "\""));
+                .orElseThrow(() -> InvalidInput.outside(
+                        ValueProblem.REFERENCE_UNKNOWN, "before", "the id of a flight", "\"" + id + "\""));
     }
 
     /** Rights are not the store's: it is asked again until there are enough that the asker sees. */
@@ -122,7 +129,9 @@ public final class FlightService {
         Flight flight = find(principal, id);
         Roles.require(principal, Role.OPERATOR, flight.drone());
         if (sight(principal, flight) != Sight.ALL) {
-            throw Rejection.conflict("The drone was another organisation's then; only that one writes notes.");
+            throw Rejection.of(
+                    DroneProblem.OF_ANOTHER_ORGANISATION,
+                    "The drone was another organisation's then; only that one writes notes.");
         }
         flights.annotate(id, notes.checked());
         return flight(principal, id);
@@ -171,7 +180,7 @@ public final class FlightService {
     Flight find(Principal principal, String id) {
         return flights.flight(id)
                 .filter(flight -> sight(principal, flight) != Sight.NONE)
-                .orElseThrow(() -> Rejection.unknown("flight", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.FLIGHT, id));
     }
 
     private static FlightView view(Principal principal, Flight flight, List<Recording> known) {

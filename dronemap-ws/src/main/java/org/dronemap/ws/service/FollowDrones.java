@@ -56,7 +56,8 @@ final class FollowDrones {
     FollowOrder.Chosen choose(Principal principal, List<DroneState> drones, Task task, Instant now) {
         Found found = find(principal, drones, task, now);
         return found.chosen()
-                .orElseThrow(() -> Rejection.conflict(
+                .orElseThrow(() -> Rejection.of(
+                        OperationProblem.NO_DRONE_TO_FOLLOW,
                         drones.isEmpty()
                                 ? "The warehouse has no drone that you may command. Name one that you look after."
                                 : "No drone can follow now. " + found.why()));
@@ -79,10 +80,13 @@ final class FollowDrones {
     }
 
     private FollowOrder.Chosen chosen(DroneId id, String why) {
-        DroneState drone = cloud.drone(id).orElseThrow(() -> Rejection.unknown("drone", id.value()));
+        DroneState drone = cloud.drone(id).orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, id.value()));
         Home home = drone.home();
         if (home == null) {
-            throw Rejection.conflict("Where the home of " + drone.name() + " is, is not known any more.");
+            throw Rejection.of(
+                    DroneProblem.HOME_UNKNOWN,
+                    "Where the home of " + drone.name() + " is, is not known any more.",
+                    ProblemParameter.DRONE.is(id.value()));
         }
         return new FollowOrder.Chosen(id, drone.name(), home.point(), home.altitudeAmslMeters(), why);
     }

@@ -80,14 +80,23 @@ final class FollowReader {
             case "ahead" -> new Side.Ahead();
             case "fixed" -> new Side.Fixed(Ranges.checked(above + "bearing", request.bearing(), -360, 360, "degrees"));
             case "orbit" -> orbit(request, above);
-            default -> throw InvalidInput.outside(above + "side", SIDES, "\"" + request.side() + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, above + "side", SIDES, "\"" + request.side() + "\"");
         };
     }
 
     private static Side orbit(FollowRequest.PlaceRequest request, String above) {
         double turn = Ranges.checked(above + "turn", request.turn(), -30, 30, "degrees a second");
         if (turn == 0) {
-            throw InvalidInput.outside(above + "turn", "-30 to 30 degrees a second, not 0", turn);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    above + "turn",
+                    "-30 to 30 degrees a second, not 0",
+                    turn,
+                    ProblemParameter.LEAST.is(-30),
+                    ProblemParameter.MOST.is(30),
+                    ProblemParameter.UNIT.is("degrees a second"));
         }
         return new Side.Orbit(turn);
     }
@@ -106,7 +115,12 @@ final class FollowReader {
             throw InvalidInput.missing("positions", COUNT);
         }
         if (positions.size() > MOST_POSITIONS) {
-            throw InvalidInput.outside("positions", COUNT, positions.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "positions",
+                    COUNT,
+                    positions.size(),
+                    ProblemParameter.MOST.is(MOST_POSITIONS));
         }
         Double roundTrip = request.roundTrip();
         Duration measured = roundTrip == null
@@ -123,7 +137,8 @@ final class FollowReader {
 
     private static Instant time(String field, Instant time) {
         if (time.isBefore(EARLIEST) || time.isAfter(LATEST)) {
-            throw InvalidInput.outside(field, EARLIEST + " to " + LATEST, time.toString());
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE, field, EARLIEST + " to " + LATEST, time.toString());
         }
         return time;
     }
@@ -138,11 +153,17 @@ final class FollowReader {
         Instant at = time(field + ".at", position.at());
         Long id = position.id();
         if (id != null && (id < 0 || id > MOST_ID)) {
-            throw InvalidInput.outside(field + ".id", "0 to " + MOST_ID, id);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    field + ".id",
+                    "0 to " + MOST_ID,
+                    id,
+                    ProblemParameter.LEAST.is(0),
+                    ProblemParameter.MOST.is(MOST_ID));
         }
         if (at.isAfter(said.sent().plus(AHEAD))) {
             String allowed = "at most " + AHEAD.toSeconds() + " s after \"sent\"";
-            throw InvalidInput.outside(field + ".at", allowed, at.toString());
+            throw InvalidInput.outside(ValueProblem.VALUE_OUT_OF_RANGE, field + ".at", allowed, at.toString());
         }
         Double speed = optional(field + ".speed", position.speed(), 0, 100, "m/s");
         Double course = optional(field + ".course", position.course(), -360, 360, "degrees");

@@ -55,7 +55,7 @@ public final class FollowService {
                 operations,
                 kind,
                 conduct.cloud(),
-                new OperationDesk.Words('f', "follow", "a follow flies"),
+                new OperationDesk.Words('f', "follow", "a follow flies", UnknownProblem.FOLLOW),
                 FollowService::isShownTo,
                 time);
     }
@@ -102,7 +102,7 @@ public final class FollowService {
         return List.of(all.stream()
                 .filter(drone -> drone.id().value().equals(wanted))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("drone", wanted)));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, wanted)));
     }
 
     public FollowView start(Principal principal, String id) {
@@ -145,7 +145,10 @@ public final class FollowService {
         Roles.require(principal, Role.OPERATOR);
         Picture<FollowState> follow = desk.find(principal, id);
         if (!follow.saved().account().equals(principal.account())) {
-            throw Rejection.forbidden("Only " + follow.saved().owner() + " says where the phone is.");
+            throw Rejection.of(
+                    AccessProblem.OWNER_ONLY,
+                    "Only " + follow.saved().owner() + " says where the phone is.",
+                    ProblemParameter.OWNER.is(follow.saved().owner()));
         }
         // Where the phone is said to be, there the drone flies.
         desk.requireWithoutBounds(principal);
@@ -154,7 +157,7 @@ public final class FollowService {
         for (Sighting sighting : FollowReader.sightings(request, desk.now())) {
             Reception reception = operations.sighted(kind, follow.saved().id(), sighting);
             if (reception == Reception.UNHEARD) {
-                throw Rejection.conflict("This follow is over.");
+                throw Rejection.of(OperationProblem.OPERATION_OVER, "This follow is over.", ProblemParameter.ID.is(id));
             }
             if (!count.add(sighting.number(), reception)) {
                 break;
@@ -181,7 +184,10 @@ public final class FollowService {
         FollowReceipt receipt = positions(
                 principal, id, new FollowRequest.PositionsRequest(now, null, Collections.singletonList(here)));
         if (receipt.upTo() == null) {
-            throw new Rejection(RejectionKind.UNAVAILABLE, "The server is busy; say again where the phone is.");
+            throw Rejection.of(
+                    ServerProblem.SERVER_BUSY,
+                    "The server is busy; say again where the phone is.",
+                    ProblemParameter.WHAT.is("positions"));
         }
     }
 
@@ -216,7 +222,7 @@ public final class FollowService {
         desk.requireWithoutBounds(principal);
         Roles.require(principal, Role.OPERATOR, follow.state().drone());
         if (follow.saved().endedAt() != null) {
-            throw Rejection.conflict("This follow is over.");
+            throw Rejection.of(OperationProblem.OPERATION_OVER, "This follow is over.", ProblemParameter.ID.is(id));
         }
         FollowInput input = what.apply(principal.name(), desk.now());
         if (hands) {

@@ -129,9 +129,10 @@ public final class GiftService {
         DroneState state = cloud.drones().stream()
                 .filter(each -> each.id().value().equals(drone) && isWith(each.id(), from))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("drone", drone));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, drone));
         // What came to it otherwise was never the asker's.
-        Gift gift = grants.book().lastGift(state.id()).orElseThrow(() -> Rejection.unknown("drone", drone));
+        Gift gift =
+                grants.book().lastGift(state.id()).orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, drone));
         return pass(state, gift.from(), false);
     }
 
@@ -167,20 +168,35 @@ public final class GiftService {
     /** Whoever flies it, or lets it be flown, has to end that first: nobody else could. */
     private void requireAtRest(DroneState drone) {
         if (drone.replay()) {
-            throw Rejection.conflict("This is a recording, which goes along with its drone.");
+            throw Rejection.of(
+                    DroneProblem.DRONE_IS_A_RECORDING,
+                    "This is a recording, which goes along with its drone.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         if (Boolean.TRUE.equals(drone.armed()) || drone.airborne()) {
-            throw Rejection.conflict("It is armed or in the air; land and disarm it first.");
+            throw Rejection.of(
+                    DroneProblem.DRONE_NOT_AT_REST,
+                    "It is armed or in the air; land and disarm it first.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         Tenure tenure = cloud.controls().control(drone.id()).tenure();
         if (tenure != null && tenure.holder() instanceof Holder.Operation) {
-            throw Rejection.conflict("An operation has control of it; end that first.");
+            throw Rejection.of(
+                    DroneProblem.DRONE_IN_OPERATION,
+                    "An operation has control of it; end that first.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         if (cloud.gate().commandsOf(drone.id(), NEWEST).stream().anyMatch(command -> command.outcome() == null)) {
-            throw Rejection.conflict("A command to it is under way; wait for its end.");
+            throw Rejection.of(
+                    DroneProblem.COMMAND_UNDER_WAY,
+                    "A command to it is under way; wait for its end.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         if (virtuals.warehouse().contains(drone.id())) {
-            throw Rejection.conflict("It may serve virtual drones; take it out of the warehouse first.");
+            throw Rejection.of(
+                    DroneProblem.DRONE_IN_WAREHOUSE,
+                    "It may serve virtual drones; take it out of the warehouse first.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
     }
 }

@@ -90,13 +90,18 @@ public final class GrantService {
     public GrantView add(Principal principal, GrantRequest request) {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
         if (of(principal).size() >= MOST) {
-            throw Rejection.conflict("There are " + MOST + " grants; take back some first.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "There are " + MOST + " grants; take back some first.",
+                    ProblemParameter.WHAT.is("grants"),
+                    ProblemParameter.MOST.is(MOST));
         }
         Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
         Instant from = request.from() == null ? now : moment("from", request.from());
         Instant until = request.until() == null ? null : moment("until", request.until());
         if (until != null && (!until.isAfter(from) || !until.isAfter(now))) {
-            throw InvalidInput.outside("until", "later than its beginning, and than now", until);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE, "until", "later than its beginning, and than now", until);
         }
         List<@Nullable String> operations = request.operations();
         if (operations == null || operations.isEmpty()) {
@@ -123,7 +128,7 @@ public final class GrantService {
                 .map(Grant::id)
                 .filter(id::equals)
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("grant", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.GRANT, id));
         grants.make(store -> store.deleteGrant(going));
     }
 
@@ -131,10 +136,11 @@ public final class GrantService {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
         boolean only = only(request);
         if (!isOf(principal, name)) {
-            throw Rejection.unknown("user", name);
+            throw Rejection.unknown(UnknownProblem.USER, name);
         }
         if (only && name.equals(principal.name())) {
-            throw Rejection.conflict("You cannot do this to yourself; ask another administrator.");
+            throw Rejection.of(
+                    AccessProblem.NOT_TO_ONESELF, "You cannot do this to yourself; ask another administrator.");
         }
         grants.make(store -> store.setOnlyGranted(new Subject.OfUser(name), only));
     }
@@ -143,7 +149,7 @@ public final class GrantService {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
         boolean only = only(request);
         if (groups.group(principal, id).members().contains(principal.name()) && only) {
-            throw Rejection.conflict("You are in this group, and cannot do this to yourself.");
+            throw Rejection.of(AccessProblem.NOT_TO_ONESELF, "You are in this group, and cannot do this to yourself.");
         }
         grants.make(store -> store.setOnlyGranted(new Subject.OfGroup(id), only));
     }
@@ -165,13 +171,15 @@ public final class GrantService {
         String user = request.user();
         String group = request.group();
         if ((user == null) == (group == null)) {
-            throw new InvalidInput("user", ONE_SUBJECT, "A grant is for " + ONE_SUBJECT + ".");
+            throw new InvalidInput(
+                    ValueProblem.VALUES_EXCLUSIVE, "user", ONE_SUBJECT, "A grant is for " + ONE_SUBJECT + ".");
         }
         if (group != null) {
             return new Subject.OfGroup(groups.group(principal, group).id());
         }
         if (user == null || !isOf(principal, user)) {
-            throw InvalidInput.outside("user", "the name of a user", "\"" + user + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.REFERENCE_UNKNOWN, "user", "the name of a user", "\"" + user + "\"");
         }
         return new Subject.OfUser(user);
     }
@@ -188,7 +196,8 @@ public final class GrantService {
         String fleet = request.fleet();
         List<@Nullable String> drones = request.drones();
         if ((all ? 1 : 0) + (virtual ? 1 : 0) + (fleet == null ? 0 : 1) + (drones == null ? 0 : 1) != 1) {
-            throw new InvalidInput("drones", ONE_OBJECT, "A grant needs " + ONE_OBJECT + ".");
+            throw new InvalidInput(
+                    ValueProblem.VALUES_EXCLUSIVE, "drones", ONE_OBJECT, "A grant needs " + ONE_OBJECT + ".");
         }
         if (fleet != null) {
             return new GrantObject.OfFleet(groups.fleet(principal, fleet).id());
@@ -206,7 +215,7 @@ public final class GrantService {
         try {
             return OffsetDateTime.parse(text).toInstant().truncatedTo(ChronoUnit.MILLIS);
         } catch (DateTimeException e) {
-            throw InvalidInput.outside(field, MOMENT, "\"" + text + "\"");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, MOMENT, "\"" + text + "\"");
         }
     }
 

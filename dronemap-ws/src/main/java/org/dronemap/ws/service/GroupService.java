@@ -111,14 +111,14 @@ public final class GroupService {
         return groupsOf(principal)
                 .filter(group -> group.id().equals(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("group", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.GROUP, id));
     }
 
     Fleet fleet(Principal principal, String id) {
         return fleetsOf(principal)
                 .filter(fleet -> fleet.id().equals(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("fleet", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.FLEET, id));
     }
 
     private GroupView save(Principal principal, String id, GroupRequest request) {
@@ -128,7 +128,8 @@ public final class GroupService {
                 Names.checked("name", request.name(), LONGEST_NAME),
                 members(principal, request.members()));
         if (isOnlyGranted(id) && group.members().contains(principal.name())) {
-            throw Rejection.conflict(
+            throw Rejection.of(
+                    AccessProblem.NOT_TO_ONESELF,
                     "The members of this group see only what they were granted; you cannot do this" + " to yourself.");
         }
         grants.make(store -> {
@@ -165,7 +166,7 @@ public final class GroupService {
             if (access.user(name)
                     .filter(user -> user.organisation().equals(principal.organisation()))
                     .isEmpty()) {
-                throw InvalidInput.outside("members", MEMBERS, "\"" + name + "\"");
+                throw InvalidInput.outside(ValueProblem.REFERENCE_UNKNOWN, "members", MEMBERS, "\"" + name + "\"");
             }
             members.add(name);
         }
@@ -177,7 +178,8 @@ public final class GroupService {
         Set<DroneId> found = new LinkedHashSet<>();
         for (String id : checked("drones", DRONES, ids)) {
             found.add(drones.find(principal, id)
-                    .orElseThrow(() -> InvalidInput.outside("drones", DRONES, "\"" + id + "\""))
+                    .orElseThrow(() ->
+                            InvalidInput.outside(ValueProblem.REFERENCE_UNKNOWN, "drones", DRONES, "\"" + id + "\""))
                     .id());
         }
         return found;
@@ -186,14 +188,23 @@ public final class GroupService {
     private static List<String> checked(String field, String allowed, @Nullable List<@Nullable String> given) {
         List<@Nullable String> all = given == null ? List.of() : given;
         if (all.size() > MOST) {
-            throw InvalidInput.outside(field, allowed, all.size() + " of them");
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    field,
+                    allowed,
+                    all.size() + " of them",
+                    ProblemParameter.MOST.is(MOST));
         }
         return all.stream().map(String::valueOf).toList();
     }
 
     private static void requireRoom(long there) {
         if (there >= MOST) {
-            throw Rejection.conflict("There are " + MOST + " already; remove some first.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "There are " + MOST + " already; remove some first.",
+                    ProblemParameter.WHAT.is("groups or fleets"),
+                    ProblemParameter.MOST.is(MOST));
         }
     }
 

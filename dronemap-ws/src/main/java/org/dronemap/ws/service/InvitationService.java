@@ -70,12 +70,23 @@ public final class InvitationService {
         Integer asked = request.days();
         int days = asked == null ? DEFAULT_DAYS : asked;
         if (days < 1 || days > MOST_DAYS) {
-            throw InvalidInput.outside("days", "1 to " + MOST_DAYS, days);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "days",
+                    "1 to " + MOST_DAYS,
+                    days,
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST_DAYS),
+                    ProblemParameter.UNIT.is("days"));
         }
         Instant now = clock.instant();
         OrganisationId organisation = organisations.invitedInto(principal, request.organisation());
         if (store.invitations(now).size() >= MOST_OPEN) {
-            throw Rejection.conflict(MOST_OPEN + " invitations are open already; withdraw some first.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    MOST_OPEN + " invitations are open already; withdraw some first.",
+                    ProblemParameter.WHAT.is("invitations"),
+                    ProblemParameter.MOST.is(MOST_OPEN));
         }
         String code = secrets.token();
         Invitation invitation = new Invitation(
@@ -96,7 +107,7 @@ public final class InvitationService {
         boolean shown = store.invitations(clock.instant()).stream()
                 .anyMatch(invitation -> invitation.id().equals(id) && isShownTo(principal, invitation));
         if (!shown || !store.deleteInvitation(id)) {
-            throw Rejection.unknown("invitation", id);
+            throw Rejection.unknown(UnknownProblem.INVITATION, id);
         }
     }
 

@@ -53,7 +53,7 @@ public final class JsonReader {
         try {
             T value = mapper.readValue(json, type);
             if (value == null) {
-                throw Rejection.malformed("A JSON object is needed, not null.");
+                throw Rejection.of(RequestProblem.BODY_NOT_AN_OBJECT, "A JSON object is needed, not null.");
             }
             return value;
         } catch (JacksonException e) {
@@ -80,7 +80,10 @@ public final class JsonReader {
             String known = known(unknown);
             String field = path(unknown);
             return new InvalidInput(
-                    field, known, "There is no member \"" + field + "\" here; there are: " + known + ".");
+                    ValueProblem.MEMBER_UNKNOWN,
+                    field,
+                    known,
+                    "There is no member \"" + field + "\" here; there are: " + known + ".");
         }
         if (e instanceof InvalidTypeIdException other) {
             Alternatives all =
@@ -93,14 +96,19 @@ public final class JsonReader {
                 && !mismatch.getPath().isEmpty()) {
             String field = path(mismatch);
             String allowed = wanted(mismatch.getTargetType());
-            return new InvalidInput(field, allowed, "\"" + field + "\" must be " + allowed + ".");
+            return new InvalidInput(
+                    ValueProblem.VALUE_MALFORMED, field, allowed, "\"" + field + "\" must be " + allowed + ".");
         }
         if (e instanceof StreamReadException && e.getLocation() != null) {
             TokenStreamLocation at = e.getLocation();
-            return Rejection.malformed("This is not JSON: line " + at.getLineNr() + ", column " + at.getColumnNr()
-                    + ": " + firstLine(e.getOriginalMessage()) + ".");
+            return Rejection.of(
+                    RequestProblem.JSON_UNREADABLE,
+                    "This is not JSON: line " + at.getLineNr() + ", column " + at.getColumnNr() + ": "
+                            + firstLine(e.getOriginalMessage()) + ".",
+                    ProblemParameter.LINE.is(at.getLineNr()),
+                    ProblemParameter.COLUMN.is(at.getColumnNr()));
         }
-        return Rejection.malformed("A JSON object is needed here.");
+        return Rejection.of(RequestProblem.BODY_NOT_AN_OBJECT, "A JSON object is needed here.");
     }
 
     private static String known(UnrecognizedPropertyException unknown) {
@@ -117,7 +125,7 @@ public final class JsonReader {
         String said = other.getTypeId();
         return said == null
                 ? InvalidInput.missing(field, allowed)
-                : InvalidInput.outside(field, allowed, "\"" + said + "\"");
+                : InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, field, allowed, "\"" + said + "\"");
     }
 
     private static String firstLine(String text) {

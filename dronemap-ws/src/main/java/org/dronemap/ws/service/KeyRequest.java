@@ -73,6 +73,7 @@ public record KeyRequest(
         String reference = WireNames.camel(outer.reference());
         if (altitudeReference != null && !altitudeReference.equals(reference)) {
             throw InvalidInput.outside(
+                    ValueProblem.VALUE_NOT_ALLOWED,
                     "altitudeReference",
                     reference + ", as for the key that it is made with",
                     "\"" + altitudeReference + "\"");
@@ -85,14 +86,25 @@ public record KeyRequest(
             return field.equals("floor") ? outer.floorMeters() : outer.ceilingMeters();
         }
         if (!(meters >= outer.lowMeters() && meters <= outer.highMeters())) {
-            throw InvalidInput.outside(field, outer.words() + ", as for the key that it is made with", meters + " m");
+            throw InvalidInput.outside(
+                    ValueProblem.KEY_BOUNDS_TOO_WIDE,
+                    field,
+                    outer.words() + ", as for the key that it is made with",
+                    meters + " m");
         }
         return meters;
     }
 
     private static int checked(int days) {
         if (days < 1 || days > MOST_DAYS) {
-            throw InvalidInput.outside("days", "1 to " + MOST_DAYS, days);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "days",
+                    "1 to " + MOST_DAYS,
+                    days,
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST_DAYS),
+                    ProblemParameter.UNIT.is("days"));
         }
         return days;
     }
@@ -100,17 +112,23 @@ public record KeyRequest(
     private static Set<DroneId> ids(List<@Nullable String> drones) {
         String allowed = "1 to " + MOST_DRONES + " ids of drones";
         if (drones.isEmpty() || drones.size() > MOST_DRONES) {
-            throw InvalidInput.outside("drones", allowed, drones.size() + " ids");
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "drones",
+                    allowed,
+                    drones.size() + " ids",
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST_DRONES));
         }
         Set<DroneId> ids = new LinkedHashSet<>();
         for (String drone : drones) {
             if (drone == null) {
-                throw InvalidInput.outside("drones", allowed, "null");
+                throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, "drones", allowed, "null");
             }
             try {
                 ids.add(new DroneId(drone));
             } catch (IllegalArgumentException notAnId) {
-                throw InvalidInput.outside("drones", allowed, "\"" + drone + "\"");
+                throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, "drones", allowed, "\"" + drone + "\"");
             }
         }
         return ids;
@@ -122,7 +140,8 @@ public record KeyRequest(
             permissions.add(Arrays.stream(Permission.values())
                     .filter(permission -> WireNames.camel(permission).equals(operation))
                     .findFirst()
-                    .orElseThrow(() -> InvalidInput.outside("operations", OPERATIONS, "\"" + operation + "\"")));
+                    .orElseThrow(() -> InvalidInput.outside(
+                            ValueProblem.VALUE_NOT_ALLOWED, "operations", OPERATIONS, "\"" + operation + "\"")));
         }
         return permissions;
     }

@@ -31,7 +31,11 @@ final class KmlZones {
             }
         }
         if (parts.isEmpty()) {
-            throw new InvalidInput("Placemark", "at least one Polygon", "There is no Polygon in this KML file.");
+            throw new InvalidInput(
+                    ValueProblem.FILE_UNUSABLE,
+                    "Placemark",
+                    "at least one Polygon",
+                    "There is no Polygon in this KML file.");
         }
         return parts;
     }
@@ -67,7 +71,8 @@ final class KmlZones {
             String[] numbers = tuple.split(",", -1);
             return List.of(Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1]));
         } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
-            throw InvalidInput.outside(at + "coordinates", "longitude,latitude pairs", "\"" + tuple + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_MALFORMED, at + "coordinates", "longitude,latitude pairs", "\"" + tuple + "\"");
         }
     }
 
@@ -91,10 +96,14 @@ final class KmlZones {
             builder.setErrorHandler(new Silent());
             return builder.parse(new InputSource(new StringReader(text)));
         } catch (SAXParseException e) {
-            throw Rejection.malformed("This is not KML that can be read: it goes wrong in line " + e.getLineNumber()
-                    + ", column " + e.getColumnNumber() + "; a DOCTYPE is not taken.");
+            throw Rejection.of(
+                    RequestProblem.KML_UNREADABLE,
+                    "This is not KML that can be read: it goes wrong in line " + e.getLineNumber() + ", column "
+                            + e.getColumnNumber() + "; a DOCTYPE is not taken.",
+                    ProblemParameter.LINE.is(e.getLineNumber()),
+                    ProblemParameter.COLUMN.is(e.getColumnNumber()));
         } catch (SAXException | IOException e) {
-            throw Rejection.malformed("This is not KML.");
+            throw Rejection.of(RequestProblem.KML_UNREADABLE, "This is not KML.");
         } catch (ParserConfigurationException e) {
             throw new IllegalStateException(e);
         }

@@ -81,8 +81,9 @@ public final class LinkSecurityService {
         LinkPolicy policy = Arrays.stream(LinkPolicy.values())
                 .filter(each -> WireNames.camel(each).equals(wanted))
                 .findFirst()
-                .orElseThrow(() -> InvalidInput.outside("policy", POLICIES, "\"" + wanted + "\""));
-        refuse(links.policy(drone, policy));
+                .orElseThrow(() ->
+                        InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "policy", POLICIES, "\"" + wanted + "\""));
+        refuse(drone, links.policy(drone, policy));
         LOG.info("{} set the link policy of {} to {}", principal.name(), drone, wanted);
         return links.view(drone);
     }
@@ -92,7 +93,10 @@ public final class LinkSecurityService {
         DroneId drone = securable(principal, id);
         LinkKey key = request.key() == null ? newKey() : given(request.key());
         if (!links.put(drone, key)) {
-            throw Rejection.conflict("The vehicle uses a key already; rotate it, or revoke it first.");
+            throw Rejection.of(
+                    DroneProblem.LINK_KEY_IN_USE,
+                    "The vehicle uses a key already; rotate it, or revoke it first.",
+                    ProblemParameter.DRONE.is(drone.value()));
         }
         LOG.info("{} made the link key {} for {}", principal.name(), key.fingerprint(), drone);
         return new MadeKey(key.fingerprint(), HexFormat.of().formatHex(key.secret()));
@@ -130,7 +134,7 @@ public final class LinkSecurityService {
                 WireNames.camel(change),
                 drone,
                 confirmed ? ", vouching for the link" : "");
-        await(links.change(drone, change, next, confirmed)).ifPresent(why -> refuse(Optional.of(why)));
+        await(links.change(drone, change, next, confirmed)).ifPresent(why -> refuse(drone, Optional.of(why)));
         return links.view(drone);
     }
 
@@ -147,16 +151,19 @@ public final class LinkSecurityService {
         }
     }
 
-    private static void refuse(Optional<String> why) {
+    private static void refuse(DroneId drone, Optional<String> why) {
         if (why.isPresent()) {
-            throw Rejection.conflict(why.get());
+            throw Rejection.of(DroneProblem.LINK_SECURITY_REFUSED, why.get(), ProblemParameter.DRONE.is(drone.value()));
         }
     }
 
     private DroneId securable(Principal principal, String id) {
         DroneState state = drones.state(principal, id, Role.ADMINISTRATOR);
         if (state.replay()) {
-            throw Rejection.conflict("This drone comes from a recording; it has no link to secure.");
+            throw Rejection.of(
+                    DroneProblem.DRONE_IS_A_RECORDING,
+                    "This drone comes from a recording; it has no link to secure.",
+                    ProblemParameter.DRONE.is(state.id().value()));
         }
         return state.id();
     }
@@ -171,6 +178,6 @@ public final class LinkSecurityService {
         if (text.matches("[0-9a-fA-F]{64}") && !text.matches("0{64}")) {
             return new LinkKey(HexFormat.of().parseHex(text));
         }
-        throw new InvalidInput("key", KEY_FORM, "\"key\" must be " + KEY_FORM + ".");
+        throw new InvalidInput(ValueProblem.VALUE_MALFORMED, "key", KEY_FORM, "\"key\" must be " + KEY_FORM + ".");
     }
 }

@@ -48,7 +48,7 @@ public final class LinkService {
         return endpoints(principal).stream()
                 .filter(endpoint -> endpoint.id().equals(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("endpoint", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ENDPOINT, id));
     }
 
     /** Kept from now on, also over restarts; listed as failed, with the reason, while it cannot open. */
@@ -57,13 +57,16 @@ public final class LinkService {
         String url = checked(request.url());
         String id = "e" + UUID.randomUUID().toString().replace("-", "").substring(0, ID_LETTERS);
         if (!store.addLink(new SavedLink(id, url, principal.name(), clock.instant()))) {
-            throw Rejection.conflict("There is an endpoint " + url + " already.");
+            throw Rejection.of(DroneProblem.ENDPOINT_KNOWN, "There is an endpoint " + url + " already.");
         }
         try {
             links.keep(id, url);
         } catch (IllegalStateException noRoom) {
             store.deleteLink(id);
-            throw Rejection.conflict(String.valueOf(noRoom.getMessage()));
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    String.valueOf(noRoom.getMessage()),
+                    ProblemParameter.WHAT.is("endpoints"));
         }
         return endpoint(principal, id);
     }
@@ -75,14 +78,15 @@ public final class LinkService {
         try {
             return links.checked(url);
         } catch (IllegalArgumentException e) {
-            throw new InvalidInput("url", URL_FORM, String.valueOf(e.getMessage()));
+            throw new InvalidInput(ValueProblem.VALUE_MALFORMED, "url", URL_FORM, String.valueOf(e.getMessage()));
         }
     }
 
     public void remove(Principal principal, String id) {
         EndpointView endpoint = endpoint(principal, id);
         if (!store.deleteLink(id)) {
-            throw Rejection.conflict(
+            throw Rejection.of(
+                    DroneProblem.ENDPOINT_OF_SETTING,
                     endpoint.url() + " is set by DRONEMAP_ENDPOINTS or DRONEMAP_ROBOTS; change the setting.");
         }
         links.remove(id);

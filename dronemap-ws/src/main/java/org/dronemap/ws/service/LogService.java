@@ -55,7 +55,10 @@ public final class LogService {
         DroneState drone = drones.state(caller.principal(), droneId, Role.OPERATOR);
         VehicleLog log = log(drone, number);
         if (shelf.find(drone.id(), log).isPresent()) {
-            throw Rejection.conflict("The server has this log already; save the file, or remove it to fetch it anew.");
+            throw Rejection.of(
+                    DroneProblem.LOG_FETCHED,
+                    "The server has this log already; save the file, or remove it to fetch it anew.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         return commands.give(
                 caller.principal(),
@@ -68,24 +71,32 @@ public final class LogService {
     public Path file(Principal principal, String droneId, int number) {
         DroneState drone = drones.state(principal, droneId);
         return shelf.find(drone.id(), log(drone, number))
-                .orElseThrow(() -> Rejection.conflict("This log has not been fetched from the vehicle yet."));
+                .orElseThrow(() -> Rejection.of(
+                        DroneProblem.LOG_NOT_FETCHED,
+                        "This log has not been fetched from the vehicle yet.",
+                        ProblemParameter.DRONE.is(drone.id().value())));
     }
 
     /** Removes the server's copy; the vehicle keeps its own. */
     public void remove(Caller caller, String droneId, int number) {
         DroneState drone = drones.state(caller.principal(), droneId, Role.OPERATOR);
         if (!shelf.remove(drone.id(), log(drone, number))) {
-            throw Rejection.conflict("The server has no copy of this log.");
+            throw Rejection.of(
+                    DroneProblem.LOG_NOT_FETCHED,
+                    "The server has no copy of this log.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
     }
 
     private VehicleLog log(DroneState drone, int number) {
         List<VehicleLog> logs = Optional.ofNullable(cloud.onBoard(drone.id()).logs())
-                .orElseThrow(() ->
-                        Rejection.conflict("The logs of this drone have not been listed yet; refresh them first."));
+                .orElseThrow(() -> Rejection.of(
+                        DroneProblem.LOGS_NOT_LISTED,
+                        "The logs of this drone have not been listed yet; refresh them first.",
+                        ProblemParameter.DRONE.is(drone.id().value())));
         return logs.stream()
                 .filter(log -> log.number() == number)
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("log", Integer.toString(number)));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.LOG, Integer.toString(number)));
     }
 }

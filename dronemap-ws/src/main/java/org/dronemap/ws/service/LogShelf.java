@@ -31,8 +31,8 @@ public final class LogShelf implements AutoCloseable {
         try {
             Files.createDirectories(folder.resolve(drone.value()));
             if (folder.toFile().getUsableSpace() < log.sizeBytes() + ROOM_TO_LEAVE_BYTES) {
-                throw new Rejection(
-                        RejectionKind.UNAVAILABLE, "There is no room on the server's disk for a log of this size.");
+                throw Rejection.of(
+                        ServerProblem.DISK_FULL, "There is no room on the server's disk for a log of this size.");
             }
             return new LogFile(stem(drone, log), log, writer);
         } catch (IOException e) {

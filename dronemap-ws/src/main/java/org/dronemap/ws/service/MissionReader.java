@@ -22,7 +22,13 @@ final class MissionReader {
             throw InvalidInput.missing("items", COUNT);
         }
         if (items.size() > Mission.MAX_ITEMS) {
-            throw InvalidInput.outside("items", COUNT, items.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "items",
+                    COUNT,
+                    items.size(),
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(Mission.MAX_ITEMS));
         }
         List<MissionItem> read = new ArrayList<>(items.size());
         for (int index = 0; index < items.size(); index++) {
@@ -46,7 +52,8 @@ final class MissionReader {
             case SET_SERVO -> servo(at + ".", item.output(), item.pulse());
             case LOOK_AT -> lookAt(at + ".", item);
             case LOOK_AHEAD -> new MissionItem.LookAhead();
-            case OTHER -> throw InvalidInput.outside(at + ".type", TYPES, "\"" + type + "\"");
+            case OTHER ->
+                throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, at + ".type", TYPES, "\"" + type + "\"");
         };
     }
 
@@ -78,7 +85,9 @@ final class MissionReader {
         return switch (reference == null ? "home" : reference) {
             case "home" -> new Altitude(checked, Altitude.Reference.HOME);
             case "amsl" -> new Altitude(checked, Altitude.Reference.AMSL);
-            default -> throw InvalidInput.outside(at + "altitudeReference", REFERENCES, "\"" + reference + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, at + "altitudeReference", REFERENCES, "\"" + reference + "\"");
         };
     }
 }

@@ -65,7 +65,7 @@ public final class MissionService {
     public void delete(Principal principal, String id) {
         Roles.require(principal, Role.PLANNER);
         if (!store.delete(find(principal, id).id())) {
-            throw Rejection.unknown("mission", id);
+            throw Rejection.unknown(UnknownProblem.MISSION, id);
         }
     }
 
@@ -85,6 +85,6 @@ public final class MissionService {
     private SavedMission find(Principal principal, String id) {
         return store.mission(id)
                 .filter(saved -> saved.organisation().equals(principal.organisation()))
-                .orElseThrow(() -> Rejection.unknown("mission", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.MISSION, id));
     }
 }

@@ -14,13 +14,19 @@ final class Names {
         String trimmed = value.strip();
         if (trimmed.length() > longest) {
             throw new InvalidInput(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
                     field,
                     allowed,
-                    "\"" + field + "\" must be " + allowed + "; this one has " + trimmed.length() + ".");
+                    "\"" + field + "\" must be " + allowed + "; this one has " + trimmed.length() + ".",
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(longest));
         }
         if (trimmed.chars().anyMatch(Character::isISOControl)) {
             throw new InvalidInput(
-                    field, allowed + ", no control characters", "\"" + field + "\" must not have control characters.");
+                    ValueProblem.VALUE_MALFORMED,
+                    field,
+                    allowed + ", no control characters",
+                    "\"" + field + "\" must not have control characters.");
         }
         return trimmed;
     }

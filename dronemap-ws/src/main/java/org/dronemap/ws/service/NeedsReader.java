@@ -27,7 +27,13 @@ final class NeedsReader {
         Integer minutes = needs.enduranceMinutes();
         if (minutes != null && (minutes < 1 || minutes > Needs.LONGEST_ENDURANCE_MINUTES)) {
             throw InvalidInput.outside(
-                    "needs.enduranceMinutes", "1 to " + Needs.LONGEST_ENDURANCE_MINUTES + " minutes", minutes);
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "needs.enduranceMinutes",
+                    "1 to " + Needs.LONGEST_ENDURANCE_MINUTES + " minutes",
+                    minutes,
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(Needs.LONGEST_ENDURANCE_MINUTES),
+                    ProblemParameter.UNIT.is("minutes"));
         }
         return new Needs(kind(needs.kind()), capabilities(needs.capabilities()), minutes, area(needs.area()));
     }
@@ -74,7 +80,8 @@ final class NeedsReader {
         return Arrays.stream(all)
                 .filter(one -> WireNames.camel(one).equals(name))
                 .findFirst()
-                .orElseThrow(() -> InvalidInput.outside(field, allowed, "\"" + name + "\""));
+                .orElseThrow(
+                        () -> InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, field, allowed, "\"" + name + "\""));
     }
 
     private static String names(Enum<?>[] all) {

@@ -50,7 +50,7 @@ final class OperationDesk<S, I> {
      * @param one "mission run"
      * @param flies "a mission run flies"
      */
-    record Words(char letter, String one, String flies) {}
+    record Words(char letter, String one, String flies, UnknownProblem unknown) {}
 
     /** {@code shown}: for others of its organisation it does not exist. */
     OperationDesk(
@@ -97,7 +97,7 @@ final class OperationDesk<S, I> {
         return parse(id)
                 .flatMap(known -> operations.find(kind, known))
                 .filter(one -> isShown(principal, one))
-                .orElseThrow(() -> Rejection.unknown(words.one(), id));
+                .orElseThrow(() -> Rejection.unknown(words.unknown(), id));
     }
 
     private static Optional<OperationId> parse(String id) {
@@ -111,7 +111,8 @@ final class OperationDesk<S, I> {
     /** It flies on without whoever started it, as its user: bounds of a key cannot be kept. */
     void requireWithoutBounds(Principal principal) {
         if (principal.scope().isBounded()) {
-            throw Rejection.forbidden(
+            throw Rejection.of(
+                    AccessProblem.KEY_BOUNDED,
                     "This access key has an area or heights, and " + words.flies() + " without them.");
         }
     }
@@ -121,7 +122,11 @@ final class OperationDesk<S, I> {
                 .filter(one -> one.saved().organisation().equals(principal.organisation()))
                 .count();
         if (underWay >= MOST_UNDER_WAY) {
-            throw Rejection.conflict("Your organisation has " + underWay + " " + words.one() + "s under way already.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "Your organisation has " + underWay + " " + words.one() + "s under way already.",
+                    ProblemParameter.WHAT.is(words.one() + "s"),
+                    ProblemParameter.MOST.is(MOST_UNDER_WAY));
         }
     }
 
@@ -139,7 +144,7 @@ final class OperationDesk<S, I> {
      */
     void takeBack(Principal principal, S state, I wish, DroneId drone) {
         kind.machine().refusal(state, wish).ifPresent(why -> {
-            throw Rejection.conflict(why);
+            throw Rejection.of(OperationProblem.OPERATION_STATE, why);
         });
         Tenure tenure = cloud.controls().control(drone).tenure();
         if (tenure != null && tenure.holder() instanceof Holder.Pilot) {
@@ -168,7 +173,7 @@ final class OperationDesk<S, I> {
         try {
             return work.get();
         } catch (Operations.Refused refused) {
-            throw Rejection.conflict(refused.why());
+            throw Rejection.of(OperationProblem.OPERATION_STATE, refused.why());
         }
     }
 

@@ -67,7 +67,11 @@ public final class OrganisationService {
     public OrganisationView add(Principal principal, NameRequest request) {
         Roles.requireServer(principal, Role.ADMINISTRATOR);
         if (grants.holdings().organisations().size() >= MOST) {
-            throw Rejection.conflict("There are " + MOST + " organisations already.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "There are " + MOST + " organisations already.",
+                    ProblemParameter.WHAT.is("organisations"),
+                    ProblemParameter.MOST.is(MOST));
         }
         String id = "o"
                 + secrets.token()
@@ -96,8 +100,12 @@ public final class OrganisationService {
         Organisation going = find(id);
         OrganisationView holds = view(going.id(), going.name(), going.madeAt(), access.users());
         if (holds.users() + holds.drones() > 0) {
-            throw Rejection.conflict(going.name() + " still has " + holds.users() + " users and " + holds.drones()
-                    + " drones; only an empty organisation can be removed.");
+            throw Rejection.of(
+                    AccessProblem.ORGANISATION_NOT_EMPTY,
+                    going.name() + " still has " + holds.users() + " users and " + holds.drones()
+                            + " drones; only an empty organisation can be removed.",
+                    ProblemParameter.USERS.is(holds.users()),
+                    ProblemParameter.DRONES.is(holds.drones()));
         }
         zones.forget(going.id());
         grants.make(store -> store.deleteOrganisation(going.id()));
@@ -110,7 +118,8 @@ public final class OrganisationService {
         }
         return known(id)
                 .map(Organisation::id)
-                .orElseThrow(() -> InvalidInput.outside("organisation", ID_FORM, "\"" + id + "\""));
+                .orElseThrow(() -> InvalidInput.outside(
+                        ValueProblem.REFERENCE_UNKNOWN, "organisation", ID_FORM, "\"" + id + "\""));
     }
 
     /** Only those who run the server invite into others than their own. */
@@ -144,13 +153,16 @@ public final class OrganisationService {
                         .anyMatch(each -> each.name().equalsIgnoreCase(checked)
                                 && !each.id().equals(own));
         if (taken) {
-            throw Rejection.conflict("There is an organisation " + checked + " already.");
+            throw Rejection.of(
+                    AccessProblem.NAME_TAKEN,
+                    "There is an organisation " + checked + " already.",
+                    ProblemParameter.NAME.is(checked));
         }
         return checked;
     }
 
     Organisation find(String id) {
-        return known(id).orElseThrow(() -> Rejection.unknown("organisation", id));
+        return known(id).orElseThrow(() -> Rejection.unknown(UnknownProblem.ORGANISATION, id));
     }
 
     private Optional<Organisation> known(String id) {

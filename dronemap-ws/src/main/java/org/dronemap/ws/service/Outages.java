@@ -20,14 +20,14 @@ public final class Outages {
     public static Optional<Rejection> of(Throwable thrown) {
         for (Throwable cause = thrown; cause != null; cause = cause.getCause()) {
             if (cause instanceof Outage outage && outage.isPassing()) {
-                return Optional.of(new Rejection(
-                        RejectionKind.UNAVAILABLE,
+                return Optional.of(Rejection.of(
+                        ServerProblem.STORE_UNREACHABLE,
                         "What the server keeps cannot be reached or written at the moment; drones fly on. Try again"
                                 + " later."));
             }
             if (cause instanceof IOException file && isFull(file)) {
-                return Optional.of(new Rejection(
-                        RejectionKind.UNAVAILABLE,
+                return Optional.of(Rejection.of(
+                        ServerProblem.DISK_FULL,
                         "There is no room on the server's disk at the moment; drones fly on. Try again later."));
             }
         }

@@ -111,7 +111,7 @@ public final class OutletService {
         String given = request.passphrase();
         String passphrase = given == null ? secrets.password() : checked(given);
         if (!outlet.putKey(principal.name(), key(passphrase))) {
-            throw Rejection.conflict("This passphrase cannot be used; take another one.");
+            throw Rejection.of(AccessProblem.PASSPHRASE_UNUSABLE, "This passphrase cannot be used; take another one.");
         }
         return new PassphraseView(passphrase);
     }
@@ -127,18 +127,33 @@ public final class OutletService {
         requireAllRights(principal);
         String address = request.address();
         if (address == null || address.isBlank()) {
-            throw new InvalidInput("address", ADDRESS_FORM, "\"address\" is missing: " + ADDRESS_FORM + ".");
+            throw new InvalidInput(
+                    ValueProblem.VALUE_MISSING,
+                    "address",
+                    ADDRESS_FORM,
+                    "\"address\" is missing: " + ADDRESS_FORM + ".");
         }
         Integer hours = request.hours();
         if (hours != null && (hours < 1 || hours > MOST_HOURS)) {
-            throw new InvalidInput("hours", HOURS_FORM, "\"hours\" must be " + HOURS_FORM + ".");
+            throw new InvalidInput(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "hours",
+                    HOURS_FORM,
+                    "\"hours\" must be " + HOURS_FORM + ".",
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST_HOURS),
+                    ProblemParameter.UNIT.is("hours"));
         }
         try {
             return outlet.openPort(principal.name(), address, Duration.ofHours(hours == null ? USUAL_HOURS : hours));
         } catch (IllegalArgumentException noAddress) {
-            throw new InvalidInput("address", ADDRESS_FORM, String.valueOf(noAddress.getMessage()));
+            throw new InvalidInput(
+                    ValueProblem.VALUE_MALFORMED, "address", ADDRESS_FORM, String.valueOf(noAddress.getMessage()));
         } catch (IllegalStateException none) {
-            throw Rejection.conflict(String.valueOf(none.getMessage()));
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    String.valueOf(none.getMessage()),
+                    ProblemParameter.WHAT.is("personal ports"));
         }
     }
 
@@ -151,7 +166,7 @@ public final class OutletService {
                 .filter(port -> port.id().equals(id))
                 .anyMatch(port -> anybodys || port.user().equals(principal.name()));
         if (!may || !outlet.closePort(id)) {
-            throw Rejection.unknown("personal port", id);
+            throw Rejection.unknown(UnknownProblem.PERSONAL_PORT, id);
         }
     }
 
@@ -163,7 +178,7 @@ public final class OutletService {
     public void disconnect(Principal principal, String id) {
         Roles.requireServer(principal, Role.ADMINISTRATOR);
         if (!outlet.disconnect(id)) {
-            throw Rejection.unknown("client", id);
+            throw Rejection.unknown(UnknownProblem.OUTLET_CLIENT, id);
         }
     }
 
@@ -177,7 +192,8 @@ public final class OutletService {
                 .filter(key -> key.id().equals(id))
                 .anyMatch(key -> isWhole(key, store.user(principal.name()).orElse(null)));
         if (!whole) {
-            throw Rejection.forbidden(
+            throw Rejection.of(
+                    AccessProblem.KEY_LIMITED,
                     "This access key may less than you; sign in with your password to set the passphrase.");
         }
     }
@@ -198,7 +214,8 @@ public final class OutletService {
                 && passphrase.length() <= LONGEST
                 && passphrase.equals(passphrase.strip());
         if (!printable || !fits) {
-            throw new InvalidInput("passphrase", FORM, "\"passphrase\" must be " + FORM + ".");
+            throw new InvalidInput(
+                    ValueProblem.VALUE_MALFORMED, "passphrase", FORM, "\"passphrase\" must be " + FORM + ".");
         }
         return passphrase;
     }

@@ -22,7 +22,13 @@ final class ParameterReader {
             throw InvalidInput.missing("parameters", COUNT);
         }
         if (written.size() > MOST) {
-            throw InvalidInput.outside("parameters", COUNT, written.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "parameters",
+                    COUNT,
+                    written.size(),
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST));
         }
         List<ParameterValue> values = new ArrayList<>(written.size());
         for (int index = 0; index < written.size(); index++) {
@@ -39,17 +45,18 @@ final class ParameterReader {
             throw InvalidInput.missing(nameField, NAMES);
         }
         if (!ParameterValue.isName(name)) {
-            throw InvalidInput.outside(nameField, NAMES, "\"" + name + "\"");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, nameField, NAMES, "\"" + name + "\"");
         }
         if (value == null || !Double.isFinite(value)) {
             throw InvalidInput.missing(valueField, "a number");
         }
         Parameter held = vehicle.find(name).orElse(null);
         if (held == null && vehicle.readAt() != null) {
-            throw InvalidInput.outside(nameField, "a parameter that the vehicle has", "\"" + name + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.REFERENCE_UNKNOWN, nameField, "a parameter that the vehicle has", "\"" + name + "\"");
         }
         if (held != null && !held.type().holds(value)) {
-            throw InvalidInput.outside(valueField, range(held.type()), value);
+            throw InvalidInput.outside(ValueProblem.VALUE_OUT_OF_RANGE, valueField, range(held.type()), value);
         }
         return new ParameterValue(name, value);
     }
@@ -62,12 +69,21 @@ final class ParameterReader {
         try {
             List<ParameterValue> values = ParameterFile.read(text);
             if (values.isEmpty() || values.size() > MOST) {
-                throw InvalidInput.outside("file", COUNT, values.size());
+                throw InvalidInput.outside(
+                        ValueProblem.SIZE_OUT_OF_RANGE,
+                        "file",
+                        COUNT,
+                        values.size(),
+                        ProblemParameter.LEAST.is(1),
+                        ProblemParameter.MOST.is(MOST));
             }
             return values;
         } catch (IllegalArgumentException e) {
             throw new InvalidInput(
-                    "file", "lines such as RTL_ALT,1500", "The file cannot be used: " + e.getMessage() + ".");
+                    ValueProblem.FILE_UNUSABLE,
+                    "file",
+                    "lines such as RTL_ALT,1500",
+                    "The file cannot be used: " + e.getMessage() + ".");
         }
     }
 }

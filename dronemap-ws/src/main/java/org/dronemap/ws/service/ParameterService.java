@@ -70,7 +70,7 @@ public final class ParameterService {
         return switch (form == null ? "list" : form) {
             case "list" -> ParameterFile.Form.LIST;
             case "table" -> ParameterFile.Form.TABLE;
-            default -> throw InvalidInput.outside("form", FORMS, "\"" + form + "\"");
+            default -> throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "form", FORMS, "\"" + form + "\"");
         };
     }
 
@@ -102,7 +102,10 @@ public final class ParameterService {
     private ParameterSet whole(DroneState drone) {
         ParameterSet all = held(drone);
         if (all.readAt() == null) {
-            throw Rejection.conflict("The parameters of this drone have not been read yet; refresh them first.");
+            throw Rejection.of(
+                    DroneProblem.PARAMETERS_NOT_READ,
+                    "The parameters of this drone have not been read yet; refresh them first.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         return all;
     }

@@ -16,7 +16,12 @@ final class PasswordRule {
         }
         if (password.length() < SHORTEST || password.length() > LONGEST) {
             throw new InvalidInput(
-                    field, allowed, "A password must have " + allowed + "; this one has " + password.length() + ".");
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    field,
+                    allowed,
+                    "A password must have " + allowed + "; this one has " + password.length() + ".",
+                    ProblemParameter.LEAST.is(SHORTEST),
+                    ProblemParameter.MOST.is(LONGEST));
         }
         return password;
     }

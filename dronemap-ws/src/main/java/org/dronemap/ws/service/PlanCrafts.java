@@ -32,7 +32,7 @@ final class PlanCrafts {
         VehicleKind kind = drone.identification().kind();
         Home home = drone.home();
         if (home == null) {
-            throw missing(drone, "Where the home of %s is, is not known.");
+            throw missing(DroneProblem.HOME_UNKNOWN, drone, "Where the home of %s is, is not known.");
         }
         Place stand = stand(drone, home);
         Performance performance = Performance.of(kind, drone.identification().autopilot());
@@ -49,17 +49,22 @@ final class PlanCrafts {
 
     private static void ready(DroneState drone) {
         if (drone.replay()) {
-            throw missing(drone, "%s comes from a recording; it cannot be planned with.");
+            throw missing(
+                    DroneProblem.DRONE_IS_A_RECORDING, drone, "%s comes from a recording; it cannot be planned with.");
         }
         if (drone.link().state() != LinkState.LIVE) {
-            throw missing(drone, "There is no good contact with %s.");
+            throw missing(DroneProblem.CONTACT_NOT_GOOD, drone, "There is no good contact with %s.");
         }
         if (drone.identification().kind() == VehicleKind.UNKNOWN
                 || !drone.capabilities().known()) {
-            throw missing(drone, "What kind of vehicle %s is, and what it can do, is not known.");
+            throw missing(
+                    DroneProblem.VEHICLE_UNKNOWN,
+                    drone,
+                    "What kind of vehicle %s is, and what it can do, is not known.");
         }
         if (drone.airborne()) {
-            throw missing(drone, "%s is in the air; plans are made for drones on the ground.");
+            throw missing(
+                    DroneProblem.DRONE_AIRBORNE, drone, "%s is in the air; plans are made for drones on the ground.");
         }
     }
 
@@ -70,20 +75,24 @@ final class PlanCrafts {
         Double amsl = position == null ? null : position.altitudeAmslMeters();
         Double above = position == null ? null : position.altitudeAboveHomeMeters();
         if (point == null) {
-            throw missing(drone, "Where %s is, is not known.");
+            throw missing(DroneProblem.POSITION_UNKNOWN, drone, "Where %s is, is not known.");
         }
         if (above != null) {
             return new Place(point, amslMeters(drone, home.altitudeAmslMeters() + above));
         }
         if (amsl == null) {
-            throw missing(drone, "How high %s stands is not known.");
+            throw missing(DroneProblem.POSITION_UNKNOWN, drone, "How high %s stands is not known.");
         }
         return new Place(point, amslMeters(drone, amsl));
     }
 
     private static double amslMeters(DroneState drone, double meters) {
         if (!(meters >= Altitude.LOWEST_PLANNED_METERS && meters <= Altitude.HIGHEST_PLANNED_METERS)) {
-            throw missing(drone, "The altitude that %s tells (" + Math.round(meters) + " m) cannot be.");
+            throw Rejection.of(
+                    DroneProblem.ALTITUDE_IMPLAUSIBLE,
+                    "The altitude that “" + drone.name() + "” tells (" + Math.round(meters) + " m) cannot be.",
+                    ProblemParameter.DRONE.is(drone.id().value()),
+                    ProblemParameter.ALTITUDE.is(meters));
         }
         return meters;
     }
@@ -92,7 +101,7 @@ final class PlanCrafts {
         Battery battery = drone.battery();
         Integer percent = battery == null ? null : battery.percent();
         if (percent == null) {
-            throw missing(drone, "How full the battery of %s is, is not known.");
+            throw missing(DroneProblem.BATTERY_UNKNOWN, drone, "How full the battery of %s is, is not known.");
         }
         return new Supply(joules(percent, drone, performance), joules(Selection.RESERVE_PERCENT, drone, performance));
     }
@@ -112,12 +121,18 @@ final class PlanCrafts {
         LinkQuality quality = drone.link().quality();
         Double loss = quality.lossShort() == null ? quality.lossLong() : quality.lossShort();
         if (loss == null) {
-            throw missing(drone, "How good the link of %s is, is not known yet; that takes some seconds of contact.");
+            throw missing(
+                    DroneProblem.LINK_QUALITY_UNKNOWN,
+                    drone,
+                    "How good the link of %s is, is not known yet; that takes some seconds of contact.");
         }
         return Math.max(0, Math.min(1, loss));
     }
 
-    private static Rejection missing(DroneState drone, String sentence) {
-        return Rejection.conflict(sentence.replace("%s", "“" + drone.name() + "”"));
+    private static Rejection missing(DroneProblem code, DroneState drone, String sentence) {
+        return Rejection.of(
+                code,
+                sentence.replace("%s", "“" + drone.name() + "”"),
+                ProblemParameter.DRONE.is(drone.id().value()));
     }
 }

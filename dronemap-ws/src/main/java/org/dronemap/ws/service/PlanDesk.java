@@ -81,9 +81,10 @@ public final class PlanDesk implements AutoCloseable {
             try {
                 pool.execute(kept.work());
             } catch (RejectedExecutionException full) {
-                throw new Rejection(
-                        RejectionKind.UNAVAILABLE,
-                        bounds.queued() + " plans wait to be worked out already; try again in a minute.");
+                throw Rejection.of(
+                        ServerProblem.SERVER_BUSY,
+                        bounds.queued() + " plans wait to be worked out already; try again in a minute.",
+                        ProblemParameter.WHAT.is("plans"));
             }
             jobs.put(job.id(), kept);
             oldest.ifPresent(one -> jobs.remove(one.id()));
@@ -98,8 +99,11 @@ public final class PlanDesk implements AutoCloseable {
                         one.account().equals(account) && one.status().state().isUnderWay())
                 .count();
         if (underWay >= bounds.underWay()) {
-            throw Rejection.conflict(
-                    "You have " + underWay + " plans under way already; wait for one of them, or cancel it.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "You have " + underWay + " plans under way already; wait for one of them, or cancel it.",
+                    ProblemParameter.WHAT.is("plans"),
+                    ProblemParameter.MOST.is(bounds.underWay()));
         }
     }
 
@@ -114,8 +118,11 @@ public final class PlanDesk implements AutoCloseable {
         Optional<PlanJob> oldest =
                 same.stream().filter(PlanDesk::isOver).min(Comparator.comparingLong(PlanJob::endedNanos));
         if (oldest.isEmpty()) {
-            throw Rejection.conflict(
-                    "Your organisation has " + same.size() + " plans under way already; wait for one of them.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "Your organisation has " + same.size() + " plans under way already; wait for one of them.",
+                    ProblemParameter.WHAT.is("plans"),
+                    ProblemParameter.MOST.is(bounds.kept()));
         }
         return oldest;
     }

@@ -69,12 +69,19 @@ final class PlanReader {
         Set<String> each = new LinkedHashSet<>();
         for (String drone : asked) {
             if (drone == null) {
-                throw InvalidInput.outside("drones", DRONES_FORM, "a list with null in it");
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_MALFORMED, "drones", DRONES_FORM, "a list with null in it");
             }
             each.add(drone);
         }
         if (each.size() > MOST_DRONES) {
-            throw InvalidInput.outside("drones", DRONES_FORM, each.size() + " ids");
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "drones",
+                    DRONES_FORM,
+                    each.size() + " ids",
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST_DRONES));
         }
         List<DroneState> states = new ArrayList<>();
         each.forEach(drone -> states.add(drones.state(principal, drone, Role.PLANNER)));
@@ -84,7 +91,14 @@ final class PlanReader {
     private static Duration search(@Nullable Double seconds) {
         double asked = seconds == null ? USUAL_SECONDS : seconds;
         if (!(asked >= LEAST_SECONDS && asked <= MOST_SECONDS)) {
-            throw InvalidInput.outside("seconds", "0.1 to 60 seconds", asked);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "seconds",
+                    "0.1 to 60 seconds",
+                    asked,
+                    ProblemParameter.LEAST.is(0.1),
+                    ProblemParameter.MOST.is(60),
+                    ProblemParameter.UNIT.is("seconds"));
         }
         return Duration.ofMillis(Math.round(asked * MILLIS));
     }
@@ -101,7 +115,8 @@ final class PlanReader {
             case "leastDistance" -> new Objective(0, Objective.Measure.METERS, 1, everyDrone);
             case "leastEnergy" -> new Objective(0, Objective.Measure.JOULES, 1, everyDrone);
             case "weighted" -> weighted(asked, everyDrone);
-            default -> throw InvalidInput.outside("objective.kind", KINDS, "\"" + kind + "\"");
+            default ->
+                throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "objective.kind", KINDS, "\"" + kind + "\"");
         };
     }
 
@@ -109,7 +124,8 @@ final class PlanReader {
         double longest = Ranges.checked("objective.longestWeight", asked.longestWeight(), 0, HEAVIEST, "as a weight");
         double sum = Ranges.checked("objective.sumWeight", asked.sumWeight(), 0, HEAVIEST, "as a weight");
         if (longest == 0 && sum == 0) {
-            throw InvalidInput.outside("objective.sumWeight", "above 0 where longestWeight is 0", sum);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE, "objective.sumWeight", "above 0 where longestWeight is 0", sum);
         }
         return new Objective(longest, measure(asked.measure()), sum, everyDrone);
     }
@@ -119,7 +135,9 @@ final class PlanReader {
             case "seconds" -> Objective.Measure.SECONDS;
             case "meters" -> Objective.Measure.METERS;
             case "joules" -> Objective.Measure.JOULES;
-            default -> throw InvalidInput.outside("objective.measure", MEASURES, "\"" + name + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "objective.measure", MEASURES, "\"" + name + "\"");
         };
     }
 

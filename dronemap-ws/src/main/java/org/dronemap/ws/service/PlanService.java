@@ -78,7 +78,8 @@ public final class PlanService {
         Roles.require(principal, Role.PLANNER);
         PlanJob job = find(principal, id);
         if (job.status().busy()) {
-            throw Rejection.conflict(
+            throw Rejection.of(
+                    OperationProblem.PLAN_UNDER_WAY,
                     "Its missions are on their way to the drones, or drones wait for their start: stop it first.");
         }
         desk.remove(job);
@@ -99,7 +100,7 @@ public final class PlanService {
                 .map(tour -> new PlanFlight(tour.drone(), PlanFlight.Stage.UPLOADING, null, null))
                 .toList());
         if (!begun) {
-            throw Rejection.conflict("Its missions are on their way to the drones already.");
+            throw Rejection.of(OperationProblem.PLAN_UNDER_WAY, "Its missions are on their way to the drones already.");
         }
         CompletableFuture<Void> run = new PlanLaunch(desk, commands, job, caller, start).run(tours);
         return desk.time()
@@ -116,7 +117,7 @@ public final class PlanService {
         acceptable(principal, job, true);
         Planned planned = job.status().result();
         if (planned == null || job.status().busy()) {
-            throw Rejection.conflict("Its missions are on their way to the drones already.");
+            throw Rejection.of(OperationProblem.PLAN_UNDER_WAY, "Its missions are on their way to the drones already.");
         }
         return new Flyable(job.order(), planned);
     }
@@ -126,7 +127,7 @@ public final class PlanService {
         Roles.require(principal, Role.OPERATOR);
         PlanJob job = find(principal, id);
         if (!job.stop("It has its mission and was not started, since the start was stopped.")) {
-            throw Rejection.conflict("Nobody of this plan waits for a start.");
+            throw Rejection.of(OperationProblem.PLAN_STARTS_NOBODY, "Nobody of this plan waits for a start.");
         }
         return PlanViews.whole(job);
     }
@@ -134,7 +135,8 @@ public final class PlanService {
     private static PlanLaunch.Start start(PlanRequest.@Nullable AcceptRequest request) {
         String onCloudLoss = request == null ? null : request.onCloudLoss();
         if (onCloudLoss != null && !onCloudLoss.equals("continue") && !onCloudLoss.equals("rtl")) {
-            throw InvalidInput.outside("onCloudLoss", CLOUD_LOSS, "\"" + onCloudLoss + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", CLOUD_LOSS, "\"" + onCloudLoss + "\"");
         }
         return new PlanLaunch.Start(request != null && Boolean.TRUE.equals(request.start()), onCloudLoss);
     }
@@ -143,14 +145,14 @@ public final class PlanService {
     private List<Tour> acceptable(Principal principal, PlanJob job, boolean start) {
         Planned planned = job.status().result();
         if (planned == null) {
-            throw Rejection.conflict("The plan is not finished.");
+            throw Rejection.of(OperationProblem.PLAN_NOT_FINISHED, "The plan is not finished.");
         }
         List<String> faults = job.order().faults(planned);
         if (!faults.isEmpty()) {
-            throw Rejection.conflict("The plan must not be flown: " + String.join(" ", faults));
+            throw Rejection.of(OperationProblem.PLAN_UNSAFE, "The plan must not be flown: " + String.join(" ", faults));
         }
         if (planned.plan().tours().isEmpty()) {
-            throw Rejection.conflict("Nobody flies in this plan.");
+            throw Rejection.of(OperationProblem.PLAN_EMPTY, "Nobody flies in this plan.");
         }
         for (Tour tour : planned.plan().tours()) {
             String id = tour.drone().value();
@@ -165,7 +167,10 @@ public final class PlanService {
     /** Its tour begins where it stood when the plan was asked for, and ends at the home that it had. */
     private static void requireUnmoved(PlanJob job, DroneState now) {
         if (now.airborne()) {
-            throw Rejection.conflict("“" + now.name() + "” is in the air; plan again when it is on the ground.");
+            throw Rejection.of(
+                    DroneProblem.DRONE_AIRBORNE,
+                    "“" + now.name() + "” is in the air; plan again when it is on the ground.",
+                    ProblemParameter.DRONE.is(now.id().value()));
         }
         Home home = now.home();
         boolean unmoved = home != null
@@ -178,13 +183,17 @@ public final class PlanService {
                                 && Geodesy.distanceMeters(craft.finish().place().point(), home.point())
                                         <= MOST_MOVED_METERS);
         if (!unmoved) {
-            throw Rejection.conflict(
-                    "“" + now.name() + "”, or its home, is no longer where it was when this was planned; plan again.");
+            throw Rejection.of(
+                    OperationProblem.PLAN_OUTDATED,
+                    "“" + now.name() + "”, or its home, is no longer where it was when this was planned; plan again.",
+                    ProblemParameter.DRONE.is(now.id().value()));
         }
     }
 
     private PlanJob find(Principal principal, String id) {
-        return desk.find(id).filter(job -> isShownTo(principal, job)).orElseThrow(() -> Rejection.unknown("plan", id));
+        return desk.find(id)
+                .filter(job -> isShownTo(principal, job))
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.PLAN, id));
     }
 
     /** Not to be guessed, and fit to stand beside ids of drones. */

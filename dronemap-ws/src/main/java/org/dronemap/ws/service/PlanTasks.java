@@ -27,7 +27,8 @@ final class PlanTasks {
             return List.of();
         }
         if (asked.size() > MOST) {
-            throw InvalidInput.outside(at, COUNT, asked.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE, at, COUNT, asked.size(), ProblemParameter.MOST.is(MOST));
         }
         List<WaypointTask> tasks = new ArrayList<>();
         for (int index = 0; index < asked.size(); index++) {
@@ -60,7 +61,8 @@ final class PlanTasks {
                         1,
                         3600,
                         "seconds"));
-            default -> throw InvalidInput.outside(at + ".type", TYPES, "\"" + type + "\"");
+            default ->
+                throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, at + ".type", TYPES, "\"" + type + "\"");
         };
     }
 

@@ -43,7 +43,13 @@ final class PlanWaypoints {
             throw InvalidInput.missing("waypoints", COUNT);
         }
         if (asked.size() > MOST) {
-            throw InvalidInput.outside("waypoints", COUNT, asked.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "waypoints",
+                    COUNT,
+                    asked.size(),
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST));
         }
         Set<String> ids = new HashSet<>();
         List<Waypoint> read = new ArrayList<>(asked.size());
@@ -56,7 +62,10 @@ final class PlanWaypoints {
             Waypoint waypoint = waypoint(at + ".", one, index + 1);
             if (!ids.add(waypoint.id())) {
                 throw new InvalidInput(
-                        at + ".id", "another one each", "Two waypoints are called \"" + waypoint.id() + "\".");
+                        ValueProblem.VALUE_NOT_UNIQUE,
+                        at + ".id",
+                        "another one each",
+                        "Two waypoints are called \"" + waypoint.id() + "\".");
             }
             read.add(waypoint);
         }
@@ -94,7 +103,7 @@ final class PlanWaypoints {
             return String.valueOf(number);
         }
         if (given.isBlank() || given.length() > 40 || given.chars().anyMatch(Character::isISOControl)) {
-            throw InvalidInput.outside(at + "id", ID_FORM, "\"" + given.strip() + "\"");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, at + "id", ID_FORM, "\"" + given.strip() + "\"");
         }
         return given;
     }
@@ -116,6 +125,7 @@ final class PlanWaypoints {
         double lowest = crafts.stream().mapToDouble(Craft::homeAmslMeters).min().orElse(highest);
         if (highest - lowest > MOST_BETWEEN_HOMES_METERS) {
             throw new InvalidInput(
+                    ValueProblem.ALTITUDE_AMBIGUOUS,
                     at + "altitudeReference",
                     "amsl",
                     "The homes of these drones differ by " + Math.round(highest - lowest)
@@ -132,7 +142,8 @@ final class PlanWaypoints {
             needs.add(Skill.of(Arrays.stream(Capability.values())
                     .filter(one -> WireNames.camel(one).equals(name))
                     .findFirst()
-                    .orElseThrow(() -> InvalidInput.outside(field, CAPABILITIES, "\"" + name + "\""))));
+                    .orElseThrow(() -> InvalidInput.outside(
+                            ValueProblem.VALUE_NOT_ALLOWED, field, CAPABILITIES, "\"" + name + "\""))));
         }
         return needs;
     }
@@ -142,7 +153,13 @@ final class PlanWaypoints {
             return USUAL_PRIORITY;
         }
         if (!(given >= Waypoint.LEAST_PRIORITY && given <= Waypoint.HIGHEST_PRIORITY)) {
-            throw InvalidInput.outside(at + "priority", "0.001 to 1000", given);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    at + "priority",
+                    "0.001 to 1000",
+                    given,
+                    ProblemParameter.LEAST.is(0.001),
+                    ProblemParameter.MOST.is(1000));
         }
         return given;
     }
@@ -159,7 +176,13 @@ final class PlanWaypoints {
         }
         double end = Ranges.checked(at + "closes", closes, 0, LONGEST_WINDOW_SECONDS, "seconds");
         if (end < begin) {
-            throw InvalidInput.outside(at + "closes", "at or after the opening (" + begin + " s)", end);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    at + "closes",
+                    "at or after the opening (" + begin + " s)",
+                    end,
+                    ProblemParameter.LEAST.is(begin),
+                    ProblemParameter.UNIT.is("s"));
         }
         return new Window(begin, end);
     }

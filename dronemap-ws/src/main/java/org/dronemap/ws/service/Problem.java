@@ -3,7 +3,10 @@ package org.dronemap.ws.service;
 import com.fasterxml.jackson.annotation.JsonInclude;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
-import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
 /** A rejection as clients see it (RFC 9457). */
@@ -20,6 +23,16 @@ public record Problem(
 
         @Schema(requiredMode = Schema.RequiredMode.REQUIRED) String detail,
 
+        @Schema(
+                requiredMode = Schema.RequiredMode.REQUIRED,
+                description = "Why exactly, for programs; docs/problems.md lists them")
+        String code,
+
+        @Schema(
+                requiredMode = Schema.RequiredMode.REQUIRED,
+                description = "What the detail is about; which of them come with which code, docs/problems.md tells")
+        Map<String, Object> parameters,
+
         @Nullable String field,
         @Nullable String allowed,
         @Nullable String commandId,
@@ -28,6 +41,18 @@ public record Problem(
         @Nullable Long retryAfterSeconds) {
 
     private static final int LONGEST_TEXT = 1_000;
+
+    /** What the web server itself answers with, before anything of ours is asked. */
+    private static final List<ProblemCode> BY_STATUS = List.of(
+            RequestProblem.REQUEST_UNREADABLE,
+            AccessProblem.SIGN_IN_NEEDED,
+            AccessProblem.REQUEST_FORBIDDEN,
+            RequestProblem.ADDRESS_UNKNOWN,
+            RequestProblem.METHOD_NOT_TAKEN,
+            RequestProblem.BODY_TOO_SLOW,
+            RequestProblem.BODY_TOO_LARGE,
+            RequestProblem.CONTENT_TYPE_NOT_TAKEN,
+            ServerProblem.NOT_AVAILABLE);
 
     /** A client's own words come back in a problem: not all of them. */
     public Problem {
@@ -50,6 +75,8 @@ public record Problem(
                 kind.title(),
                 kind.status(),
                 rejection.sentence(),
+                rejection.code().word(),
+                values(rejection),
                 field,
                 allowed,
                 rejection.commandId(),
@@ -58,19 +85,27 @@ public record Problem(
                 rejection instanceof Throttled throttled ? (Long) throttled.retryAfterSeconds() : null);
     }
 
+    /** In the order of their names. */
+    private static Map<String, Object> values(Rejection rejection) {
+        Map<String, Object> values = new TreeMap<>();
+        rejection.parameters().forEach(given -> values.put(given.parameter().word(), given.value()));
+        return Collections.unmodifiableMap(values);
+    }
+
     /** For who knows no more than the status of HTTP. */
     public static Problem ofStatus(int status) {
-        return Arrays.stream(RejectionKind.values())
-                .filter(kind -> kind.status() == status && kind != RejectionKind.BROKEN)
+        return BY_STATUS.stream()
+                .filter(code -> code.kind().status() == status)
                 .findFirst()
-                .map(kind -> of(new Rejection(kind, kind.title() + ".")))
-                .orElseGet(
-                        () -> status < 500 ? of(Rejection.malformed("The request cannot be understood.")) : internal());
+                .map(code -> of(Rejection.of(code, code.kind().title() + ".")))
+                .orElseGet(() -> status < 500
+                        ? of(Rejection.of(RequestProblem.REQUEST_UNREADABLE, "The request cannot be understood."))
+                        : internal());
     }
 
     /** Our own fault: logged where it happened, told without its inside. */
     public static Problem internal() {
-        return of(new Rejection(
-                RejectionKind.BROKEN, "Something went wrong inside the server; its log has the details."));
+        return of(Rejection.of(
+                ServerProblem.SERVER_FAILED, "Something went wrong inside the server; its log has the details."));
     }
 }

@@ -29,7 +29,7 @@ final class Ranges {
     static double turn(String field, @Nullable Double value) {
         double degrees = checked(field, value, -360, 360, "degrees");
         if (degrees == 0) {
-            throw InvalidInput.outside(field, "-360 to 360 degrees, not 0", degrees);
+            throw outside(field, "-360 to 360 degrees, not 0", degrees, -360, 360, "degrees");
         }
         return degrees;
     }
@@ -51,7 +51,7 @@ final class Ranges {
     static double waitSeconds(String field, @Nullable Double value) {
         double seconds = checked(field, value, 0, 3600, "seconds");
         if (seconds < LEAST_WAIT_SECONDS) {
-            throw InvalidInput.outside(field, "0.1 to 3600 seconds", seconds);
+            throw outside(field, "0.1 to 3600 seconds", seconds, LEAST_WAIT_SECONDS, 3600, "seconds");
         }
         return seconds;
     }
@@ -75,7 +75,7 @@ final class Ranges {
             throw InvalidInput.missing(field, allowed);
         }
         if (value < least || value > most) {
-            throw InvalidInput.outside(field, allowed, value);
+            throw outside(field, allowed, value, least, most, unit);
         }
         return value;
     }
@@ -86,8 +86,24 @@ final class Ranges {
             throw InvalidInput.missing(field, allowed);
         }
         if (!(value >= least && value <= most)) {
-            throw InvalidInput.outside(field, allowed, value);
+            throw outside(field, allowed, value, least, most, unit);
         }
         return value;
+    }
+
+    private static InvalidInput outside(
+            String field, String allowed, Object value, double least, int most, String unit) {
+        ProblemParameter.Given from = ProblemParameter.LEAST.is(least);
+        ProblemParameter.Given to = ProblemParameter.MOST.is(most);
+        return unit.isEmpty()
+                ? InvalidInput.outside(ValueProblem.VALUE_OUT_OF_RANGE, field, allowed, value, from, to)
+                : InvalidInput.outside(
+                        ValueProblem.VALUE_OUT_OF_RANGE,
+                        field,
+                        allowed,
+                        value,
+                        from,
+                        to,
+                        ProblemParameter.UNIT.is(unit.strip()));
     }
 }

@@ -44,7 +44,8 @@ public record ReceiptView(
         try {
             return Instant.parse(text);
         } catch (DateTimeException e) {
-            throw InvalidInput.outside("at", "a time as the receipt has it", "\"" + text + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_MALFORMED, "at", "a time as the receipt has it", "\"" + text + "\"");
         }
     }
 }

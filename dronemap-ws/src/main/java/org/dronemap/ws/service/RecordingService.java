@@ -70,13 +70,17 @@ public final class RecordingService {
     public Download sent(Principal principal, String id) throws IOException {
         Recording recording = find(principal, id);
         if (principal.sight(recording.drone(), recording.start()) != Sight.ALL) {
-            throw Rejection.conflict("The drone was another organisation's then; only that one sees who sent what.");
+            throw Rejection.of(
+                    DroneProblem.OF_ANOTHER_ORGANISATION,
+                    "The drone was another organisation's then; only that one sees who sent what.");
         }
         String name = name(recording) + ".sent.tsv";
         return new Download(
                 archive.sent(id)
-                        .orElseThrow(() ->
-                                Rejection.conflict("Recording " + id + " was made before it was noted who sent what.")),
+                        .orElseThrow(() -> Rejection.of(
+                                DroneProblem.SENDERS_NOT_RECORDED,
+                                "Recording " + id + " was made before it was noted who sent what.",
+                                ProblemParameter.ID.is(id))),
                 name);
     }
 
@@ -88,17 +92,20 @@ public final class RecordingService {
     public void delete(Principal principal, String id, boolean confirmed) throws IOException {
         Recording recording = find(principal, id, Role.OPERATOR);
         if (principal.sight(recording.drone(), recording.start()) != Sight.ALL) {
-            throw Rejection.conflict("The drone was another organisation's then; only the server's rules remove it.");
+            throw Rejection.of(
+                    DroneProblem.OF_ANOTHER_ORGANISATION,
+                    "The drone was another organisation's then; only the server's rules remove it.");
         }
         if (!confirmed) {
             throw new InvalidInput(
+                    ValueProblem.CONFIRMATION_MISSING,
                     "confirm",
                     "true",
                     "A deleted recording cannot be brought back; say confirm=true if that is meant.");
         }
         Optional<String> refusal = archive.delete(id);
         if (refusal.isPresent()) {
-            throw Rejection.conflict(refusal.get());
+            throw Rejection.of(DroneProblem.RECORDING_GOES_ON, refusal.get(), ProblemParameter.ID.is(id));
         }
     }
 
@@ -106,8 +113,10 @@ public final class RecordingService {
         Recording recording = find(principal, id, Role.OPERATOR);
         Path file = file(id);
         if (isLines(file)) {
-            throw Rejection.conflict(
-                    "This recording holds texts and cannot be played on the map; download it instead.");
+            throw Rejection.of(
+                    DroneProblem.RECORDING_NOT_PLAYABLE,
+                    "This recording holds texts and cannot be played on the map; download it instead.",
+                    ProblemParameter.ID.is(id));
         }
         return replays.play(principal, recording.id() + FRAMES, speed, file);
     }
@@ -126,11 +135,14 @@ public final class RecordingService {
     private Recording find(Principal principal, String id) {
         return archive.recording(id)
                 .filter(recording -> isShown(principal, recording))
-                .orElseThrow(() -> Rejection.unknown("recording", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.RECORDING, id));
     }
 
     private Path file(String id) throws IOException {
         return archive.file(id)
-                .orElseThrow(() -> Rejection.conflict("The file of recording " + id + " is not there any more."));
+                .orElseThrow(() -> Rejection.of(
+                        DroneProblem.RECORDING_FILE_GONE,
+                        "The file of recording " + id + " is not there any more.",
+                        ProblemParameter.ID.is(id)));
     }
 }

@@ -63,10 +63,12 @@ public final class RegistrationService {
 
     public Answer register(Request request, String address) {
         if (policy == Registration.OFF) {
-            throw Rejection.forbidden("Accounts are made by the administrators of this server; ask one.");
+            throw Rejection.of(
+                    AccessProblem.REGISTRATION_CLOSED,
+                    "Accounts are made by the administrators of this server; ask one.");
         }
         firstPassword.closed().ifPresent(why -> {
-            throw Rejection.forbidden(why);
+            throw Rejection.of(AccessProblem.FIRST_PASSWORD_SEEN, why);
         });
         String code = request.invitation();
         // Who was invited waits for nobody else who comes from the same address.
@@ -82,8 +84,10 @@ public final class RegistrationService {
             return accept(invitation.orElseThrow(RegistrationService::notValid), name, password);
         }
         if (policy == Registration.INVITATION) {
-            throw Rejection.forbidden("Only those who were invited can make an account here; open the link of your"
-                    + " invitation, or ask an administrator for one.");
+            throw Rejection.of(
+                    AccessProblem.INVITATION_NEEDED,
+                    "Only those who were invited can make an account here; open the link of your"
+                            + " invitation, or ask an administrator for one.");
         }
         return wait(name, password);
     }
@@ -108,9 +112,10 @@ public final class RegistrationService {
                 .filter(user -> user.state() == AccountState.WAITING)
                 .count();
         if (waiting >= MOST_WAITING) {
-            throw new Rejection(
-                    RejectionKind.UNAVAILABLE,
-                    "Too many people wait to be let in at the moment; try again later, or ask for an invitation.");
+            throw Rejection.of(
+                    ServerProblem.SERVER_BUSY,
+                    "Too many people wait to be let in at the moment; try again later, or ask for an invitation.",
+                    ProblemParameter.WHAT.is("registrations"));
         }
         // The administrator who lets them in may give another role.
         User user = new User(name, Role.VIEWER, AccountState.WAITING, passwords.hash(password), false);
@@ -127,13 +132,17 @@ public final class RegistrationService {
 
     private static InvalidInput notValid() {
         return new InvalidInput(
+                ValueProblem.INVITATION_NOT_VALID,
                 "invitation",
                 "the code of an invitation",
                 "This invitation was used already, has expired or was withdrawn; ask for a new one.");
     }
 
     private static Rejection taken(String name) {
-        return Rejection.conflict("The name " + name + " is taken, or looks like one that is; choose another one.");
+        return Rejection.of(
+                AccessProblem.NAME_TAKEN,
+                "The name " + name + " is taken, or looks like one that is; choose another one.",
+                ProblemParameter.NAME.is(name));
     }
 
     private static Answer answer(User user) {

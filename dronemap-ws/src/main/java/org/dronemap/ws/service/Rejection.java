@@ -2,71 +2,100 @@ package org.dronemap.ws.service;
 
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.List;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.Tenure;
 import org.jspecify.annotations.Nullable;
 
-/** A request that is answered with a sentence instead of being carried out; each face maps it to its own form. */
+/** A request that is answered with a code and a sentence instead of being carried out; each face maps it to its own form. */
 public class Rejection extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
-    private final RejectionKind kind;
+    @SuppressWarnings("serial") // rejections stay within the process
+    private final ProblemCode code;
+
+    @SuppressWarnings("serial")
+    private final List<ProblemParameter.Given> parameters;
+
     private final @Nullable String commandId;
     private final @Nullable String holder;
     private final @Nullable Instant heldSince;
 
-    public Rejection(RejectionKind kind, String sentence) {
-        this(kind, sentence, null, null);
+    Rejection(ProblemCode code, String sentence, List<ProblemParameter.Given> parameters) {
+        this(code, sentence, parameters, null, null);
     }
 
-    private Rejection(RejectionKind kind, String sentence, @Nullable String commandId, @Nullable Tenure tenure) {
+    private Rejection(
+            ProblemCode code,
+            String sentence,
+            List<ProblemParameter.Given> parameters,
+            @Nullable String commandId,
+            @Nullable Tenure tenure) {
         super(sentence, null, false, false);
-        this.kind = kind;
+        code.entry().check(parameters);
+        this.code = code;
+        this.parameters = List.copyOf(parameters);
         this.commandId = commandId;
         this.holder = tenure == null ? null : ControlView.name(tenure.holder());
-        this.heldSince = tenure == null ? null : tenure.since().truncatedTo(ChronoUnit.MILLIS);
+        this.heldSince = tenure == null ? null : since(tenure);
     }
 
-    /** Somebody else has control; {@code commandId} of the refused command, null where it was none. */
-    public static Rejection held(String sentence, @Nullable String commandId, Control control) {
-        return new Rejection(RejectionKind.CONFLICT, sentence, commandId, control.tenure());
+    /** With what the catalogue declares for that code. */
+    public static Rejection of(ProblemCode code, String sentence, ProblemParameter.Given... parameters) {
+        return new Rejection(code, sentence, List.of(parameters));
     }
 
-    public static Rejection unknown(String what, String id) {
-        return new Rejection(RejectionKind.UNKNOWN, "There is no " + what + " " + id + ".");
-    }
-
-    public static Rejection forbidden(String sentence) {
-        return new Rejection(RejectionKind.FORBIDDEN, sentence);
-    }
-
-    public static Rejection notSignedIn(String sentence) {
-        return new Rejection(RejectionKind.NOT_SIGNED_IN, sentence);
+    public static Rejection unknown(UnknownProblem code, String id) {
+        return of(code, code.sentence(id), code.id().is(id));
     }
 
     /** There was a session, which is no longer known. */
     public static Rejection sessionEnded() {
-        return new Rejection(
-                RejectionKind.SESSION_ENDED,
+        return of(
+                AccessProblem.SESSION_ENDED,
                 "This session has ended: after 12 hours, or because the account was changed or the stored data were"
                         + " restored. Sign in again.");
     }
 
-    public static Rejection conflict(String sentence) {
-        return new Rejection(RejectionKind.CONFLICT, sentence);
+    /** Somebody else has control; {@code commandId} of the refused command, null where it was none. */
+    public static Rejection held(String sentence, @Nullable String commandId, Control control) {
+        Tenure tenure = control.tenure();
+        List<ProblemParameter.Given> parameters = ofCommand(commandId);
+        if (tenure != null) {
+            String holder = ControlView.name(tenure.holder());
+            if (holder != null) {
+                parameters.add(ProblemParameter.HOLDER.is(holder));
+            }
+            parameters.add(ProblemParameter.HELD_SINCE.is(since(tenure).toString()));
+        }
+        return new Rejection(DroneProblem.CONTROL_HELD, sentence, parameters, commandId, tenure);
     }
 
-    public static Rejection malformed(String sentence) {
-        return new Rejection(RejectionKind.MALFORMED, sentence);
+    /** A command, or a setpoint without an id, that the gate refused; a command's record can be looked up. */
+    public static Rejection refused(String sentence, @Nullable String commandId) {
+        return new Rejection(DroneProblem.COMMAND_REFUSED, sentence, ofCommand(commandId), commandId, null);
     }
 
-    /** A command that the gate refused; its record can be looked up. */
-    public static Rejection refused(String sentence, String commandId) {
-        return new Rejection(RejectionKind.CONFLICT, sentence, commandId, null);
+    private static List<ProblemParameter.Given> ofCommand(@Nullable String id) {
+        return id == null ? new ArrayList<>() : new ArrayList<>(List.of(ProblemParameter.COMMAND.is(id)));
+    }
+
+    private static Instant since(Tenure tenure) {
+        return tenure.since().truncatedTo(ChronoUnit.MILLIS);
+    }
+
+    public ProblemCode code() {
+        return code;
     }
 
     public RejectionKind kind() {
-        return kind;
+        return code.kind();
+    }
+
+    /** What the sentence is about, each once. */
+    public List<ProblemParameter.Given> parameters() {
+        return parameters;
     }
 
     public @Nullable String commandId() {
@@ -86,6 +115,6 @@ public class Rejection extends RuntimeException {
     /** The sentence for people. */
     public String sentence() {
         String message = getMessage();
-        return message == null ? kind.title() : message;
+        return message == null ? kind().title() : message;
     }
 }

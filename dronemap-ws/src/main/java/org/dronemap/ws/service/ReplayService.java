@@ -39,7 +39,11 @@ public final class ReplayService {
             }
             long length = Files.size(file);
             if (length == 0) {
-                throw new InvalidInput("body", "the bytes of a recording (tlog)", "The recording is empty.");
+                throw new InvalidInput(
+                        ValueProblem.FILE_UNUSABLE,
+                        "body",
+                        "the bytes of a recording (tlog)",
+                        "The recording is empty.");
             }
             InputStream bytes = Files.newInputStream(file, StandardOpenOption.DELETE_ON_CLOSE);
             return play(principal, new Plan(checked, length, times), bytes);
@@ -65,7 +69,10 @@ public final class ReplayService {
             return view;
         } catch (IllegalStateException tooMany) {
             bytes.close();
-            throw Rejection.conflict(String.valueOf(tooMany.getMessage()));
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    String.valueOf(tooMany.getMessage()),
+                    ProblemParameter.WHAT.is("replays"));
         }
     }
 
@@ -81,13 +88,13 @@ public final class ReplayService {
         return recordings
                 .find(id)
                 .filter(replay -> owners.isOf(id, principal.organisation()))
-                .orElseThrow(() -> Rejection.unknown("replay", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.REPLAY, id));
     }
 
     public void remove(Principal principal, String id) {
         Roles.requireForAll(principal, Role.OPERATOR);
         if (!owners.isOf(id, principal.organisation()) || !recordings.remove(id)) {
-            throw Rejection.unknown("replay", id);
+            throw Rejection.unknown(UnknownProblem.REPLAY, id);
         }
     }
 }

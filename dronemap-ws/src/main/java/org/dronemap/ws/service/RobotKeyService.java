@@ -107,7 +107,11 @@ public final class RobotKeyService {
                 clock.instant().truncatedTo(ChronoUnit.MILLIS));
         if (before == null) {
             if (ring.keys().size() >= MOST) {
-                throw Rejection.conflict(MOST + " robots have keys already; revoke some first.");
+                throw Rejection.of(
+                        ServerProblem.LIMIT_REACHED,
+                        MOST + " robots have keys already; revoke some first.",
+                        ProblemParameter.WHAT.is("robot keys"),
+                        ProblemParameter.MOST.is(MOST));
             }
             // Whose it is stands before anybody can come with it.
             around.organisations().enrolled(key.drone(), organisation);
@@ -128,10 +132,20 @@ public final class RobotKeyService {
             return before.systemId();
         }
         if (said == null) {
-            throw new InvalidInput(SYSTEM_ID, SYSTEM_ID_FORM, "\"systemId\" is missing: " + SYSTEM_ID_FORM + ".");
+            throw new InvalidInput(
+                    ValueProblem.VALUE_MISSING,
+                    SYSTEM_ID,
+                    SYSTEM_ID_FORM,
+                    "\"systemId\" is missing: " + SYSTEM_ID_FORM + ".");
         }
         if (said < 0 || said > LAST_SYSTEM_ID) {
-            throw InvalidInput.outside(SYSTEM_ID, SYSTEM_ID_FORM, said);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    SYSTEM_ID,
+                    SYSTEM_ID_FORM,
+                    said,
+                    ProblemParameter.LEAST.is(0),
+                    ProblemParameter.MOST.is(LAST_SYSTEM_ID));
         }
         return said;
     }
@@ -149,7 +163,7 @@ public final class RobotKeyService {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
         DroneId drone = find(principal, id).drone();
         if (!ring.remove(drone)) {
-            throw Rejection.unknown("robot key", id);
+            throw Rejection.unknown(UnknownProblem.ROBOT_KEY, id);
         }
         around.links().disconnect(drone.value());
     }
@@ -158,7 +172,7 @@ public final class RobotKeyService {
         return ring.keys().stream()
                 .filter(key -> key.drone().value().equals(id) && isShownTo(principal, key))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("robot key", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ROBOT_KEY, id));
     }
 
     /** Those of one's own organisation, and those that one issued oneself for another one. */

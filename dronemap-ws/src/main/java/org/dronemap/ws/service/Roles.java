@@ -23,49 +23,61 @@ public final class Roles {
     /** By the role alone: what keys and grants leave of it hangs on what it is for. */
     public static void requireRole(Principal principal, Role needed) {
         if (!principal.role().includes(needed)) {
-            throw Rejection.forbidden(lacking(principal, needed));
+            throw lacking(principal, needed);
         }
     }
 
     public static void require(Principal principal, Role needed) {
         if (!principal.may(needed)) {
-            throw Rejection.forbidden(lacking(principal, needed));
+            throw lacking(principal, needed);
         }
     }
 
     /** With that drone, which the asker sees. */
     static void require(Principal principal, Role needed, DroneId drone) {
         if (!principal.may(needed, drone)) {
-            throw Rejection.forbidden(lacking(principal, needed));
+            throw lacking(principal, needed);
         }
     }
 
-    private static String lacking(Principal principal, Role needed) {
+    private static Rejection lacking(Principal principal, Role needed) {
         if (!principal.role().includes(needed)) {
-            return REFUSALS.getOrDefault(
-                    needed,
-                    "Only " + article(needed) + " may do this; you are signed in as "
-                            + WireNames.camel(principal.role()) + ".");
+            return Rejection.of(
+                    AccessProblem.ROLE_TOO_LOW,
+                    REFUSALS.getOrDefault(
+                            needed,
+                            "Only " + article(needed) + " may do this; you are signed in as "
+                                    + WireNames.camel(principal.role()) + "."),
+                    ProblemParameter.NEEDED.is(WireNames.camel(needed)),
+                    ProblemParameter.ROLE.is(WireNames.camel(principal.role())));
         }
         Permission permission = needed.permission();
         if (permission != null && !principal.scope().permissions().contains(permission)) {
-            return "This access key may only " + verbs(principal) + "; make one that may more.";
+            return Rejection.of(
+                    AccessProblem.KEY_MAY_LESS,
+                    "This access key may only " + verbs(principal) + "; make one that may more.",
+                    ProblemParameter.NEEDED.is(WireNames.camel(needed)));
         }
-        return NOT_GRANTED;
+        return Rejection.of(AccessProblem.NOT_GRANTED, NOT_GRANTED);
     }
 
     /** For what concerns no drone by itself, or all of them. */
     public static void requireForAll(Principal principal, Role needed) {
         require(principal, needed);
         if (!principal.scope().coversAllDrones()) {
-            throw Rejection.forbidden("This access key is for certain drones only, and this concerns all of them.");
+            throw Rejection.of(
+                    AccessProblem.KEY_FOR_SOME_DRONES,
+                    "This access key is for certain drones only, and this concerns all of them.");
         }
         // Who may make users, or zones, would get round any bounds.
         if (principal.scope().isBounded() && needed.includes(Role.PLANNER)) {
-            throw Rejection.forbidden("This access key has an area or heights, and what has none is closed to it.");
+            throw Rejection.of(
+                    AccessProblem.KEY_BOUNDED,
+                    "This access key has an area or heights, and what has none is closed to it.");
         }
         if (!principal.isWhole()) {
-            throw Rejection.forbidden("You see only what you were granted, and this concerns all drones.");
+            throw Rejection.of(
+                    AccessProblem.SEES_NOT_ALL, "You see only what you were granted, and this concerns all drones.");
         }
     }
 
@@ -73,7 +85,7 @@ public final class Roles {
     public static void requireServer(Principal principal, Role needed) {
         requireForAll(principal, needed);
         if (!principal.organisation().isHome()) {
-            throw Rejection.forbidden("This concerns the whole server; ask those who run it.");
+            throw Rejection.of(AccessProblem.SERVER_ONLY, "This concerns the whole server; ask those who run it.");
         }
     }
 
@@ -90,7 +102,8 @@ public final class Roles {
         return Arrays.stream(Role.values())
                 .filter(role -> WireNames.camel(role).equals(text))
                 .findFirst()
-                .orElseThrow(() -> InvalidInput.outside("role", NAMES, "\"" + text + "\""));
+                .orElseThrow(
+                        () -> InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "role", NAMES, "\"" + text + "\""));
     }
 
     private static String article(Role role) {

@@ -83,7 +83,8 @@ public final class RunJournalService {
     public JournalView journal(Principal principal, String id, long from) {
         OperationId run = known(principal, id);
         if (from < 0) {
-            throw InvalidInput.outside("from", "0 or more", from);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE, "from", "0 or more", from, ProblemParameter.LEAST.is(0));
         }
         List<JournalEntry> entries = operations.journal(run, from, MOST);
         return new JournalView(
@@ -98,7 +99,10 @@ public final class RunJournalService {
     public ReplayView replay(Principal principal, String id) {
         OperationId run = known(principal, id);
         if (!replaying.tryAcquire()) {
-            throw new Rejection(RejectionKind.UNAVAILABLE, "Another journal is being replayed; try again in a minute.");
+            throw Rejection.of(
+                    ServerProblem.SERVER_BUSY,
+                    "Another journal is being replayed; try again in a minute.",
+                    ProblemParameter.WHAT.is("replays of journals"));
         }
         try {
             Replay<RunState, RunInput> replay = new Replay<>(kind);

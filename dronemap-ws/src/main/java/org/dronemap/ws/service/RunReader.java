@@ -47,7 +47,9 @@ final class RunReader {
         return switch (name == null ? "automatic" : name) {
             case "automatic" -> RunOrder.Mode.AUTOMATIC;
             case "askFirst" -> RunOrder.Mode.ASK_FIRST;
-            default -> throw InvalidInput.outside("mode", "automatic or askFirst", "\"" + name + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "mode", "automatic or askFirst", "\"" + name + "\"");
         };
     }
 
@@ -55,7 +57,9 @@ final class RunReader {
         return switch (name == null ? "continue" : name) {
             case "continue" -> CloudLoss.CONTINUE;
             case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
-            default -> throw InvalidInput.outside("onCloudLoss", "continue or rtl", "\"" + name + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", "continue or rtl", "\"" + name + "\"");
         };
     }
 
@@ -68,13 +72,15 @@ final class RunReader {
     RunInput added(RunState run, RunRequest.WaypointsRequest request) {
         List<PlanRequest.@Nullable WaypointRequest> asked = request.waypoints();
         if (asked != null && asked.size() > MOST_AT_ONCE) {
-            throw InvalidInput.outside("waypoints", COUNT, asked.size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE, "waypoints", COUNT, asked.size(), ProblemParameter.LEAST.is(1));
         }
         List<Waypoint> waypoints = new PlanWaypoints(crafts(run)).read(named(run, asked));
         for (int index = 0; index < waypoints.size(); index++) {
             String id = waypoints.get(index).id();
             if (run.target(id).isPresent()) {
                 throw new InvalidInput(
+                        ValueProblem.VALUE_NOT_UNIQUE,
                         "waypoints[" + index + "].id",
                         "another one each",
                         "There is a waypoint “" + id + "” in this run already.");
@@ -145,6 +151,7 @@ final class RunReader {
                         || properties.until() != null
                         || properties.onBreach() != null)) {
             throw new InvalidInput(
+                    ValueProblem.VALUE_NOT_ALLOWED,
                     "properties",
                     "name, kind, radius, floor, ceiling and altitudeReference",
                     "A zone of a run binds all of its drones from now on; make a zone of the cloud for anything else.");
@@ -168,7 +175,8 @@ final class RunReader {
 
     RunInput answered(String proposal, RunRequest.AnswerRequest request) {
         if (!proposal.matches("[0-9]{1,9}")) {
-            throw InvalidInput.outside("proposal", "the number of a proposal", "\"" + proposal + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_MALFORMED, "proposal", "the number of a proposal", "\"" + proposal + "\"");
         }
         if (request.accept() == null) {
             throw InvalidInput.missing("accept", "true or false");

@@ -42,7 +42,7 @@ public final class RunService {
                 operations,
                 kind,
                 conduct.cloud(),
-                new OperationDesk.Words('r', "mission run", "a mission run flies"),
+                new OperationDesk.Words('r', "mission run", "a mission run flies", UnknownProblem.MISSION_RUN),
                 RunService::isShownTo,
                 time);
     }
@@ -192,14 +192,15 @@ public final class RunService {
             Roles.require(principal, Role.OPERATOR, drone.id());
         }
         if (run.saved().endedAt() != null) {
-            throw Rejection.conflict("This mission run is over.");
+            throw Rejection.of(
+                    OperationProblem.OPERATION_OVER, "This mission run is over.", ProblemParameter.ID.is(id));
         }
         RunInput input = what.apply(run.state());
         return RunViews.view(desk.wish(run, input));
     }
 
     private static Target target(RunState run, String id) {
-        return run.target(id).orElseThrow(() -> Rejection.unknown("waypoint", id));
+        return run.target(id).orElseThrow(() -> Rejection.unknown(UnknownProblem.WAYPOINT, id));
     }
 
     private static DroneId drone(RunState run, String id) {
@@ -207,7 +208,7 @@ public final class RunService {
                 .map(RunDrone::id)
                 .filter(drone -> drone.value().equals(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("drone", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, id));
     }
 
     Picture<RunState> find(Principal principal, String id) {

@@ -47,7 +47,8 @@ public record SteeringRequest(
             throw InvalidInput.missing("velocity", "speeds such as {\"forward\":1}, or \"sticks\" in their place");
         }
         if (speeds != null && moved != null) {
-            throw InvalidInput.outside("sticks", "alone, or velocity alone", "beside the other");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUES_EXCLUSIVE, "sticks", "alone, or velocity alone", "beside the other");
         }
         try {
             if (moved != null) {
@@ -57,7 +58,10 @@ public record SteeringRequest(
             return speeds(Objects.requireNonNull(speeds));
         } catch (IllegalArgumentException outside) {
             throw new InvalidInput(
-                    "velocity", "within bounds", "This cannot be steered by: " + outside.getMessage() + ".");
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "velocity",
+                    "within bounds",
+                    "This cannot be steered by: " + outside.getMessage() + ".");
         }
     }
 
@@ -73,14 +77,15 @@ public record SteeringRequest(
         if (name.equals("earth")) {
             return Frame.EARTH;
         }
-        throw InvalidInput.outside("velocity.frame", FRAMES, "\"" + name + "\"");
+        throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "velocity.frame", FRAMES, "\"" + name + "\"");
     }
 
     private static Facing facing(Velocity said) {
         Double heading = said.heading();
         Double turn = said.turn();
         if (heading != null && turn != null) {
-            throw InvalidInput.outside("velocity.heading", "alone, or turn alone", "beside the other");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUES_EXCLUSIVE, "velocity.heading", "alone, or turn alone", "beside the other");
         }
         if (heading != null) {
             return new Facing.Heading(heading);

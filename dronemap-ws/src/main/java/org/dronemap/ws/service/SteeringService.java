@@ -31,13 +31,13 @@ public final class SteeringService {
         try {
             why = cloud.setpoints().steer(new CommandGate.Source(principal, face, request.epoch()), id, setpoint);
         } catch (UnknownDroneException removedMeanwhile) {
-            throw Rejection.unknown("drone", drone);
+            throw Rejection.unknown(UnknownProblem.DRONE, drone);
         }
         if (why.isPresent()) {
             Control control = cloud.controls().control(id);
             throw why.get().contains(control.sentence())
                     ? Rejection.held(why.get(), null, control)
-                    : Rejection.conflict(why.get());
+                    : Rejection.refused(why.get(), null);
         }
     }
 

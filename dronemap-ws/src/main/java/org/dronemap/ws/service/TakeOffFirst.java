@@ -25,6 +25,7 @@ final class TakeOffFirst {
         }
         if (mission.items().size() == Mission.MAX_ITEMS) {
             throw new InvalidInput(
+                    ValueProblem.MISSION_UNUSABLE,
                     "items",
                     "1 to " + (Mission.MAX_ITEMS - 1) + " items without a take-off",
                     "A take-off has to go in front of this mission, and then it would have more than "
@@ -42,6 +43,7 @@ final class TakeOffFirst {
             Home home = drone.home();
             if (home == null) {
                 throw new InvalidInput(
+                        ValueProblem.MISSION_UNUSABLE,
                         "items[0]",
                         "a take-off item",
                         "The first waypoint's altitude is above sea level and the drone's home is not known yet, so"

@@ -104,6 +104,7 @@ public final class TelemetryFiles {
         store.points(drone, span, point -> {
             if (points.size() == MOST_POINTS) {
                 throw new InvalidInput(
+                        ValueProblem.EXPORT_TOO_LARGE,
                         "until",
                         "a time that leaves no more than " + MOST_POINTS + " points",
                         "That is more than " + MOST_POINTS + " points; ask for a shorter time.");

@@ -39,10 +39,11 @@ public record TelemetrySearch(
         Instant first = begin == null ? usual.from() : begin;
         Instant last = end == null ? usual.until() : end;
         if (last.isBefore(first)) {
-            throw InvalidInput.outside("until", "a time after " + first, last);
+            throw InvalidInput.outside(ValueProblem.VALUE_OUT_OF_RANGE, "until", "a time after " + first, last);
         }
         if (Duration.between(first, last).compareTo(LONGEST) > 0) {
-            throw InvalidInput.outside("from", "a time at most 31 days before " + last, first);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE, "from", "a time at most 31 days before " + last, first);
         }
         return new Span(first, last);
     }
@@ -63,6 +64,7 @@ public record TelemetrySearch(
                 .filter(field -> WireNames.camel(field).equals(name))
                 .findFirst()
                 .orElseThrow(() -> InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED,
                         "fields",
                         "some of "
                                 + Arrays.stream(TelemetryField.values())
@@ -89,6 +91,12 @@ public record TelemetrySearch(
                 return number;
             }
         }
-        throw InvalidInput.outside(field, "1 to " + most, "\"" + value + "\"");
+        throw InvalidInput.outside(
+                ValueProblem.VALUE_OUT_OF_RANGE,
+                field,
+                "1 to " + most,
+                "\"" + value + "\"",
+                ProblemParameter.LEAST.is(1),
+                ProblemParameter.MOST.is(most));
     }
 }

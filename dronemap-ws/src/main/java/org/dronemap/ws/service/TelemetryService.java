@@ -41,6 +41,7 @@ public final class TelemetryService {
             Span shown = shown(asked);
             if (!shown.equals(asked) && !asked.length().isZero()) {
                 throw new InvalidInput(
+                        ValueProblem.TIME_NOT_SHOWN,
                         "from",
                         "a time that is shown to you",
                         "The drone was another organisation's then"

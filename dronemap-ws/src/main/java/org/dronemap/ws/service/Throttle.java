@@ -45,7 +45,9 @@ final class Throttle {
         }
         if (mine.size() >= times) {
             throw Throttled.of(
-                    "Too many " + what, Duration.between(now, mine.element().plus(within)));
+                    ServerProblem.ATTEMPTS_SPENT,
+                    "Too many " + what,
+                    Duration.between(now, mine.element().plus(within)));
         }
         mine.add(now);
     }

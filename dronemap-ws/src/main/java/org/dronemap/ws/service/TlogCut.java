@@ -31,6 +31,7 @@ public final class TlogCut {
                 .toList();
         if (parts.stream().mapToLong(Recording::bytes).sum() > MOST_BYTES) {
             throw new InvalidInput(
+                    ValueProblem.EXPORT_TOO_LARGE,
                     "until",
                     "a time with no more than 512 MB of recordings",
                     "The recordings of that time have more than 512 MB; ask for a shorter time, or for them one by one.");
@@ -42,8 +43,11 @@ public final class TlogCut {
             }
         }
         if (messages == 0) {
-            throw Rejection.conflict("There is no recording of that drone at that time, so there is no tlog; the other"
-                    + " forms are made of what was kept of its state.");
+            throw Rejection.of(
+                    DroneProblem.NO_RECORDING_THEN,
+                    "There is no recording of that drone at that time, so there is no tlog; the other"
+                            + " forms are made of what was kept of its state.",
+                    ProblemParameter.DRONE.is(drone.value()));
         }
     }
 

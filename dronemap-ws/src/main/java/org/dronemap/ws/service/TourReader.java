@@ -61,7 +61,13 @@ final class TourReader {
         }
         Craft craft = craft(drones.state(principal, id, Role.PLANNER));
         if (request.waypoints() != null && request.waypoints().size() > Mission.MAX_ITEMS) {
-            throw InvalidInput.outside("waypoints", COUNT, request.waypoints().size());
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "waypoints",
+                    COUNT,
+                    request.waypoints().size(),
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(Mission.MAX_ITEMS));
         }
         List<Waypoint> all = new PlanWaypoints(List.of(craft)).read(request.waypoints());
         Waypoint last = all.get(all.size() - 1);
@@ -84,7 +90,10 @@ final class TourReader {
     private static Craft craft(DroneState drone) {
         Home home = drone.home();
         if (home == null) {
-            throw Rejection.conflict("Where the home of “" + drone.name() + "” is, is not known.");
+            throw Rejection.of(
+                    DroneProblem.HOME_UNKNOWN,
+                    "Where the home of “" + drone.name() + "” is, is not known.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         Place base = new Place(home.point(), home.altitudeAmslMeters());
         Place stand =
@@ -105,14 +114,22 @@ final class TourReader {
         return switch (ending == null ? "returnToLaunch" : ending) {
             case "returnToLaunch" -> false;
             case "hold", "land" -> true;
-            default -> throw InvalidInput.outside("ending", ENDINGS, "\"" + ending + "\"");
+            default ->
+                throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "ending", ENDINGS, "\"" + ending + "\"");
         };
     }
 
     private static Duration search(@Nullable Double seconds) {
         double asked = seconds == null ? USUAL_SECONDS : seconds;
         if (!(asked >= LEAST_SECONDS && asked <= MOST_SECONDS)) {
-            throw InvalidInput.outside("seconds", "0.1 to 5 seconds", asked);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "seconds",
+                    "0.1 to 5 seconds",
+                    asked,
+                    ProblemParameter.LEAST.is(0.1),
+                    ProblemParameter.MOST.is(5),
+                    ProblemParameter.UNIT.is("seconds"));
         }
         return Duration.ofMillis(Math.round(asked * MILLIS));
     }

@@ -42,15 +42,18 @@ public final class TourService implements AutoCloseable {
         Roles.require(principal, Role.PLANNER);
         TourReader.Tour tour = reader.read(principal, request);
         if (!waiting.add(principal.name())) {
-            throw Rejection.conflict("A tour of yours is being ordered already; wait for it.");
+            throw Rejection.of(
+                    OperationProblem.TOUR_UNDER_WAY, "A tour of yours is being ordered already; wait for it.");
         }
         try {
             return CompletableFuture.supplyAsync(() -> ordered(tour), pool)
                     .whenComplete((done, failed) -> waiting.remove(principal.name()));
         } catch (RejectedExecutionException full) {
             waiting.remove(principal.name());
-            throw new Rejection(
-                    RejectionKind.UNAVAILABLE, QUEUED + " tours wait to be ordered already; try again in a minute.");
+            throw Rejection.of(
+                    ServerProblem.SERVER_BUSY,
+                    QUEUED + " tours wait to be ordered already; try again in a minute.",
+                    ProblemParameter.WHAT.is("tours"));
         }
     }
 

@@ -54,6 +54,7 @@ enum TrackForm {
                 .filter(one -> one.ending().equals(form))
                 .findFirst()
                 .orElseThrow(() -> InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED,
                         "form",
                         Stream.concat(Arrays.stream(values()).map(TrackForm::ending), others.stream())
                                 .collect(Collectors.joining(", ")),

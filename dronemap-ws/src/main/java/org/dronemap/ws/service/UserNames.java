@@ -28,7 +28,7 @@ final class UserNames {
             throw InvalidInput.missing("name", FORM);
         }
         if (!name.matches("[\\p{L}\\p{N}._@-]{1,40}") || !isOfOneScript(name)) {
-            throw InvalidInput.outside("name", FORM, "\"" + name + "\"");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, "name", FORM, "\"" + name + "\"");
         }
         return name;
     }

@@ -62,7 +62,10 @@ public final class UserService {
         String password = PasswordRule.acceptable("password", request.password());
         User user = new User(name, role, AccountState.ACTIVE, passwords.hash(password), true, principal.organisation());
         if (!accounts.add(user, store::addUser)) {
-            throw Rejection.conflict("There is a user " + name + " already, or one whose name looks like it.");
+            throw Rejection.of(
+                    AccessProblem.NAME_TAKEN,
+                    "There is a user " + name + " already, or one whose name looks like it.",
+                    ProblemParameter.NAME.is(name));
         }
         return UserView.of(user, false);
     }
@@ -115,7 +118,7 @@ public final class UserService {
         return switch (text) {
             case "active" -> AccountState.ACTIVE;
             case "disabled" -> AccountState.DISABLED;
-            default -> throw InvalidInput.outside("state", STATES, "\"" + text + "\"");
+            default -> throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "state", STATES, "\"" + text + "\"");
         };
     }
 }

@@ -66,7 +66,11 @@ public final class VirtualDroneService {
                 .filter(drone -> drone.account().equals(principal.account()))
                 .count();
         if (own >= MOST_OF_ONE_USER) {
-            throw Rejection.conflict("You have " + MOST_OF_ONE_USER + " virtual drones already; remove one first.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "You have " + MOST_OF_ONE_USER + " virtual drones already; remove one first.",
+                    ProblemParameter.WHAT.is("virtual drones"),
+                    ProblemParameter.MOST.is(MOST_OF_ONE_USER));
         }
         VirtualDrone drone = new VirtualDrone(
                 newId(),
@@ -123,10 +127,12 @@ public final class VirtualDroneService {
         requireVirtually(principal, action.needed());
         VirtualDrone drone = find(principal, id);
         action.notAllowed(drone, principal).ifPresent(why -> {
-            throw Rejection.forbidden(why);
+            throw drone.account().equals(principal.account())
+                    ? Rejection.of(AccessProblem.NOT_GRANTED, why)
+                    : Rejection.of(AccessProblem.OWNER_ONLY, why, ProblemParameter.OWNER.is(drone.owner()));
         });
         action.whyNot(drone, principal).ifPresent(why -> {
-            throw Rejection.conflict(why);
+            throw Rejection.of(OperationProblem.VIRTUAL_DRONE_STATE, why);
         });
         return drone.id();
     }
@@ -134,24 +140,30 @@ public final class VirtualDroneService {
     private static void requireVirtually(Principal principal, Role needed) {
         Roles.require(principal, needed);
         if (!principal.mayVirtually(needed)) {
-            throw Rejection.forbidden(notVirtually(principal));
+            throw notVirtually(principal);
         }
     }
 
-    private static String notVirtually(Principal principal) {
+    private static Rejection notVirtually(Principal principal) {
         if (!principal.scope().coversAllDrones()) {
-            return "This access key is for certain drones only, and any may serve a virtual one.";
+            return Rejection.of(
+                    AccessProblem.KEY_FOR_SOME_DRONES,
+                    "This access key is for certain drones only, and any may serve a virtual one.");
         }
         return principal.scope().isBounded()
-                ? "This access key has an area or heights, and a virtual drone flies without it."
-                : "This was not granted to you with virtual drones; ask an administrator.";
+                ? Rejection.of(
+                        AccessProblem.KEY_BOUNDED,
+                        "This access key has an area or heights, and a virtual drone flies without it.")
+                : Rejection.of(
+                        AccessProblem.NOT_GRANTED,
+                        "This was not granted to you with virtual drones; ask an administrator.");
     }
 
     private VirtualDrone find(Principal principal, String id) {
         return parse(id)
                 .flatMap(virtuals::find)
                 .filter(drone -> isShownTo(principal, drone))
-                .orElseThrow(() -> Rejection.unknown("virtual drone", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.VIRTUAL_DRONE, id));
     }
 
     private static Optional<VirtualDroneId> parse(String id) {
@@ -172,7 +184,11 @@ public final class VirtualDroneService {
         }
         Mission mission = MissionReader.read(items);
         Tour.fault(mission).ifPresent(fault -> {
-            throw new InvalidInput("items", "a take-off, waypoints, then returnToLaunch or land", fault);
+            throw new InvalidInput(
+                    ValueProblem.MISSION_UNUSABLE,
+                    "items",
+                    "a take-off, waypoints, then returnToLaunch or land",
+                    fault);
         });
         return mission;
     }
@@ -181,7 +197,9 @@ public final class VirtualDroneService {
         return switch (name == null ? "continue" : name) {
             case "continue" -> CloudLoss.CONTINUE;
             case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
-            default -> throw InvalidInput.outside("onCloudLoss", CLOUD_LOSS, "\"" + name + "\"");
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", CLOUD_LOSS, "\"" + name + "\"");
         };
     }
 
@@ -190,7 +208,7 @@ public final class VirtualDroneService {
         try {
             return work.get();
         } catch (VirtualDrones.Refused refused) {
-            throw Rejection.conflict(refused.why());
+            throw Rejection.of(OperationProblem.VIRTUAL_DRONE_STATE, refused.why());
         }
     }
 

@@ -44,14 +44,14 @@ public final class WaitingService {
         OrganisationId owner = organisations.named(request.organisation());
         return cloud.letIn(id, name, drone -> organisations.enrolled(drone, owner))
                 .map(state -> views.view(state, principal))
-                .orElseThrow(() -> Rejection.unknown("waiting vehicle", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.WAITING_VEHICLE, id));
     }
 
     /** Takes it off the list; it comes again when it is heard again. */
     public void dismiss(Principal principal, String id) {
         Roles.requireServer(principal, Role.ADMINISTRATOR);
         if (!cloud.dismiss(id)) {
-            throw Rejection.unknown("waiting vehicle", id);
+            throw Rejection.unknown(UnknownProblem.WAITING_VEHICLE, id);
         }
     }
 }

@@ -78,11 +78,15 @@ public final class WarehouseService {
     public WarehouseView put(Principal principal, String id) {
         DroneState drone = known(principal, id);
         if (principal.scope().isBounded()) {
-            throw Rejection.forbidden(
+            throw Rejection.of(
+                    AccessProblem.KEY_BOUNDED,
                     "This access key has an area or heights, and a drone in the warehouse flies without them.");
         }
         if (drone.replay()) {
-            throw Rejection.conflict("This is a recording; it cannot fly.");
+            throw Rejection.of(
+                    DroneProblem.DRONE_IS_A_RECORDING,
+                    "This is a recording; it cannot fly.",
+                    ProblemParameter.DRONE.is(drone.id().value()));
         }
         virtuals.putIntoWarehouse(drone.id());
         return warehouse(principal);

@@ -17,7 +17,8 @@ final class WireTimes {
         try {
             return Instant.parse(text.strip());
         } catch (DateTimeException e) {
-            throw InvalidInput.outside(field, "a time such as 2026-03-04T05:06:07Z", "\"" + text + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_MALFORMED, field, "a time such as 2026-03-04T05:06:07Z", "\"" + text + "\"");
         }
     }
 

@@ -37,7 +37,7 @@ final class ZoneImport {
             return parts("", new ZoneFeature("Feature", null, document.geometry(), document.properties()), 1);
         }
         if (!"FeatureCollection".equals(document.type())) {
-            throw InvalidInput.outside("type", TYPES, String.valueOf(document.type()));
+            throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "type", TYPES, String.valueOf(document.type()));
         }
         List<@Nullable ZoneFeature> features = document.features();
         if (features == null || features.isEmpty()) {

@@ -25,7 +25,7 @@ final class ZoneReader {
     ZoneReader(String at, ZoneFeature feature) {
         this.at = at;
         if (!"Feature".equals(feature.type())) {
-            throw InvalidInput.outside(at + "type", "Feature", quoted(feature.type()));
+            throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, at + "type", "Feature", quoted(feature.type()));
         }
         if (feature.geometry() == null) {
             throw InvalidInput.missing(at + "geometry", "a " + AreaReader.SHAPES);
@@ -46,7 +46,11 @@ final class ZoneReader {
             case "exclusion" -> false;
             case "inclusion" -> true;
             default ->
-                throw InvalidInput.outside(at + "properties.kind", "exclusion or inclusion", quoted(properties.kind()));
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED,
+                        at + "properties.kind",
+                        "exclusion or inclusion",
+                        quoted(properties.kind()));
         };
         return new AreaReader(at + "geometry", at + "properties.radius").shape(inside, geometry, properties.radius());
     }
@@ -59,7 +63,10 @@ final class ZoneReader {
     Binding binding() {
         if (properties.user() != null && properties.drone() != null) {
             throw new InvalidInput(
-                    at + "properties.user", "a user or a drone", "A zone binds a user or a drone, not both.");
+                    ValueProblem.VALUES_EXCLUSIVE,
+                    at + "properties.user",
+                    "a user or a drone",
+                    "A zone binds a user or a drone, not both.");
         }
         if (properties.user() != null) {
             return new Binding.OfUser(properties.user());
@@ -71,7 +78,8 @@ final class ZoneReader {
         try {
             return new Binding.OfDrone(new DroneId(id));
         } catch (IllegalArgumentException e) {
-            throw InvalidInput.outside(at + "properties.drone", "the id of a drone", quoted(id));
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_MALFORMED, at + "properties.drone", "the id of a drone", quoted(id));
         }
     }
 
@@ -80,10 +88,12 @@ final class ZoneReader {
         Instant from = moment("from", properties.from());
         Instant until = moment("until", properties.until());
         if (from != null && until != null && !from.isBefore(until)) {
-            throw InvalidInput.outside(at + "properties.until", "after " + from, until);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE, at + "properties.until", "after " + from, until);
         }
         if (until != null && !until.isAfter(now)) {
-            throw InvalidInput.outside(at + "properties.until", "later than now", until);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE, at + "properties.until", "later than now", until);
         }
         return new Validity(from, until);
     }
@@ -95,7 +105,7 @@ final class ZoneReader {
         try {
             return OffsetDateTime.parse(text).toInstant();
         } catch (DateTimeException e) {
-            throw InvalidInput.outside(at + "properties." + field, MOMENT, quoted(text));
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, at + "properties." + field, MOMENT, quoted(text));
         }
     }
 
@@ -106,7 +116,10 @@ final class ZoneReader {
             case "land" -> BreachAction.LAND;
             default ->
                 throw InvalidInput.outside(
-                        at + "properties.onBreach", "hold, returnToLaunch or land", quoted(properties.onBreach()));
+                        ValueProblem.VALUE_NOT_ALLOWED,
+                        at + "properties.onBreach",
+                        "hold, returnToLaunch or land",
+                        quoted(properties.onBreach()));
         };
     }
 

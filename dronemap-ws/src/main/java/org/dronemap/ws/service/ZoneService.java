@@ -78,7 +78,7 @@ public final class ZoneService {
     public synchronized void delete(Principal principal, String id) {
         Roles.requireForAll(principal, Role.SUPERVISOR);
         if (!keeping.store().delete(changeable(principal, id).id())) {
-            throw Rejection.unknown("zone", id);
+            throw Rejection.unknown(UnknownProblem.ZONE, id);
         }
         keeping.book().remove(id);
     }
@@ -93,8 +93,11 @@ public final class ZoneService {
                 .toList();
         long more = zones.stream().filter(zone -> !known.contains(zone.id())).count();
         if (known.size() + more > MOST) {
-            throw Rejection.conflict(
-                    "There may be " + MOST + " zones at most; there are " + known.size() + " already.");
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "There may be " + MOST + " zones at most; there are " + known.size() + " already.",
+                    ProblemParameter.WHAT.is("zones"),
+                    ProblemParameter.MOST.is(MOST));
         }
         keeping.store().save(zones);
         keeping.book().put(zones);
@@ -123,11 +126,19 @@ public final class ZoneService {
                         .user(user.name())
                         .filter(known -> known.organisation().equals(principal.organisation()))
                         .isEmpty()) {
-            throw InvalidInput.outside(at + "properties.user", "the name of a user", "\"" + user.name() + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.REFERENCE_UNKNOWN,
+                    at + "properties.user",
+                    "the name of a user",
+                    "\"" + user.name() + "\"");
         }
         if (binding instanceof Binding.OfDrone drone
                 && drones.find(principal, drone.id().value()).isEmpty()) {
-            throw InvalidInput.outside(at + "properties.drone", "the id of a drone", "\"" + drone.id() + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.REFERENCE_UNKNOWN,
+                    at + "properties.drone",
+                    "the id of a drone",
+                    "\"" + drone.id() + "\"");
         }
         return binding;
     }
@@ -144,7 +155,7 @@ public final class ZoneService {
     private Zone changeable(Principal principal, String id) {
         Zone zone = find(principal, id);
         if (!zone.organisation().equals(principal.organisation())) {
-            throw Rejection.forbidden("This zone binds the whole server; ask those who run it.");
+            throw Rejection.of(AccessProblem.SERVER_ONLY, "This zone binds the whole server; ask those who run it.");
         }
         return zone;
     }
@@ -153,7 +164,7 @@ public final class ZoneService {
         return keeping.store().zones().stream()
                 .filter(zone -> zone.id().equals(id) && isShownTo(principal, zone))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown("zone", id));
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ZONE, id));
     }
 
     private static String newId() {

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.ValueProblem;
 import org.dronemap.ws.soap.SoapOperation.Argument;
 import org.dronemap.ws.soap.SoapOperation.Body;
 import org.dronemap.ws.soap.SoapOperation.Place;
@@ -64,7 +65,11 @@ final class CallReader {
         for (Element child : children) {
             String name = child.getLocalName();
             if (!seen.add(name)) {
-                throw new InvalidInput(name, "one element", "There must be one element \"" + name + "\", not several.");
+                throw new InvalidInput(
+                        ValueProblem.VALUES_EXCLUSIVE,
+                        name,
+                        "one element",
+                        "There must be one element \"" + name + "\", not several.");
             }
             Argument argument = operation.argument(name).orElse(null);
             if (argument == null) {
@@ -110,7 +115,10 @@ final class CallReader {
                 || value.chars().anyMatch(letter -> letter < ' ' || letter == 0x7f || "/\\;".indexOf(letter) >= 0);
         if (never) {
             throw InvalidInput.outside(
-                    name, "a text without '/', '\\', ';' and control characters", "\"" + value + "\"");
+                    ValueProblem.VALUE_MALFORMED,
+                    name,
+                    "a text without '/', '\\', ';' and control characters",
+                    "\"" + value + "\"");
         }
         return UriUtils.encodePathSegment(value, StandardCharsets.UTF_8);
     }
@@ -148,7 +156,7 @@ final class CallReader {
         try {
             return Base64.getMimeDecoder().decode(XmlToJson.text(SoapOperation.CONTENT, found));
         } catch (IllegalArgumentException notBase64) {
-            throw InvalidInput.outside(SoapOperation.CONTENT, "base64", "something else");
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, SoapOperation.CONTENT, "base64", "something else");
         }
     }
 
@@ -157,6 +165,9 @@ final class CallReader {
                 ? "none"
                 : operation.elements().stream().map(XmlMember::name).collect(Collectors.joining(", "));
         return new InvalidInput(
-                name, allowed, "There is no element \"" + name + "\" here; there are: " + allowed + ".");
+                ValueProblem.MEMBER_UNKNOWN,
+                name,
+                allowed,
+                "There is no element \"" + name + "\" here; there are: " + allowed + ".");
     }
 }

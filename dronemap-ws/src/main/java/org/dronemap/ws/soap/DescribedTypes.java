@@ -14,6 +14,7 @@ final class DescribedTypes {
     private static final String SCHEMAS = "#/components/schemas/";
 
     private static final String NULL = "null";
+    private static final Set<String> PLAIN = Set.of("string", "number", "boolean");
 
     private DescribedTypes() {}
 
@@ -110,8 +111,13 @@ final class DescribedTypes {
             case "integer" -> XmlType.Text.of(schema.path("format").asString("").equals("int64") ? "long" : "int");
             case "number" -> XmlType.Text.of("double");
             case "string" -> text(schema);
-            default -> new XmlType.Json();
+            default -> isPlain(schema) ? new XmlType.Plain() : new XmlType.Json();
         };
+    }
+
+    private static boolean isPlain(JsonNode schema) {
+        JsonNode either = schema.path("oneOf");
+        return !either.isEmpty() && either.valueStream().allMatch(one -> PLAIN.contains(typeOf(one)));
     }
 
     private static XmlType text(JsonNode schema) {

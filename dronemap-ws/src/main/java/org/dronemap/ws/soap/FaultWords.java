@@ -11,6 +11,7 @@ import org.dronemap.core.time.FatalErrors;
 import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RequestProblem;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -68,6 +69,6 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
     }
 
     private static Problem unreadableXml(String sentence) {
-        return Problem.of(Rejection.malformed(sentence));
+        return Problem.of(Rejection.of(RequestProblem.XML_UNREADABLE, sentence));
     }
 }

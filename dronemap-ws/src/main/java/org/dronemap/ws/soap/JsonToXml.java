@@ -1,5 +1,6 @@
 package org.dronemap.ws.soap;
 
+import java.util.Locale;
 import javax.xml.XMLConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
@@ -7,6 +8,8 @@ import tools.jackson.databind.JsonNode;
 
 /** Writes JSON as elements by their types. Members without a value are left out, as their schema allows. */
 final class JsonToXml {
+    static final String TYPE = "type";
+
     private static final int UNKNOWN = 0xFFFD;
 
     private final XmlTypes types;
@@ -26,6 +29,9 @@ final class JsonToXml {
             out.writeNamespace("xsi", XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI);
             out.writeAttribute("xsi", XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI, "nil", "true");
         } else if (type instanceof XmlType.Text) {
+            out.writeCharacters(plain(value.asString()));
+        } else if (type instanceof XmlType.Plain) {
+            out.writeAttribute(TYPE, value.getNodeType().name().toLowerCase(Locale.ROOT));
             out.writeCharacters(plain(value.asString()));
         } else if (type instanceof XmlType.Listed listed) {
             for (JsonNode item : value) {

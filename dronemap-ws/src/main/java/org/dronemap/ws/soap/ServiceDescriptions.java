@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.RequestProblem;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /** Answers with the description of a service to {@code ?wsdl}, and for addresses under /services that are none. */
@@ -47,8 +47,8 @@ public final class ServiceDescriptions extends OncePerRequestFilter {
         } else {
             problems.write(
                     response,
-                    Problem.of(new Rejection(
-                            RejectionKind.METHOD,
+                    Problem.of(Rejection.of(
+                            RequestProblem.METHOD_NOT_TAKEN,
                             "This service takes SOAP by POST; GET " + uri + "?wsdl describes it.")));
         }
     }
@@ -58,8 +58,8 @@ public final class ServiceDescriptions extends OncePerRequestFilter {
     }
 
     private static Rejection nothingHere(String uri, SoapServices services) {
-        return new Rejection(
-                RejectionKind.UNKNOWN,
+        return Rejection.of(
+                RequestProblem.ADDRESS_UNKNOWN,
                 "There is nothing at " + uri + "; the SOAP services are described at "
                         + services.services().keySet().stream()
                                 .map(name -> SERVICES + name + "?wsdl")

@@ -10,6 +10,7 @@ import org.apache.cxf.message.Message;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CalledBy;
 import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.Rejection;
 import org.w3c.dom.Element;
 
@@ -52,7 +53,7 @@ public final class SoapCaller {
                             tokens.takeOnce(token);
                             return caller;
                         })
-                        .orElseThrow(() -> Rejection.notSignedIn(WAYS)));
+                        .orElseThrow(() -> Rejection.of(AccessProblem.SIGN_IN_NEEDED, WAYS)));
     }
 
     private SignedIn byHttp(String authorization, String address) {
@@ -61,12 +62,12 @@ public final class SoapCaller {
             return authentication.byKey(parts[1]);
         }
         if (parts.length != 2 || !parts[0].equalsIgnoreCase("Basic")) {
-            throw Rejection.notSignedIn(WAYS);
+            throw Rejection.of(AccessProblem.AUTHORIZATION_UNREADABLE, WAYS);
         }
         String credentials = decode(parts[1]);
         int colon = credentials.indexOf(':');
         if (colon < 0) {
-            throw Rejection.notSignedIn(WAYS);
+            throw Rejection.of(AccessProblem.AUTHORIZATION_UNREADABLE, WAYS);
         }
         return authentication.byPassword(credentials.substring(0, colon), credentials.substring(colon + 1), address);
     }
@@ -75,7 +76,7 @@ public final class SoapCaller {
         try {
             return new String(Base64.getDecoder().decode(base64), StandardCharsets.UTF_8);
         } catch (IllegalArgumentException notBase64) {
-            throw Rejection.notSignedIn(WAYS);
+            throw Rejection.of(AccessProblem.AUTHORIZATION_UNREADABLE, WAYS);
         }
     }
 

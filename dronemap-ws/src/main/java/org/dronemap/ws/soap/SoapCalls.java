@@ -12,7 +12,8 @@ import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.RequestProblem;
+import org.dronemap.ws.service.ServerProblem;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 import tools.jackson.core.JacksonException;
@@ -45,7 +46,9 @@ public final class SoapCalls {
         SoapServices services = contract.services();
         try {
             if (payload == null) {
-                throw Rejection.malformed("The body of a SOAP message must have the element of an operation.");
+                throw Rejection.of(
+                        RequestProblem.REQUEST_UNREADABLE,
+                        "The body of a SOAP message must have the element of an operation.");
             }
             SoapOperation operation = operation(services, service, payload);
             // Until REST keeps the record.
@@ -60,13 +63,15 @@ public final class SoapCalls {
 
     private static SoapOperation operation(SoapServices services, String service, Element payload) {
         if (!Namespace.URI.equals(payload.getNamespaceURI())) {
-            throw Rejection.malformed("The element " + payload.getLocalName() + " must be in the namespace "
-                    + Namespace.URI + "; it is in " + payload.getNamespaceURI() + ".");
+            throw Rejection.of(
+                    RequestProblem.REQUEST_UNREADABLE,
+                    "The element " + payload.getLocalName() + " must be in the namespace " + Namespace.URI
+                            + "; it is in " + payload.getNamespaceURI() + ".");
         }
         return services.service(service)
                 .flatMap(one -> one.operation(payload.getLocalName()))
-                .orElseThrow(() -> new Rejection(
-                        RejectionKind.UNKNOWN,
+                .orElseThrow(() -> Rejection.of(
+                        RequestProblem.OPERATION_UNKNOWN,
                         service + " has no operation " + payload.getLocalName() + "; its description lists them."));
     }
 
@@ -75,7 +80,7 @@ public final class SoapCalls {
         RestAnswer answer = called.answer().getNow(null);
         if (answer == null) {
             throw fault(Problem.of(
-                    new Rejection(RejectionKind.UNAVAILABLE, "The outcome is not known yet; ask for it later.")));
+                    Rejection.of(ServerProblem.OUTCOME_NOT_KNOWN, "The outcome is not known yet; ask for it later.")));
         }
         if (answer.tooLong()) {
             throw fault(Problem.of(tooLong(called)));
@@ -122,8 +127,8 @@ public final class SoapCalls {
     }
 
     private static Rejection tooLong(Called called) {
-        return new Rejection(
-                RejectionKind.TOO_LARGE,
+        return Rejection.of(
+                RequestProblem.ANSWER_TOO_LARGE,
                 "This answer is longer than a SOAP message may be, " + RestAnswer.LONGEST_BYTES + " bytes; get it by "
                         + called.operation().of().method() + " "
                         + called.operation().of().path()

@@ -1,12 +1,10 @@
 package org.dronemap.ws.soap;
 
-import java.util.ArrayDeque;
 import java.util.Collection;
-import java.util.Deque;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Writes types as XML Schema. */
@@ -15,6 +13,8 @@ final class TypeSchema {
 
     private final XmlTypes types;
     private final XmlText out;
+    private final Map<String, XmlTypes.Complex> named = new TreeMap<>();
+    private final Map<String, XmlType> several = new TreeMap<>();
 
     TypeSchema(XmlTypes types, XmlText out) {
         this.types = types;
@@ -23,36 +23,63 @@ final class TypeSchema {
 
     /** The types of {@code members} and all that those are made of. */
     void write(Collection<XmlMember> members) {
-        Map<String, XmlTypes.Complex> reached = new TreeMap<>();
-        Deque<String> open = new ArrayDeque<>();
-        members.forEach(member -> names(member.type()).forEach(open::add));
-        while (!open.isEmpty()) {
-            String name = open.remove();
-            XmlTypes.Complex type = types.get(name);
-            if (reached.put(name, type) == null) {
-                parts(type).forEach(open::add);
-            }
-        }
+        members.forEach(member -> reach(member.type()));
         out.open("xs:schema", "xmlns:" + PREFIX, Namespace.TYPES, "targetNamespace", Namespace.TYPES, "version", "2");
-        reached.forEach(this::complex);
+        named.forEach(this::complex);
+        several.forEach(this::several);
         out.close();
     }
 
-    private static Stream<String> parts(XmlTypes.Complex type) {
-        if (type instanceof XmlTypes.Structure structure) {
-            return structure.members().stream().flatMap(member -> names(member.type()));
+    private void reach(XmlType type) {
+        if (type instanceof XmlType.Listed listed) {
+            several.put(name(listed), type);
+            reach(listed.item());
+        } else if (type instanceof XmlType.Mapped mapped) {
+            several.put(name(mapped), type);
+            reach(mapped.value());
+        } else if (type instanceof XmlType.Named one) {
+            reach(one.name());
         }
-        return ((XmlTypes.Alternatives) type).kinds().values().stream();
     }
 
-    private static Stream<String> names(XmlType type) {
+    private void reach(String name) {
+        XmlTypes.Complex type = types.get(name);
+        if (named.put(name, type) != null) {
+            return;
+        }
+        if (type instanceof XmlTypes.Structure structure) {
+            structure.members().forEach(member -> reach(member.type()));
+        } else if (type instanceof XmlTypes.Alternatives alternatives) {
+            alternatives.kinds().values().forEach(this::reach);
+        }
+    }
+
+    /** Lists have types with names: programs make classes of them, and one within another must not be called as that is. */
+    private static String name(XmlType type) {
         if (type instanceof XmlType.Listed listed) {
-            return names(listed.item());
+            return "ListOf" + name(listed.item());
         }
         if (type instanceof XmlType.Mapped mapped) {
-            return names(mapped.value());
+            return "MapOf" + name(mapped.value());
         }
-        return type instanceof XmlType.Named named ? Stream.of(named.name()) : Stream.empty();
+        if (type instanceof XmlType.Named one) {
+            return one.name();
+        }
+        if (type instanceof XmlType.Plain) {
+            return "Plain";
+        }
+        String xsd = type instanceof XmlType.Text text ? text.xsd() : "string";
+        return xsd.substring(0, 1).toUpperCase(Locale.ROOT) + xsd.substring(1);
+    }
+
+    private void several(String name, XmlType type) {
+        out.open("xs:complexType", "name", name).open("xs:sequence");
+        if (type instanceof XmlType.Listed listed) {
+            element(XmlToJson.ITEM, listed.item(), new Occurs("0", "unbounded", null), "");
+        } else if (type instanceof XmlType.Mapped mapped) {
+            entries(mapped);
+        }
+        out.close().close();
     }
 
     private void complex(String name, XmlTypes.Complex type) {
@@ -79,57 +106,55 @@ final class TypeSchema {
         out.open("xs:sequence");
         for (XmlMember member : members) {
             boolean always = member.required() && !member.nullable();
-            element(member.name(), member.type(), always ? null : "0", null, member.nullable(), member.words());
+            Occurs occurs = new Occurs(always ? null : "0", null, member.nullable() ? "true" : null);
+            element(member.name(), member.type(), occurs, member.words());
         }
         out.close();
     }
 
-    private void element(
-            String name, XmlType type, @Nullable String least, @Nullable String most, boolean nillable, String words) {
-        String nil = nillable ? "true" : null;
-        if (type instanceof XmlType.Named named) {
-            described(
-                    words,
+    /** As attributes have it; null: as XML Schema has it where nothing is said. */
+    private record Occurs(
+            @Nullable String least,
+            @Nullable String most,
+            @Nullable String nillable) {}
+
+    private void element(String name, XmlType type, Occurs occurs, String words) {
+        if (type instanceof XmlType.Text text && !text.values().isEmpty()) {
+            out.open(
+                    "xs:element",
                     "name",
                     name,
-                    "type",
-                    PREFIX + ":" + named.name(),
                     "minOccurs",
-                    least,
+                    occurs.least(),
                     "maxOccurs",
-                    most,
+                    occurs.most(),
                     "nillable",
-                    nil);
-        } else if (type instanceof XmlType.Text text && text.values().isEmpty()) {
-            described(
-                    words,
-                    "name",
-                    name,
-                    "type",
-                    "xs:" + text.xsd(),
-                    "minOccurs",
-                    least,
-                    "maxOccurs",
-                    most,
-                    "nillable",
-                    nil);
-        } else if (type instanceof XmlType.Json) {
-            String json = (words + " As JSON.").strip();
-            described(json, "name", name, "type", "xs:string", "minOccurs", least, "maxOccurs", most, "nillable", nil);
-        } else {
-            out.open("xs:element", "name", name, "minOccurs", least, "maxOccurs", most, "nillable", nil);
+                    occurs.nillable());
             words(words);
-            if (type instanceof XmlType.Text text) {
-                values(text);
-            } else if (type instanceof XmlType.Listed listed) {
-                out.open("xs:complexType").open("xs:sequence");
-                element(XmlToJson.ITEM, listed.item(), "0", "unbounded", false, "");
-                out.close().close();
-            } else if (type instanceof XmlType.Mapped mapped) {
-                entries(mapped);
-            }
+            values(text);
             out.close();
+            return;
         }
+        String of = PREFIX + ":" + name(type);
+        String told = words;
+        if (type instanceof XmlType.Text text) {
+            of = "xs:" + text.xsd();
+        } else if (type instanceof XmlType.Json) {
+            of = "xs:string";
+            told = (words + " As JSON.").strip();
+        }
+        described(
+                told,
+                "name",
+                name,
+                "type",
+                of,
+                "minOccurs",
+                occurs.least(),
+                "maxOccurs",
+                occurs.most(),
+                "nillable",
+                occurs.nillable());
     }
 
     private void described(String words, @Nullable String... attributes) {
@@ -155,14 +180,19 @@ final class TypeSchema {
     }
 
     private void entries(XmlType.Mapped mapped) {
-        out.open("xs:complexType").open("xs:sequence");
         out.open("xs:element", "name", XmlToJson.ENTRY, "minOccurs", "0", "maxOccurs", "unbounded");
         out.open("xs:complexType");
-        String base = mapped.value() instanceof XmlType.Named named ? PREFIX + ":" + named.name() : "xs:string";
-        boolean complex = mapped.value() instanceof XmlType.Named;
-        out.open(complex ? "xs:complexContent" : "xs:simpleContent").open("xs:extension", "base", base);
+        boolean plain = mapped.value() instanceof XmlType.Plain;
+        boolean simple = plain || mapped.value() instanceof XmlType.Text;
+        String base = PREFIX + ":" + name(mapped.value());
+        if (simple) {
+            base = mapped.value() instanceof XmlType.Text text ? "xs:" + text.xsd() : "xs:string";
+        }
+        out.open(simple ? "xs:simpleContent" : "xs:complexContent").open("xs:extension", "base", base);
         out.empty("xs:attribute", "name", XmlToJson.KEY, "type", "xs:string", "use", "required");
-        out.close().close();
+        if (plain) {
+            out.empty("xs:attribute", "name", JsonToXml.TYPE, "type", "xs:string", "use", "required");
+        }
         out.close().close();
         out.close().close();
     }

@@ -8,8 +8,9 @@ import java.time.OffsetDateTime;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.ServerProblem;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 
@@ -48,20 +49,25 @@ public final class UsernameTokens {
         Element name = token == null ? null : child(token, SECURITY, "Username");
         Element password = token == null ? null : child(token, SECURITY, "Password");
         if (token == null || name == null || password == null) {
-            throw Rejection.notSignedIn(
+            throw Rejection.of(
+                    AccessProblem.AUTHORIZATION_UNREADABLE,
                     "The Security header must have a UsernameToken with a Username and a Password.");
         }
         String type = password.getAttribute("Type");
         if (!type.isEmpty() && !type.endsWith(AS_TEXT)) {
-            throw Rejection.notSignedIn("The Password of a UsernameToken must be sent as " + AS_TEXT
-                    + "; a digest cannot be compared, as passwords are not stored.");
+            throw Rejection.of(
+                    AccessProblem.AUTHORIZATION_UNREADABLE,
+                    "The Password of a UsernameToken must be sent as " + AS_TEXT
+                            + "; a digest cannot be compared, as passwords are not stored.");
         }
         Element nonce = child(token, SECURITY, "Nonce");
         Element created = child(token, MADE, "Created");
         if (created != null) {
             requireFresh(time(created.getTextContent().strip()));
         } else if (nonce != null) {
-            throw Rejection.notSignedIn("A UsernameToken with a Nonce must say when it was Created.");
+            throw Rejection.of(
+                    AccessProblem.AUTHORIZATION_UNREADABLE,
+                    "A UsernameToken with a Nonce must say when it was Created.");
         }
         return new Token(
                 name.getTextContent().strip(),
@@ -72,8 +78,10 @@ public final class UsernameTokens {
     private void requireFresh(Instant made) {
         Instant now = clock.instant();
         if (made.isBefore(now.minus(FRESH)) || made.isAfter(now.plus(FRESH))) {
-            throw Rejection.notSignedIn("This UsernameToken was made more than " + FRESH.toMinutes()
-                    + " minutes from now by the server's clock; make a new one for each call.");
+            throw Rejection.of(
+                    AccessProblem.TOKEN_STALE,
+                    "This UsernameToken was made more than " + FRESH.toMinutes()
+                            + " minutes from now by the server's clock; make a new one for each call.");
         }
     }
 
@@ -89,11 +97,12 @@ public final class UsernameTokens {
             oldest.remove();
         }
         if (seen.size() >= MOST_REMEMBERED) {
-            throw new Rejection(RejectionKind.UNAVAILABLE, "Too many UsernameTokens came lately; try again later.");
+            throw Rejection.of(ServerProblem.SERVER_BUSY, "Too many UsernameTokens came lately; try again later.");
         }
         // One that was made the longest allowed time ahead stays fresh for twice that.
         if (seen.putIfAbsent(nonce, now.plus(FRESH.multipliedBy(2))) != null) {
-            throw Rejection.notSignedIn("This UsernameToken was used before; make a new nonce for each call.");
+            throw Rejection.of(
+                    AccessProblem.TOKEN_USED, "This UsernameToken was used before; make a new nonce for each call.");
         }
     }
 
@@ -101,7 +110,9 @@ public final class UsernameTokens {
         try {
             return OffsetDateTime.parse(text).toInstant();
         } catch (DateTimeException noTime) {
-            throw Rejection.notSignedIn("The Created of a UsernameToken must be a time such as 2026-01-31T12:00:00Z.");
+            throw Rejection.of(
+                    AccessProblem.AUTHORIZATION_UNREADABLE,
+                    "The Created of a UsernameToken must be a time such as 2026-01-31T12:00:00Z.");
         }
     }
 

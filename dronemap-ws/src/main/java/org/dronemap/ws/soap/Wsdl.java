@@ -2,6 +2,7 @@ package org.dronemap.ws.soap;
 
 import java.util.ArrayList;
 import java.util.List;
+import javax.lang.model.SourceVersion;
 
 /** Writes the description of a service: WSDL 1.1, document/literal, SOAP 1.1 and 1.2 at the same address. */
 final class Wsdl {
@@ -12,6 +13,10 @@ final class Wsdl {
     static final String FAULT = "DronemapFault";
     /** What faults carry; REST's problems. */
     static final String PROBLEM = "Problem";
+
+    /** Namespaces of what makes clients in Java: now, and before it was given to another foundation. */
+    private static final List<String> JAVA_TOOLS =
+            List.of("https://jakarta.ee/xml/ns/jaxws", "http://java.sun.com/xml/ns/jaxws");
 
     private static final String SOAP_11 = "soap";
     private static final String SOAP_12 = "soap12";
@@ -110,12 +115,24 @@ final class Wsdl {
         for (SoapOperation operation : service.operations()) {
             out.open("wsdl:operation", "name", operation.name());
             out.leaf("wsdl:documentation", operation.words());
+            javaName(operation.name());
             out.empty("wsdl:input", "message", "tns:" + operation.name());
             out.empty("wsdl:output", "message", "tns:" + operation.name() + "Response");
             out.empty("wsdl:fault", "name", FAULT, "message", "tns:" + FAULT);
             out.close();
         }
         out.close();
+    }
+
+    /** The paper has an operation that no method in Java can be called as. */
+    private void javaName(String operation) {
+        if (SourceVersion.isKeyword(operation)) {
+            for (String tools : JAVA_TOOLS) {
+                out.open("jaxws:bindings", "xmlns:jaxws", tools)
+                        .empty("jaxws:method", "name", operation + "Place")
+                        .close();
+            }
+        }
     }
 
     private String portName(String version) {

@@ -7,6 +7,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import javax.xml.XMLConstants;
 import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.ValueProblem;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
@@ -40,7 +41,11 @@ final class XmlToJson {
         String name = element.getLocalName();
         String field = within.isEmpty() ? name : within + "." + name;
         if (object.has(name)) {
-            throw new InvalidInput(field, "one element", "There must be one element \"" + field + "\", not several.");
+            throw new InvalidInput(
+                    ValueProblem.VALUES_EXCLUSIVE,
+                    field,
+                    "one element",
+                    "There must be one element \"" + field + "\", not several.");
         }
         XmlMember member = type.member(name);
         object.set(
@@ -66,7 +71,16 @@ final class XmlToJson {
         if (type instanceof XmlType.Named named) {
             return complex(named.name(), field, element);
         }
-        return anything(field, element);
+        return type instanceof XmlType.Plain ? untold(field, element) : anything(field, element);
+    }
+
+    private JsonNode untold(String field, Element element) {
+        String text = text(field, element);
+        return switch (element.getAttribute(JsonToXml.TYPE)) {
+            case "number" -> NUMBER.matcher(text.strip()).matches() ? number(text.strip()) : StringNode.valueOf(text);
+            case "boolean" -> truth(text.strip());
+            default -> StringNode.valueOf(text);
+        };
     }
 
     private JsonNode plain(XmlType.Text type, String text) {
@@ -105,6 +119,7 @@ final class XmlToJson {
         for (Element item : items) {
             if (!item.getLocalName().equals(ITEM)) {
                 throw new InvalidInput(
+                        ValueProblem.VALUE_MALFORMED,
                         field,
                         "elements called " + ITEM,
                         "\"" + field + "\" must have elements called " + ITEM + ", not " + item.getLocalName() + ".");
@@ -121,6 +136,7 @@ final class XmlToJson {
             String key = entry.getAttribute(KEY);
             if (!entry.getLocalName().equals(ENTRY) || key.isEmpty() || all.has(key)) {
                 throw new InvalidInput(
+                        ValueProblem.VALUE_MALFORMED,
                         field,
                         "elements called " + ENTRY,
                         "\"" + field + "\" must have elements called " + ENTRY + ", each with a " + KEY
@@ -143,7 +159,11 @@ final class XmlToJson {
         List<Element> told = children(element);
         if (told.size() != 1) {
             String allowed = "one of " + String.join(", ", alternatives.kinds().keySet());
-            throw new InvalidInput(field, allowed, "\"" + field + "\" must have exactly " + allowed + ".");
+            throw new InvalidInput(
+                    ValueProblem.VALUES_EXCLUSIVE,
+                    field,
+                    allowed,
+                    "\"" + field + "\" must have exactly " + allowed + ".");
         }
         Element chosen = told.get(0);
         object.put(alternatives.told(), chosen.getLocalName());
@@ -158,7 +178,7 @@ final class XmlToJson {
         try {
             return mapper.readTree(text(field, element));
         } catch (JacksonException notJson) {
-            throw new InvalidInput(field, "JSON", "\"" + field + "\" must be JSON.");
+            throw new InvalidInput(ValueProblem.VALUE_MALFORMED, field, "JSON", "\"" + field + "\" must be JSON.");
         }
     }
 
@@ -176,6 +196,7 @@ final class XmlToJson {
         List<Element> within = children(element);
         if (!within.isEmpty()) {
             throw new InvalidInput(
+                    ValueProblem.VALUE_MALFORMED,
                     field,
                     "a text",
                     "\"" + field + "\" must be a text; it has elements: "
@@ -188,7 +209,11 @@ final class XmlToJson {
         for (Node node = element.getFirstChild(); node != null; node = node.getNextSibling()) {
             boolean words = node.getNodeType() == Node.TEXT_NODE || node.getNodeType() == Node.CDATA_SECTION_NODE;
             if (words && !isBlank(node.getNodeValue())) {
-                throw new InvalidInput(field, wanted, "\"" + field + "\" must have " + wanted + ", not a text.");
+                throw new InvalidInput(
+                        ValueProblem.VALUE_MALFORMED,
+                        field,
+                        wanted,
+                        "\"" + field + "\" must have " + wanted + ", not a text.");
             }
         }
     }

@@ -23,6 +23,9 @@ sealed interface XmlType {
     /** Elements called {@code entry} with an attribute {@code key}. */
     record Mapped(XmlType value) implements XmlType {}
 
+    /** A text, a number or a truth value, as its attribute {@code type} says: {@code string}, {@code number}, {@code boolean}. */
+    record Plain() implements XmlType {}
+
     /** What {@link XmlTypes} has under the name. */
     record Named(String name) implements XmlType {}
 

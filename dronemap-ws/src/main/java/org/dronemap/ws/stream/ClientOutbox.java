@@ -6,11 +6,10 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What waits for one client: of each drone only the newest picture, of the signs of life only the newest, of commands and
+ * What waits for one client: of each thing only the newest picture, of the signs of life only the newest, of commands and
  * answers everything, in order, up to a bound. Any thread.
  */
 final class ClientOutbox {
@@ -18,17 +17,17 @@ final class ClientOutbox {
 
     // all guarded by this
     private final Deque<Message> discrete = new ArrayDeque<>();
-    private final Map<DroneId, String> newest = new LinkedHashMap<>();
+    private final Map<Subject, String> newest = new LinkedHashMap<>();
     private @Nullable String beat;
     private long replaced;
     private boolean overflown;
 
-    /** {@code about}: null when no drone alone. */
-    private record Message(@Nullable DroneId about, String json) {}
+    /** {@code about}: null when no thing alone. */
+    private record Message(@Nullable Subject about, String json) {}
 
-    /** A picture that the next one of the same drone replaces. */
-    synchronized void offer(DroneId drone, String json) {
-        if (newest.put(drone, json) != null) {
+    /** A picture that the next one of the same thing replaces. */
+    synchronized void offer(Subject about, String json) {
+        if (newest.put(about, json) != null) {
             replaced++;
         }
     }
@@ -38,15 +37,15 @@ final class ClientOutbox {
         beat = json;
     }
 
-    /** No picture of a drone that is gone. */
-    synchronized void forget(DroneId drone) {
-        newest.remove(drone);
+    /** No picture of what is gone. */
+    synchronized void forget(Subject about) {
+        newest.remove(about);
     }
 
-    /** Nothing at all of a drone that this client may see no longer. */
-    synchronized void withhold(DroneId drone) {
-        newest.remove(drone);
-        discrete.removeIf(message -> drone.equals(message.about()));
+    /** Nothing at all of what this client may see no longer. */
+    synchronized void withhold(Subject about) {
+        newest.remove(about);
+        discrete.removeIf(message -> about.equals(message.about()));
     }
 
     /** Something that must arrive; when there is no room for it the client is to be closed. */
@@ -54,8 +53,8 @@ final class ClientOutbox {
         add(null, json);
     }
 
-    /** The same, of one drone. */
-    synchronized void add(@Nullable DroneId about, String json) {
+    /** The same, of one thing. */
+    synchronized void add(@Nullable Subject about, String json) {
         if (discrete.size() == MOST_DISCRETE) {
             overflown = true;
         } else {

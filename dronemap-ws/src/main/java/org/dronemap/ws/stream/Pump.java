@@ -21,7 +21,15 @@ final class Pump implements AutoCloseable {
     }
 
     /** How long to rest after a round at least, whoever asks, and at most. */
-    record Pause(long leastNanos, long mostNanos) {}
+    record Pause(long leastNanos, long mostNanos) {
+        /** However long others want. */
+        static final Pause ANY = new Pause(Long.MAX_VALUE, Long.MAX_VALUE);
+
+        /** As long as both allow. */
+        Pause and(Pause other) {
+            return new Pause(Math.min(leastNanos, other.leastNanos), Math.min(mostNanos, other.mostNanos));
+        }
+    }
 
     Pump(String name, Round work) {
         this.work = work;

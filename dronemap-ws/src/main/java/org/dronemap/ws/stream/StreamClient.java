@@ -8,9 +8,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
-import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.security.SignedIn;
 import org.java_websocket.WebSocket;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
@@ -27,7 +25,7 @@ final class StreamClient {
 
     private final WebSocket socket;
     private final ClientOutbox outbox = new ClientOutbox();
-    private final ConcurrentHashMap<DroneId, Set<Permission>> shown = new ConcurrentHashMap<>();
+    private final ConcurrentHashMap<Subject, Object> shown = new ConcurrentHashMap<>();
     private volatile boolean unsettled;
     private final long connectedNanos;
     private volatile long answeredNanos;
@@ -130,12 +128,8 @@ final class StreamClient {
         return perSecond;
     }
 
-    boolean sees(DroneId drone) {
-        return principal().map(who -> who.sees(drone)).orElse(false);
-    }
-
-    /** The drones that this client was shown, with what it might do with them then. */
-    Map<DroneId, Set<Permission>> shown() {
+    /** What this client was shown and is told of when it is gone, each as it saw it then ({@link Topic.Sight}). */
+    Map<Subject, Object> shown() {
         return shown;
     }
 
@@ -151,9 +145,10 @@ final class StreamClient {
         return was;
     }
 
-    boolean wants(DroneId drone) {
+    /** What it subscribed to are drones, and what is said of them. */
+    boolean wants(Subject subject) {
         Set<String> only = wanted;
-        return only == null || only.contains(drone.value());
+        return only == null || !subject.isDrone() || only.contains(subject.id());
     }
 
     /** From now on nothing but this farewell is sent; what was waiting is thrown away. */

@@ -1,12 +1,11 @@
 package org.dronemap.ws.stream;
 
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Role;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.InvalidInput;
-import org.dronemap.ws.service.Roles;
+import org.dronemap.ws.service.ValueProblem;
 
 /** Answers what clients of the stream say about control. Any thread. */
 final class StreamControl {
@@ -18,22 +17,26 @@ final class StreamControl {
         this.controls = controls;
     }
 
-    StreamMessage.ControlAnswer answer(Principal principal, StreamMessage.FromClient message) {
-        Roles.require(principal, Role.OPERATOR);
-        String drone = message.drone();
-        String action = message.action();
+    StreamMessage.ControlAnswer answer(Principal principal, StreamRequest.ActOnControl request) {
+        String drone = request.drone();
         if (drone == null) {
             throw InvalidInput.missing("drone", "the id of a drone");
-        }
-        if (action == null) {
-            throw InvalidInput.missing("action", ACTIONS);
         }
         ControlService.Answer answer = controls.act(
                 principal,
                 drone,
-                ControlAction.named(action)
-                        .orElseThrow(() -> InvalidInput.outside("action", ACTIONS, "\"" + action + "\"")),
-                new ControlRequestView(message.reason(), message.user(), message.epoch()));
-        return new StreamMessage.ControlAnswer(message.requestId(), drone, answer.waiting(), answer.control());
+                action(request),
+                new ControlRequestView(request.reason(), request.user(), request.epoch()));
+        return new StreamMessage.ControlAnswer(request.requestId(), drone, answer.waiting(), answer.control());
+    }
+
+    static ControlAction action(StreamRequest.ActOnControl request) {
+        String action = request.action();
+        if (action == null) {
+            throw InvalidInput.missing("action", ACTIONS);
+        }
+        return ControlAction.named(action)
+                .orElseThrow(() ->
+                        InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "action", ACTIONS, "\"" + action + "\""));
     }
 }

@@ -6,8 +6,9 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.ServerProblem;
 import org.java_websocket.WebSocket;
 import org.jspecify.annotations.Nullable;
 
@@ -49,7 +50,8 @@ public final class StreamCrowd {
     void makeRoom() {
         if (clients.size() > MOST_CLIENTS) {
             turnedAway.increment();
-            throw new Rejection(RejectionKind.UNAVAILABLE, "Too many clients are connected.");
+            throw Rejection.of(
+                    ServerProblem.SERVER_BUSY, "Too many clients are connected.", ProblemParameter.WHAT.is("clients"));
         }
     }
 
@@ -68,9 +70,10 @@ public final class StreamCrowd {
                 .count();
         if (open > mostOfOneUser) {
             turnedAway.increment();
-            throw new Rejection(
-                    RejectionKind.THROTTLED,
-                    "As many streams are open as one user may have (" + mostOfOneUser + "); close one first.");
+            throw Rejection.of(
+                    ServerProblem.STREAMS_SPENT,
+                    "As many streams are open as one user may have (" + mostOfOneUser + "); close one first.",
+                    ProblemParameter.MOST.is(mostOfOneUser));
         }
         onAdmission.accept(client.socket());
     }

@@ -1,171 +1,130 @@
 package org.dronemap.ws.stream;
 
 import com.fasterxml.jackson.annotation.JsonInclude;
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
-import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.FollowReceipt;
-import org.dronemap.ws.service.FollowRequest;
 import org.dronemap.ws.service.FollowView;
+import org.dronemap.ws.service.ObjectsOnly;
 import org.dronemap.ws.service.PlanView;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.RunView;
-import org.dronemap.ws.service.SteeringRequest;
 import org.dronemap.ws.service.VirtualDroneView;
 import org.dronemap.ws.service.ZoneFeature;
 import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** The messages of the stream, each with its type as clients see it. */
-final class StreamMessage {
-    private StreamMessage() {}
+/** What the server says on the stream. */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
+@JsonTypeResolver(ObjectsOnly.class)
+@JsonSubTypes({
+    @JsonSubTypes.Type(value = StreamMessage.Hello.class, name = "hello"),
+    @JsonSubTypes.Type(value = StreamMessage.Drones.class, name = "drones"),
+    @JsonSubTypes.Type(value = StreamMessage.Drone.class, name = "drone"),
+    @JsonSubTypes.Type(value = StreamMessage.DroneRemoved.class, name = "droneRemoved"),
+    @JsonSubTypes.Type(value = StreamMessage.ZoneChanged.class, name = "zone"),
+    @JsonSubTypes.Type(value = StreamMessage.ZoneRemoved.class, name = "zoneRemoved"),
+    @JsonSubTypes.Type(value = StreamMessage.VirtualDroneChanged.class, name = "virtualDrone"),
+    @JsonSubTypes.Type(value = StreamMessage.VirtualDroneRemoved.class, name = "virtualDroneRemoved"),
+    @JsonSubTypes.Type(value = StreamMessage.PlanChanged.class, name = "plan"),
+    @JsonSubTypes.Type(value = StreamMessage.PlanRemoved.class, name = "planRemoved"),
+    @JsonSubTypes.Type(value = StreamMessage.RunChanged.class, name = "run"),
+    @JsonSubTypes.Type(value = StreamMessage.FollowChanged.class, name = "follow"),
+    @JsonSubTypes.Type(value = StreamMessage.FollowNow.class, name = "followNow"),
+    @JsonSubTypes.Type(value = StreamMessage.PositionsHeard.class, name = "positionsHeard"),
+    @JsonSubTypes.Type(value = StreamMessage.Command.class, name = "command"),
+    @JsonSubTypes.Type(value = StreamMessage.CommandAccepted.class, name = "commandAccepted"),
+    @JsonSubTypes.Type(value = StreamMessage.Control.class, name = "control"),
+    @JsonSubTypes.Type(value = StreamMessage.ControlAnswer.class, name = "controlAnswer"),
+    @JsonSubTypes.Type(value = StreamMessage.Failure.class, name = "error"),
+    @JsonSubTypes.Type(value = StreamMessage.Ping.class, name = "ping"),
+    @JsonSubTypes.Type(value = StreamMessage.Pong.class, name = "pong")
+})
+@Schema(name = "StreamMessage", description = "What the server says.")
+sealed interface StreamMessage {
+    @Schema(name = "StreamHello", description = "The first message: who you are.")
+    record Hello(String user, String role) implements StreamMessage {}
 
-    /** From a client; which members are there depends on the type. */
-    record FromClient(
-            @Nullable String type,
-            @Nullable String key,
-            @Nullable String requestId,
-            @Nullable String drone,
-            @Nullable CommandRequest command,
-            SteeringRequest.@Nullable Velocity velocity,
-            SteeringRequest.@Nullable Sticks sticks,
-            @Nullable List<String> drones,
-            @Nullable Integer rate,
-            @Nullable String action,
-            @Nullable String user,
-            @Nullable String reason,
-            @Nullable Long epoch,
-            @Nullable String follow,
-            @Nullable Instant sent,
-            @Nullable Double roundTrip,
-            @Nullable List<FollowRequest.@Nullable PositionRequest> positions) {}
+    @Schema(name = "StreamDrones", description = "All drones that you see, once after hello.")
+    record Drones(List<DroneView> drones) implements StreamMessage {}
 
-    record Hello(String type, String user, String role) {
-        Hello(String user, String role) {
-            this("hello", user, role);
-        }
-    }
+    @Schema(name = "StreamDrone", description = "A drone that has changed.")
+    record Drone(DroneView drone) implements StreamMessage {}
 
-    record Drones(String type, List<DroneView> drones) {
-        Drones(List<DroneView> drones) {
-            this("drones", drones);
-        }
-    }
+    @Schema(name = "StreamDroneRemoved", description = "A drone that is gone, or out of your sight from now on.")
+    record DroneRemoved(String id) implements StreamMessage {}
 
-    record Drone(String type, DroneView drone) {
-        Drone(DroneView drone) {
-            this("drone", drone);
-        }
-    }
+    @Schema(name = "StreamZoneChanged", description = "A zone that was added or changed.")
+    record ZoneChanged(ZoneFeature zone) implements StreamMessage {}
 
-    record DroneRemoved(String type, String id) {
-        DroneRemoved(String id) {
-            this("droneRemoved", id);
-        }
-    }
+    @Schema(name = "StreamZoneRemoved", description = "A zone that was removed, or is out of your sight from now on.")
+    record ZoneRemoved(String id) implements StreamMessage {}
 
-    record ZoneChanged(String type, ZoneFeature zone) {
-        ZoneChanged(ZoneFeature zone) {
-            this("zone", zone);
-        }
-    }
+    @Schema(
+            name = "StreamVirtualDroneChanged",
+            description =
+                    "A virtual drone; all of them once after hello, then at once when its mission goes on, and while a drone serves it.")
+    record VirtualDroneChanged(VirtualDroneView virtualDrone) implements StreamMessage {}
 
-    record ZoneRemoved(String type, String id) {
-        ZoneRemoved(String id) {
-            this("zoneRemoved", id);
-        }
-    }
+    @Schema(
+            name = "StreamVirtualDroneRemoved",
+            description = "A virtual drone that was removed, or is out of your sight from now on.")
+    record VirtualDroneRemoved(String id) implements StreamMessage {}
 
-    record VirtualDroneChanged(String type, VirtualDroneView virtualDrone) {
-        VirtualDroneChanged(VirtualDroneView virtualDrone) {
-            this("virtualDrone", virtualDrone);
-        }
-    }
+    @Schema(name = "StreamPlanChanged", description = "A plan; all of them once after hello, then while it changes.")
+    record PlanChanged(PlanView plan) implements StreamMessage {}
 
-    record VirtualDroneRemoved(String type, String id) {
-        VirtualDroneRemoved(String id) {
-            this("virtualDroneRemoved", id);
-        }
-    }
+    @Schema(name = "StreamPlanRemoved", description = "A plan that was forgotten, or is out of your sight from now on.")
+    record PlanRemoved(String id) implements StreamMessage {}
 
-    record PlanChanged(String type, PlanView plan) {
-        PlanChanged(PlanView plan) {
-            this("plan", plan);
-        }
-    }
+    @Schema(
+            name = "StreamRunChanged",
+            description = "A mission run; all that are under way once after hello, then while it changes.")
+    record RunChanged(RunView run) implements StreamMessage {}
 
-    record PlanRemoved(String type, String id) {
-        PlanRemoved(String id) {
-            this("planRemoved", id);
-        }
-    }
+    @Schema(
+            name = "StreamFollowChanged",
+            description = "A phone that is followed; all that are under way once after hello, then when one changes.")
+    record FollowChanged(FollowView follow) implements StreamMessage {}
 
-    record RunChanged(String type, RunView run) {
-        RunChanged(RunView run) {
-            this("run", run);
-        }
-    }
+    @Schema(
+            name = "StreamFollowNow",
+            description = "The part of a follow that changes all the time; null: nothing is known of it now.")
+    record FollowNow(String id, FollowView.@Nullable NowView now) implements StreamMessage {}
 
-    record FollowChanged(String type, FollowView follow) {
-        FollowChanged(FollowView follow) {
-            this("follow", follow);
-        }
-    }
+    @Schema(name = "StreamPositionsHeard", description = "Answers positions.")
+    record PositionsHeard(@Nullable String requestId, FollowReceipt receipt) implements StreamMessage {}
 
-    record FollowNow(String type, String id, FollowView.@Nullable NowView now) {
-        FollowNow(String id, FollowView.@Nullable NowView now) {
-            this("followNow", id, now);
-        }
-    }
+    @Schema(name = "StreamCommand", description = "A command whose phase has changed.")
+    record Command(CommandView command) implements StreamMessage {}
 
-    record PositionsHeard(String type, @Nullable String requestId, FollowReceipt receipt) {
-        PositionsHeard(@Nullable String requestId, FollowReceipt receipt) {
-            this("positionsHeard", requestId, receipt);
-        }
-    }
+    @Schema(name = "StreamCommandAccepted", description = "Answers a command; its outcome follows.")
+    record CommandAccepted(@Nullable String requestId, CommandView command) implements StreamMessage {}
 
-    record Command(String type, CommandView command) {
-        Command(CommandView command) {
-            this("command", command);
-        }
-    }
+    @Schema(name = "StreamControl", description = "Who has a drone now, and what has happened.")
+    record Control(String drone, ControlView control, ControlView.ChangeView change) implements StreamMessage {}
 
-    record CommandAccepted(String type, @Nullable String requestId, CommandView command) {
-        CommandAccepted(@Nullable String requestId, CommandView command) {
-            this("commandAccepted", requestId, command);
-        }
-    }
-
-    record Control(String type, String drone, ControlView control, ControlView.ChangeView change) {
-        Control(String drone, ControlView control, ControlView.ChangeView change) {
-            this("control", drone, control, change);
-        }
-    }
-
-    record ControlAnswer(String type, @Nullable String requestId, String drone, boolean waiting, ControlView control) {
-        ControlAnswer(@Nullable String requestId, String drone, boolean waiting, ControlView control) {
-            this("controlAnswer", requestId, drone, waiting, control);
-        }
-    }
+    @Schema(
+            name = "StreamControlAnswer",
+            description = "Answers what was said about control; waiting: the holder was asked.")
+    record ControlAnswer(@Nullable String requestId, String drone, boolean waiting, ControlView control)
+            implements StreamMessage {}
 
     @JsonInclude(JsonInclude.Include.NON_NULL)
-    record Failure(String type, Problem problem, @Nullable String requestId) {
-        Failure(Problem problem, @Nullable String requestId) {
-            this("error", problem, requestId);
-        }
-    }
+    @Schema(
+            name = "StreamError",
+            description = "Answers a request that is not carried out, or says why the connection is closed.")
+    record Failure(Problem problem, @Nullable String requestId) implements StreamMessage {}
 
-    record Ping(String type, Instant at) {
-        Ping(Instant at) {
-            this("ping", at);
-        }
-    }
+    @Schema(name = "StreamPing", description = "The sign of life, once a second, by the clock of the cloud.")
+    record Ping(Instant at) implements StreamMessage {}
 
-    record Pong(String type) {
-        Pong() {
-            this("pong");
-        }
-    }
+    @Schema(name = "StreamPong", description = "Answers ping.")
+    record Pong() implements StreamMessage {}
 }

@@ -1,15 +1,19 @@
 package org.dronemap.ws.stream;
 
+import com.fasterxml.jackson.annotation.JsonIgnoreProperties;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import java.util.stream.Collectors;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandRequest;
@@ -23,11 +27,13 @@ import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.dronemap.ws.service.Roles;
+import org.dronemap.ws.service.ServerProblem;
+import org.dronemap.ws.service.ValueProblem;
 import org.dronemap.ws.service.WireNames;
-import org.dronemap.ws.service.Work;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -36,13 +42,11 @@ import org.slf4j.LoggerFactory;
 /** Answers what clients of the stream say. Any thread. */
 final class StreamRequests {
     private static final Logger LOG = LoggerFactory.getLogger(StreamRequests.class);
-    private static final String TYPES = "authenticate, command, control, steer, letGo, positions, subscribe or ping";
-
-    /** Of these some cost nothing, as they are for safety. */
-    private static final Set<String> PAID_ELSEWHERE = Set.of("command", "control", "steer", "letGo");
+    private static final String TYPES = types();
 
     private final Authentication authentication;
     private final Budgets budgets;
+    private final StreamRules rules;
     private final DroneService drones;
     private final CommandService commands;
     private final StreamControl controls;
@@ -53,9 +57,14 @@ final class StreamRequests {
     private final JsonReader json;
     private final AuditDesk desk;
 
+    /** What of a request is known before its type: an answer names the request even where the rest cannot be read. */
+    @JsonIgnoreProperties(ignoreUnknown = true)
+    record Head(@Nullable String type, @Nullable String requestId) {}
+
     StreamRequests(StreamFace.Services services, StreamPhones phones) {
         this.authentication = services.entrance().authentication();
         this.budgets = services.entrance().bounds().budgets();
+        this.rules = new StreamRules(services.entrance().bounds().operations());
         this.drones = services.drones();
         this.commands = services.commands();
         this.controls = new StreamControl(services.reins().controls());
@@ -79,7 +88,10 @@ final class StreamRequests {
             List<DroneView> all = drones.drones(principal);
             all.forEach(drone -> {
                 DroneId id = new DroneId(drone.id());
-                client.shown().put(id, principal.permissions(id));
+                Object sight = Topics.sightOf(principal, id);
+                if (sight != null) {
+                    client.shown().put(Subject.drone(id), sight);
+                }
             });
             say(client, new StreamMessage.Drones(all));
             client.unsettle();
@@ -96,7 +108,10 @@ final class StreamRequests {
             if (now.isEmpty()) {
                 expel(client, CloseFrame.POLICY_VALIDATION, Rejection.sessionEnded());
             } else if (!now.get().principal().equals(before.principal())) {
-                expel(client, CloseFrame.TRY_AGAIN_LATER, Rejection.forbidden("Your role was changed; connect again."));
+                expel(
+                        client,
+                        CloseFrame.TRY_AGAIN_LATER,
+                        Rejection.of(AccessProblem.ROLE_CHANGED, "Your role was changed; connect again."));
             }
         } catch (RuntimeException e) {
             // Who cannot be judged cannot stay.
@@ -104,7 +119,7 @@ final class StreamRequests {
             expel(
                     client,
                     CloseFrame.TRY_AGAIN_LATER,
-                    new Rejection(RejectionKind.UNAVAILABLE, "Your rights are not known; try again."));
+                    Rejection.of(ServerProblem.RIGHTS_NOT_KNOWN, "Your rights are not known; try again."));
         }
     }
 
@@ -144,9 +159,10 @@ final class StreamRequests {
     private void heard(StreamClient client, String text) {
         String requestId = null;
         try {
-            StreamMessage.FromClient message = json.read(text, StreamMessage.FromClient.class);
-            requestId = message.requestId();
-            answer(client, message);
+            Head head = json.read(text, Head.class);
+            requestId = head.requestId();
+            requireType(head.type());
+            answer(client, json.read(text, StreamRequest.class));
         } catch (Rejection rejection) {
             AuditNotes.turnedAway(Problem.of(rejection));
             if (client.principal().isEmpty()) {
@@ -173,66 +189,88 @@ final class StreamRequests {
         return Problem.internal();
     }
 
-    private void answer(StreamClient client, StreamMessage.FromClient message) {
-        String type = message.type();
+    private static String types() {
+        String all = Arrays.stream(StreamRequestKind.values())
+                .map(StreamRequestKind::word)
+                .collect(Collectors.joining(", "));
+        return all.replaceFirst(", (\\w+)$", " or $1");
+    }
+
+    private static void requireType(@Nullable String type) {
         if (type == null) {
             throw InvalidInput.missing("type", TYPES);
         }
-        StreamNotes.note(type, message);
-        if (type.equals("authenticate")) {
-            authenticate(client, message.key());
+        if (Arrays.stream(StreamRequestKind.values())
+                .noneMatch(kind -> kind.word().equals(type))) {
+            throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "type", TYPES, "\"" + type + "\"");
+        }
+    }
+
+    /** As the filters do with a request to REST. */
+    private void judge(Principal principal, AccessRule rule) {
+        StreamNotes.note(rule.audit());
+        rule.costs().work().forEach(work -> budgets.take(work, principal.name()));
+        Role least = rule.from().role();
+        if (least != null) {
+            Roles.requireRole(principal, least);
+        }
+    }
+
+    private void answer(StreamClient client, StreamRequest request) {
+        StreamNotes.note(request);
+        if (request instanceof StreamRequest.Authenticate proof) {
+            StreamNotes.note(rules.rule(request).audit());
+            authenticate(client, proof.key());
             return;
         }
         Principal principal = client.principal()
-                .orElseThrow(() -> Rejection.notSignedIn(
+                .orElseThrow(() -> Rejection.of(
+                        AccessProblem.SIGN_IN_NEEDED,
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
-        if (!PAID_ELSEWHERE.contains(type)) {
-            budgets.take(Work.REQUEST, principal.name());
-        }
-        switch (type) {
-            case "command" -> command(client, principal, message);
-            case "control" -> say(client, controls.answer(principal, message));
-            case "steer" -> steer(client, message);
-            case "letGo" -> steering.letGo(client, principal, message);
-            case "positions" -> say(client, positions(client, principal, message));
-            case "subscribe" -> subscribe(client, message);
-            case "ping" -> say(client, new StreamMessage.Pong());
-            default -> throw InvalidInput.outside("type", TYPES, "\"" + type + "\"");
+        judge(principal, rules.rule(request));
+        switch (request.kind()) {
+            case AUTHENTICATE -> throw new IllegalStateException("It is authenticated before.");
+            case COMMAND -> say(client, command(principal, (StreamRequest.GiveCommand) request));
+            case CONTROL -> say(client, controls.answer(principal, (StreamRequest.ActOnControl) request));
+            case STEER -> steer(client, (StreamRequest.Steer) request);
+            case LET_GO -> steering.letGo(client, principal, (StreamRequest.LetGo) request);
+            case POSITIONS -> say(client, positions(client, principal, (StreamRequest.Positions) request));
+            case SUBSCRIBE -> subscribe(client, (StreamRequest.Subscribe) request);
+            case PING -> say(client, new StreamMessage.Pong());
         }
     }
 
     /** What the gate refuses it writes down itself; what is refused again and again leaves no more records than sentences. */
-    private void steer(StreamClient client, StreamMessage.FromClient message) {
+    private void steer(StreamClient client, StreamRequest.Steer request) {
         try {
-            if (steering.steer(client, message)) {
+            if (steering.steer(client, request)) {
                 return;
             }
         } catch (Rejection why) {
             if (why.kind() != RejectionKind.CONFLICT) {
                 throw why;
             }
-            say(client, new StreamMessage.Failure(Problem.of(why), message.requestId()));
+            say(client, new StreamMessage.Failure(Problem.of(why), request.requestId()));
         }
         Activity.current().ifPresent(Activity::leaveOut);
     }
 
     private StreamMessage.PositionsHeard positions(
-            StreamClient client, Principal principal, StreamMessage.FromClient message) {
-        Roles.require(principal, Role.OPERATOR);
-        String follow = message.follow();
+            StreamClient client, Principal principal, StreamRequest.Positions request) {
+        String follow = request.follow();
         if (follow == null) {
             throw InvalidInput.missing("follow", "the id of a follow");
         }
         FollowRequest.PositionsRequest said =
-                new FollowRequest.PositionsRequest(message.sent(), message.roundTrip(), message.positions());
+                new FollowRequest.PositionsRequest(request.sent(), request.roundTrip(), request.positions());
         FollowReceipt receipt = follows.positions(principal, follow, said);
         phones.spoke(client, receipt.follow(), System.nanoTime());
-        return new StreamMessage.PositionsHeard(message.requestId(), receipt);
+        return new StreamMessage.PositionsHeard(request.requestId(), receipt);
     }
 
-    private static void subscribe(StreamClient client, StreamMessage.FromClient message) {
-        slowDown(client, message.rate());
-        client.subscribe(message.drones());
+    private static void subscribe(StreamClient client, StreamRequest.Subscribe request) {
+        slowDown(client, request.rate());
+        client.subscribe(request.drones());
     }
 
     /** Null leaves it as it is. */
@@ -241,7 +279,14 @@ final class StreamRequests {
             return;
         }
         if (rate < 1 || rate > Turns.MOST_PER_SECOND) {
-            throw InvalidInput.outside("rate", "1 to " + Turns.MOST_PER_SECOND + " a second", rate);
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "rate",
+                    "1 to " + Turns.MOST_PER_SECOND + " a second",
+                    rate,
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(Turns.MOST_PER_SECOND),
+                    ProblemParameter.UNIT.is("a second"));
         }
         client.slowDown(rate);
     }
@@ -256,22 +301,20 @@ final class StreamRequests {
         }
     }
 
-    private void command(StreamClient client, Principal principal, StreamMessage.FromClient message) {
-        String drone = message.drone();
-        CommandRequest command = message.command();
+    private StreamMessage.CommandAccepted command(Principal principal, StreamRequest.GiveCommand request) {
+        String drone = request.drone();
+        CommandRequest command = request.command();
         if (drone == null) {
             throw InvalidInput.missing("drone", "the id of a drone");
         }
         if (command == null) {
             throw InvalidInput.missing("command", "an object such as {\"type\":\"arm\"}");
         }
-        say(
-                client,
-                new StreamMessage.CommandAccepted(
-                        message.requestId(), commands.submit(principal, "stream", drone, command)));
+        return new StreamMessage.CommandAccepted(
+                request.requestId(), commands.submit(principal, "stream", drone, command));
     }
 
-    void say(StreamClient client, Object message) {
+    void say(StreamClient client, StreamMessage message) {
         client.outbox().add(json.write(message));
     }
 }

@@ -11,9 +11,11 @@ import org.dronemap.core.time.FatalErrors;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.RequestProblem;
 import org.java_websocket.WebSocket;
 import org.java_websocket.framing.CloseFrame;
 import org.java_websocket.framing.Framedata;
@@ -160,7 +162,8 @@ final class StreamServer extends WebSocketServer {
         if (query > 0) {
             String ticket = address.substring(query + TICKET.length()).split("&", 2)[0];
             return Optional.of(tickets.redeem(ticket)
-                    .orElseThrow(() -> Rejection.notSignedIn(
+                    .orElseThrow(() -> Rejection.of(
+                            AccessProblem.TICKET_SPENT,
                             "The ticket was used already or is older than 30 s; ask for a new one.")));
         }
         String header = handshake.getFieldValue("Authorization");
@@ -174,12 +177,18 @@ final class StreamServer extends WebSocketServer {
     private static void checkAddress(ClientHandshake handshake) {
         String path = handshake.getResourceDescriptor().split("\\?", 2)[0];
         if (!path.equals(PATH)) {
-            throw new Rejection(RejectionKind.UNKNOWN, "The stream is at " + PATH + ", not at " + path + ".");
+            throw Rejection.of(
+                    RequestProblem.ADDRESS_UNKNOWN,
+                    "The stream is at " + PATH + ", not at " + path + ".",
+                    ProblemParameter.ADDRESS.is(path));
         }
         String origin = handshake.getFieldValue("Origin");
         if (!origin.isEmpty()
                 && !hostOf(origin.replaceFirst("^[a-z]+://", "")).equals(hostOf(handshake.getFieldValue("Host")))) {
-            throw Rejection.forbidden("The stream serves only pages of its own host, not of " + origin + ".");
+            throw Rejection.of(
+                    AccessProblem.ORIGIN_FOREIGN,
+                    "The stream serves only pages of its own host, not of " + origin + ".",
+                    ProblemParameter.ORIGIN.is(origin));
         }
     }
 

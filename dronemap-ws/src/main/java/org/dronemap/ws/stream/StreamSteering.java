@@ -21,8 +21,8 @@ final class StreamSteering {
     }
 
     /** False when it was not taken, and its client has just been told why; throws when it is to be told. */
-    boolean steer(StreamClient client, StreamMessage.FromClient message) {
-        String drone = message.drone();
+    boolean steer(StreamClient client, StreamRequest.Steer request) {
+        String drone = request.drone();
         if (drone == null) {
             throw InvalidInput.missing("drone", DRONE);
         }
@@ -35,7 +35,7 @@ final class StreamSteering {
                         principal,
                         FACE,
                         drone,
-                        new SteeringRequest(message.velocity(), message.sticks(), message.epoch()));
+                        new SteeringRequest(request.velocity(), request.sticks(), request.epoch()));
                 hands.on(drone, principal);
                 return true;
             } catch (Rejection why) {
@@ -48,8 +48,8 @@ final class StreamSteering {
         }
     }
 
-    void letGo(StreamClient client, Principal principal, StreamMessage.FromClient message) {
-        String drone = message.drone();
+    void letGo(StreamClient client, Principal principal, StreamRequest.LetGo request) {
+        String drone = request.drone();
         if (drone == null) {
             throw InvalidInput.missing("drone", DRONE);
         }

@@ -9,6 +9,7 @@ import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.BoundedDraft;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
+import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.StreamTickets;
@@ -46,8 +47,8 @@ public class StreamConfiguration {
     }
 
     @Bean
-    StreamFace.Bounds streamBounds(Budgets budgets, StreamCrowd crowd) {
-        return new StreamFace.Bounds(budgets, crowd);
+    StreamFace.Bounds streamBounds(Budgets budgets, StreamCrowd crowd, RestOperations operations) {
+        return new StreamFace.Bounds(budgets, crowd, operations);
     }
 
     @Bean

@@ -11,7 +11,7 @@ import org.springframework.web.bind.annotation.RestController;
 import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
 
 /** The operations of controllers as the web framework maps them, without a server and without the controllers' services. */
-final class Handlers {
+public final class Handlers {
     private Handlers() {}
 
     static RestOperations of(Class<?>... controllers) {
@@ -29,7 +29,7 @@ final class Handlers {
     }
 
     /** All that ship. */
-    static List<RestOperation> all() {
+    public static List<RestOperation> all() {
         var scanner = new ClassPathScanningCandidateComponentProvider(false);
         scanner.addIncludeFilter(new AnnotationTypeFilter(RestController.class));
         Class<?>[] controllers = scanner.findCandidateComponents("org.dronemap.ws.rest").stream()

@@ -156,11 +156,10 @@ public final class Faces {
     public Http.Answer soap(Deeds.Deed deed, String operation) {
         String[] path = deed.path().split("\\?", 2);
         ObjectNode elements = JSON.createObjectNode();
-        if (deed.contentType().equals(Deeds.JSON) && !deed.body().isBlank()) {
+        if (takesFile(operation)) {
+            elements.put(CONTENT, base64(deed.body()));
+        } else if (!deed.body().isBlank()) {
             JSON.readTree(deed.body()).properties().forEach(member -> elements.set(member.getKey(), member.getValue()));
-        } else {
-            elements.put(
-                    "content", Base64.getEncoder().encodeToString(deed.body().getBytes(StandardCharsets.UTF_8)));
         }
         String[] parts = path[0].split("/");
         String[] pattern = restOf(operation).replaceFirst(".* ", "").split("/");

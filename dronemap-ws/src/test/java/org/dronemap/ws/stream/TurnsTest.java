@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronemap.core.drone.DroneId;
 import org.junit.jupiter.api.Test;
 
 /** When pictures go out: at once in a small fleet, shared fairly in a big one, never more often than asked. */
@@ -17,7 +16,7 @@ class TurnsTest {
     void sendsAtOnceWhatComesSlowly() {
         Turns<String> turns = new Turns<>(50);
         for (int number = 0; number < 5; number++) {
-            turns.changed(new DroneId("a"), "" + number);
+            turns.changed(new Subject("drone", "a"), "" + number);
             turns.take(number * 41 * MILLI, sent::add);
         }
         assertThat(sent).containsExactly("0", "1", "2", "3", "4");
@@ -26,11 +25,11 @@ class TurnsTest {
     @Test
     void sendsTheNewestAtItsTurnOfWhatComesFast() {
         Turns<String> turns = new Turns<>(50);
-        turns.changed(new DroneId("a"), "" + 1);
+        turns.changed(new Subject("drone", "a"), "" + 1);
         turns.take(0, sent::add);
-        turns.changed(new DroneId("a"), "" + 2);
+        turns.changed(new Subject("drone", "a"), "" + 2);
         assertThat(turns.take(5 * MILLI, sent::add)).isEqualTo(15 * MILLI);
-        turns.changed(new DroneId("a"), "" + 3);
+        turns.changed(new Subject("drone", "a"), "" + 3);
         turns.take(19 * MILLI, sent::add);
         assertThat(sent).containsExactly("1");
         turns.take(20 * MILLI, sent::add);
@@ -41,7 +40,7 @@ class TurnsTest {
     void givesBigFleetsFiveASecondAndNotLess() {
         Turns<String> turns = new Turns<>(50);
         for (int number = 0; number < 2_000; number++) {
-            turns.changed(new DroneId("d" + number), "x");
+            turns.changed(new Subject("drone", "d" + number), "x");
         }
         turns.take(0, sent::add);
         assertThat(sent).hasSize(2_000);
@@ -58,8 +57,8 @@ class TurnsTest {
     @Test
     void sendsNothingOfARemovedDrone() {
         Turns<String> turns = new Turns<>(50);
-        turns.changed(new DroneId("a"), "" + 1);
-        turns.removed(new DroneId("a"));
+        turns.changed(new Subject("drone", "a"), "" + 1);
+        turns.removed(new Subject("drone", "a"));
         turns.take(0, sent::add);
         assertThat(sent).isEmpty();
     }
@@ -68,7 +67,7 @@ class TurnsTest {
     void givesTheShareOfSilentDronesToTheOthers() {
         Turns<String> turns = new Turns<>(50);
         for (int number = 0; number < 100; number++) {
-            turns.changed(new DroneId("d" + number), "x");
+            turns.changed(new Subject("drone", "d" + number), "x");
         }
         turns.take(0, sent::add);
         assertThat(turns.gapNanos()).isEqualTo(80 * MILLI);

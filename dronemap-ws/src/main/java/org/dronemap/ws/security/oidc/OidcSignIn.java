@@ -14,10 +14,12 @@ import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.ExternalUsers;
+import org.dronemap.ws.service.ProblemParameter;
 import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
 import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.ServerProblem;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -81,8 +83,10 @@ public final class OidcSignIn {
             return new Start(address, browser);
         } catch (OidcRefusal e) {
             LOG.warn("Nobody can sign in with {}: {}", settings.label(), e.getMessage());
-            throw new Rejection(
-                    RejectionKind.UNAVAILABLE, settings.label() + " cannot be asked at the moment; try again later.");
+            throw Rejection.of(
+                    ServerProblem.PROVIDER_UNREACHABLE,
+                    settings.label() + " cannot be asked at the moment; try again later.",
+                    ProblemParameter.PROVIDER.is(settings.label()));
         }
     }
 
@@ -112,7 +116,10 @@ public final class OidcSignIn {
             return authentication.signInProved(user);
         } catch (OidcRefusal e) {
             LOG.warn("A sign-in with {} was refused: {}", settings.label(), e.getMessage());
-            throw Rejection.notSignedIn("The sign-in with " + settings.label() + " was not successful; try again.");
+            throw Rejection.of(
+                    AccessProblem.PROVIDER_SIGN_IN_FAILED,
+                    "The sign-in with " + settings.label() + " was not successful; try again.",
+                    ProblemParameter.PROVIDER.is(settings.label()));
         }
     }
 

@@ -1,0 +1,60 @@
+package org.dronemap.ws.stream;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.Map;
+
+/** How often clients are told of each thing of a topic. */
+sealed interface Rate {
+    /** Nobody misses one: they wait in order, and who lets too many of them wait is closed. */
+    record EveryChange() implements Rate {
+        @Override
+        public String words() {
+            return "each change, none left out";
+        }
+
+        @Override
+        public Map<Integer, Collection<StreamClient>> groups(Collection<StreamClient> clients) {
+            return Map.of();
+        }
+    }
+
+    /** Of each thing the newest state, at most so many times a second. */
+    record Newest(int perSecond) implements Rate {
+        @Override
+        public String words() {
+            return "the newest state, at most " + perSecond + " times a second";
+        }
+
+        @Override
+        public Map<Integer, Collection<StreamClient>> groups(Collection<StreamClient> clients) {
+            return clients.isEmpty() ? Map.of() : Map.of(perSecond, clients);
+        }
+    }
+
+    /** Of each thing the newest state, as often as each client asked for. */
+    record NewestAsAsked() implements Rate {
+        @Override
+        public String words() {
+            return "the newest state, as often as was asked for by rate, at most " + Turns.MOST_PER_SECOND
+                    + " times a second";
+        }
+
+        @Override
+        public Map<Integer, Collection<StreamClient>> groups(Collection<StreamClient> clients) {
+            Map<Integer, Collection<StreamClient>> groups = new HashMap<>();
+            for (StreamClient client : clients) {
+                groups.computeIfAbsent(client.perSecond(), rate -> new ArrayList<>())
+                        .add(client);
+            }
+            return groups;
+        }
+    }
+
+    /** For people. */
+    String words();
+
+    /** Clients by how often a second they are told of a thing whose newest state is sent; without those who miss none. */
+    Map<Integer, Collection<StreamClient>> groups(Collection<StreamClient> clients);
+}

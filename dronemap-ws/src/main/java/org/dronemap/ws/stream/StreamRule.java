@@ -1,0 +1,60 @@
+package org.dronemap.ws.stream;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.Function;
+import org.dronemap.ws.access.AccessRule;
+import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
+import org.dronemap.ws.service.ControlAction;
+
+/** By what it is judged who may say something on the stream, what that costs and what record it leaves. */
+sealed interface StreamRule {
+    /** {@code rest}: finds the rule of an operation of REST. */
+    AccessRule of(StreamRequest request, Function<String, AccessRule> rest);
+
+    /** The ids of the operations of REST whose rules count. */
+    List<String> operations();
+
+    /** The rule of the operation of REST that does the same. */
+    record OfOperation(String operation) implements StreamRule {
+        @Override
+        public AccessRule of(StreamRequest request, Function<String, AccessRule> rest) {
+            return rest.apply(operation);
+        }
+
+        @Override
+        public List<String> operations() {
+            return List.of(operation);
+        }
+    }
+
+    /** The same, where the action on control says which operation that is. */
+    record OfControl(Map<ControlAction, String> byAction) implements StreamRule {
+        @Override
+        public AccessRule of(StreamRequest request, Function<String, AccessRule> rest) {
+            ControlAction action = StreamControl.action((StreamRequest.ActOnControl) request);
+            return rest.apply(Objects.requireNonNull(byAction.get(action)));
+        }
+
+        @Override
+        public List<String> operations() {
+            return byAction.values().stream().sorted().toList();
+        }
+    }
+
+    /** A rule of its own, for what REST does not have; {@code why} it has it not. */
+    record OnlyHere(From from, Cost costs, Audit audit, String why) implements StreamRule {
+        @Override
+        public AccessRule of(StreamRequest request, Function<String, AccessRule> rest) {
+            return new AccessRule(from, costs, audit, null);
+        }
+
+        @Override
+        public List<String> operations() {
+            return List.of();
+        }
+    }
+}

@@ -1,0 +1,198 @@
+package org.dronemap.ws.stream;
+
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Supplier;
+import org.dronemap.core.access.Principal;
+import org.dronemap.ws.service.JsonReader;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Carries one topic to the clients. Of what changes often the newest state alone waits here, one of each thing, until its
+ * turn. {@link #tell}, {@link #changed} and {@link #removed} from any thread, the rest from the pump alone.
+ */
+final class TopicFeed<T> {
+    private static final long SHORTEST_REST_NANOS = 500_000L;
+    private static final long RESTS_IN_A_GAP = 20;
+
+    private final Topic<T> topic;
+    private final JsonReader json;
+    private final ConcurrentHashMap<Subject, News<T>> changed = new ConcurrentHashMap<>();
+    private final Queue<Subject> removed = new ConcurrentLinkedQueue<>();
+    // Owned by the pump: by how many pictures a second clients want at most.
+    private final Map<Integer, Turns<Supplier<Optional<T>>>> turns = new HashMap<>();
+
+    /** {@code thing}: as it is when its turn comes; {@code atOnce}: that is now, whenever its last one was. */
+    private record News<T>(Supplier<Optional<T>> thing, boolean atOnce) {
+        News<T> before(News<T> later) {
+            return atOnce && !later.atOnce() ? new News<>(later.thing(), true) : later;
+        }
+    }
+
+    TopicFeed(Topic<T> topic, JsonReader json) {
+        this.topic = topic;
+        this.json = json;
+    }
+
+    /** Something that must arrive. */
+    void tell(Collection<StreamClient> clients, T now) {
+        tell(clients, null, now);
+    }
+
+    /**
+     * The same, of a thing that had another form before or is none any more: whoever saw that and does not see this is told
+     * that it is gone.
+     */
+    void tell(Collection<StreamClient> clients, @Nullable T former, @Nullable T now) {
+        Map<Object, String> written = new HashMap<>();
+        for (StreamClient client : clients) {
+            Principal who = client.principal().orElse(null);
+            if (who != null
+                    && !tell(client, who, now, written)
+                    && former != null
+                    && sight(client, who, former) != null) {
+                client.outbox().add(removal(topic.subject().apply(former)));
+            }
+        }
+    }
+
+    private boolean tell(StreamClient client, Principal who, @Nullable T now, Map<Object, String> written) {
+        Object sight = now == null ? null : sight(client, who, now);
+        if (now == null || sight == null) {
+            return false;
+        }
+        client.outbox().add(topic.subject().apply(now), written.computeIfAbsent(sight, unused -> picture(now, who)));
+        return true;
+    }
+
+    /** Its newest state is told at its next turn. */
+    void changed(Subject subject, Supplier<Optional<T>> thing) {
+        changed.merge(subject, new News<>(thing, false), News::before);
+    }
+
+    /** Its newest state is told now. */
+    void changedAtOnce(Subject subject, Supplier<Optional<T>> thing) {
+        changed.put(subject, new News<>(thing, true));
+    }
+
+    void removed(Subject subject) {
+        removed.add(subject);
+    }
+
+    /** In the pump's own order, so that no picture follows the farewell. */
+    void tellRemoved(Collection<StreamClient> clients) {
+        for (Subject gone = removed.poll(); gone != null; gone = removed.poll()) {
+            Subject subject = gone;
+            changed.remove(subject);
+            turns.values().forEach(each -> each.removed(subject));
+            for (StreamClient client : clients) {
+                client.outbox().forget(subject);
+                if (client.shown().remove(subject) != null) {
+                    client.outbox().add(removal(subject));
+                }
+            }
+        }
+    }
+
+    /** Whether clients are told when a thing is out of sight. */
+    boolean isTakenBack() {
+        return topic.removal() != null;
+    }
+
+    /**
+     * Shows clients what they see and were not shown so, and takes from them what they see no longer. What is not taken back
+     * is shown again.
+     */
+    void settle(Collection<StreamClient> clients) {
+        if (clients.isEmpty()) {
+            return;
+        }
+        for (T thing : topic.atFirst().get()) {
+            for (StreamClient client : clients) {
+                client.principal().ifPresent(who -> settle(client, who, thing));
+            }
+        }
+    }
+
+    private void settle(StreamClient client, Principal who, T thing) {
+        Subject subject = topic.subject().apply(thing);
+        Object sight = topic.audience().sight().of(who, thing);
+        Object before = client.shown().get(subject);
+        if (sight != null && !sight.equals(before)) {
+            show(List.of(client), thing);
+        } else if (sight == null && before != null) {
+            client.shown().remove(subject);
+            client.outbox().withhold(subject);
+            client.outbox().add(removal(subject));
+        }
+    }
+
+    /** Hands out what is due, and says when to come again: not too often, so that much news costs no more than some. */
+    Pump.Pause publish(Collection<StreamClient> clients, long nowNanos) {
+        Map<Integer, Collection<StreamClient>> groups = topic.rate().groups(clients);
+        turns.keySet().retainAll(groups.keySet());
+        groups.keySet().forEach(rate -> turns.computeIfAbsent(rate, Turns::new));
+        changed.forEach(this::queue);
+        Pump.Pause pause = Pump.Pause.ANY;
+        for (Map.Entry<Integer, Turns<Supplier<Optional<T>>>> entry : turns.entrySet()) {
+            Turns<Supplier<Optional<T>>> each = entry.getValue();
+            Collection<StreamClient> group = groups.getOrDefault(entry.getKey(), List.of());
+            each.forget(nowNanos);
+            long next = each.take(nowNanos, thing -> thing.get().ifPresent(now -> show(group, now)));
+            pause = pause.and(new Pump.Pause(
+                    Math.max(SHORTEST_REST_NANOS, each.gapNanos() / RESTS_IN_A_GAP),
+                    Math.max(SHORTEST_REST_NANOS, next)));
+        }
+        return pause;
+    }
+
+    private void queue(Subject subject, News<T> news) {
+        // What is newer and came in meanwhile stays for the next round.
+        if (changed.remove(subject, news)) {
+            turns.values().forEach(each -> {
+                if (news.atOnce()) {
+                    each.changedAtOnce(subject, news.thing());
+                } else {
+                    each.changed(subject, news.thing());
+                }
+            });
+        }
+    }
+
+    private void show(Collection<StreamClient> clients, T thing) {
+        Subject subject = topic.subject().apply(thing);
+        Map<Object, String> written = new HashMap<>();
+        for (StreamClient client : clients) {
+            Principal who = client.principal().orElse(null);
+            Object sight = who == null ? null : sight(client, who, thing);
+            if (who == null || sight == null) {
+                continue;
+            }
+            if (isTakenBack()) {
+                client.shown().put(subject, sight);
+            }
+            client.outbox().offer(subject, written.computeIfAbsent(sight, unused -> picture(thing, who)));
+        }
+    }
+
+    private @Nullable Object sight(StreamClient client, Principal who, T thing) {
+        return client.wants(topic.subject().apply(thing))
+                ? topic.audience().sight().of(who, thing)
+                : null;
+    }
+
+    private String picture(T thing, Principal who) {
+        return json.write(topic.picture().apply(thing, who));
+    }
+
+    private String removal(Subject subject) {
+        return json.write(Objects.requireNonNull(topic.removal()).apply(subject.id()));
+    }
+}

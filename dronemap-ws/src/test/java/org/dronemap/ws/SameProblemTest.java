@@ -1,0 +1,157 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+import tools.jackson.databind.JsonNode;
+
+/** The same mistake has the same code, parameters and sentence over REST, over SOAP and on the stream. */
+class SameProblemTest {
+    private static final Pattern CODE = Pattern.compile("<code>([^<]*)</code>");
+    private static final Pattern SENTENCE = Pattern.compile("<message>([^<]*)</message>");
+    private static final Pattern PARAMETER =
+            Pattern.compile("<parameter name=\"(\\w+)\" type=\"(\\w+)\">([^<]*)</parameter>");
+    private static final String COMMAND = "command";
+
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final ScriptedVehicle vehicle = tenant.vehicle();
+
+    /** As a face tells it; each value with its type, and not the id of the command, which is new each time. */
+    private record Told(String code, String sentence, Map<String, String> parameters) {}
+
+    @Test
+    void isToldOfADroneThatThereIsNot() {
+        Told told = toldByAll(Role.OPERATOR, "nosuchdrone", "{\"type\":\"land\"}", "<w:land>%s</w:land>");
+
+        assertThat(told)
+                .isEqualTo(new Told(
+                        "drone-unknown", "There is no drone nosuchdrone.", Map.of("drone", "string nosuchdrone")));
+    }
+
+    @Test
+    void isToldOfANumberBeyondItsRange() {
+        Told told = toldByAll(
+                Role.OPERATOR,
+                vehicle.id(),
+                "{\"type\":\"takeOff\",\"altitude\":9000}",
+                "<w:takeoff>%s<altitude>9000</altitude></w:takeoff>");
+
+        assertThat(told.code()).isEqualTo("value-out-of-range");
+        assertThat(told.parameters())
+                .isEqualTo(Map.of(
+                        "field", "string altitude",
+                        "allowed", "string 1 to 500 m",
+                        "least", "number 1",
+                        "most", "number 500",
+                        "unit", "string m"));
+    }
+
+    @Test
+    void isToldOfAValueThatIsMissing() {
+        Told told = toldByAll(
+                Role.OPERATOR,
+                vehicle.id(),
+                "{\"type\":\"goTo\",\"longitude\":8,\"altitude\":20}",
+                "<w:goto>%s<longitude>8</longitude><altitude>20</altitude></w:goto>");
+
+        assertThat(told)
+                .isEqualTo(new Told(
+                        "value-missing",
+                        "\"latitude\" is missing; it must be -90 to 90 degrees.",
+                        Map.of("field", "string latitude", "allowed", "string -90 to 90 degrees")));
+    }
+
+    @Test
+    void isToldOfARoleThatMayNotDoThis() {
+        Told told = toldByAll(Role.VIEWER, vehicle.id(), "{\"type\":\"land\"}", "<w:land>%s</w:land>");
+
+        assertThat(told.code()).isEqualTo("role-too-low");
+        assertThat(told.parameters()).isEqualTo(Map.of("needed", "string planner", "role", "string viewer"));
+    }
+
+    @Test
+    void isToldOfAValueThatIsNotAllowed() {
+        Told told = toldByAll(
+                Role.OPERATOR,
+                vehicle.id(),
+                "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"loop\"}]}",
+                "<w:uploadMission>%s<waypoint><type>loop</type></waypoint></w:uploadMission>");
+
+        assertThat(told.code()).isEqualTo("value-not-allowed");
+        assertThat(told.parameters()).containsEntry("field", "string items[0].type");
+    }
+
+    private Told toldByAll(Role role, String drone, String command, String operation) {
+        String key = tenant.key(role);
+        Told rest = overRest(new Http(tenant.server(), key), drone, command);
+        assertThat(overSoap(new Http(tenant.server(), key), drone, operation)).isEqualTo(rest);
+        assertThat(onTheStream(key, drone, command)).isEqualTo(rest);
+        return rest;
+    }
+
+    private static Told overRest(Http http, String drone, String command) {
+        return told(http.post("/api/v1/drones/" + drone + "/commands", command).json());
+    }
+
+    private static Told overSoap(Http http, String drone, String operation) {
+        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body>"
+                + operation.formatted("<droneId>" + drone + "</droneId>") + "</s:Body></s:Envelope>";
+        String fault = http.send(
+                        "/services/MAVLinkControllerService",
+                        request -> request.header("Content-Type", "text/xml")
+                                .POST(HttpRequest.BodyPublishers.ofString(envelope)))
+                .raw()
+                .body();
+        Map<String, String> parameters = new TreeMap<>();
+        PARAMETER.matcher(fault).results().forEach(found -> put(parameters, found));
+        return new Told(only(CODE, fault), only(SENTENCE, fault), parameters);
+    }
+
+    private static void put(Map<String, String> parameters, MatchResult found) {
+        if (!found.group(1).equals(COMMAND)) {
+            parameters.put(found.group(1), found.group(2) + " " + found.group(3));
+        }
+    }
+
+    private static String only(Pattern pattern, String fault) {
+        Matcher found = pattern.matcher(fault);
+        assertThat(found.find()).as(fault).isTrue();
+        return found.group(1);
+    }
+
+    private Told onTheStream(String key, String drone, String command) {
+        try (StreamListener stream = StreamListener.withKey(tenant.server(), key)) {
+            stream.await(message -> message.path("type").asString("").equals("hello"));
+            stream.send("{\"type\":\"command\",\"requestId\":\"r1\",\"drone\":\"" + drone + "\",\"command\":" + command
+                    + "}");
+            return told(stream.await(
+                            message -> message.path("requestId").asString("").equals("r1"))
+                    .path("problem"));
+        }
+    }
+
+    private static Told told(JsonNode problem) {
+        Map<String, String> parameters = new TreeMap<>();
+        problem.path("parameters").forEachEntry((name, value) -> {
+            if (!name.equals(COMMAND)) {
+                parameters.put(name, (value.isNumber() ? "number " : "string ") + value.asString());
+            }
+        });
+        return new Told(problem.path("code").asString(), problem.path("detail").asString(), parameters);
+    }
+}

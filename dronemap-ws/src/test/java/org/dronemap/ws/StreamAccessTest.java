@@ -1,0 +1,94 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.StreamWords;
+import org.dronemap.ws.house.Tenant;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import tools.jackson.databind.JsonNode;
+
+/** Who may do something on the stream may do it by REST, and nobody else: of what is not there both say the same to each. */
+class StreamAccessTest {
+    /** What is said on the stream, and the address of REST that does the same, with its method. */
+    private static final Map<String, String> SAME = Map.of(
+            control("take"), "POST /api/v1/drones/nosuchdrone/control/take",
+            control("request"), "POST /api/v1/drones/nosuchdrone/control/request",
+            control("grant"), "POST /api/v1/drones/nosuchdrone/control/grant",
+            control("refuse"), "POST /api/v1/drones/nosuchdrone/control/refuse",
+            control("handOver"), "POST /api/v1/drones/nosuchdrone/control/hand-over",
+            control("takeOver"), "POST /api/v1/drones/nosuchdrone/control/take-over",
+            control("heartbeat"), "POST /api/v1/drones/nosuchdrone/control/heartbeat",
+            control("release"), "DELETE /api/v1/drones/nosuchdrone/control",
+            StreamWords.about("nosuchdrone", "command"), "POST /api/v1/drones/nosuchdrone/commands",
+            StreamWords.about("nosuchdrone", "positions"), "POST /api/v1/follows/nosuchfollow/positions");
+
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private static String control(String action) {
+        return "{\"type\":\"control\",\"drone\":\"nosuchdrone\",\"action\":\"" + action + "\"}";
+    }
+
+    private static String body(String said) {
+        if (said.contains("\"command\"")) {
+            return "{\"type\":\"land\"}";
+        }
+        return said.contains("\"positions\"") ? "{\"sent\":\"2026-01-31T12:00:00Z\",\"positions\":[]}" : "{}";
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = Role.class,
+            names = {"VIEWER", "PLANNER", "OPERATOR", "SUPERVISOR", "ADMINISTRATOR"})
+    void isJudgedAsByRest(Role role) {
+        String key = tenant.key(role);
+        Http rest = new Http(tenant.server(), key);
+        List<String> differences = new ArrayList<>();
+        try (StreamListener stream = StreamListener.withKey(tenant.server(), key)) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+            SAME.forEach((said, operation) -> {
+                stream.send(said.replaceFirst("\\{", "{\"requestId\":\"" + operation + "\","));
+                JsonNode problem = stream.await(message ->
+                                message.path("requestId").asString("").equals(operation))
+                        .path("problem");
+                Http.Answer answer = answer(rest, operation, body(said));
+                if (answer.status() != problem.path("status").asInt()
+                        || !answer.text("detail").equals(problem.path("detail").asString())) {
+                    differences.add(operation + ": " + answer.status() + ", but on the stream " + problem);
+                }
+            });
+        }
+
+        assertThat(differences).isEmpty();
+    }
+
+    private static Http.Answer answer(Http rest, String operation, String body) {
+        String[] words = operation.split(" ");
+        return words[0].equals("DELETE") ? rest.send(words[1], HttpRequest.Builder::DELETE) : rest.post(words[1], body);
+    }
+
+    @Test
+    void anActionThatThereIsNotIsNamed() {
+        try (StreamListener stream = StreamListener.withKey(tenant.server(), tenant.key(Role.OPERATOR))) {
+            stream.send(control("steal"));
+            JsonNode problem = stream.await(
+                            message -> message.path("type").asString().equals("error"))
+                    .path("problem");
+
+            assertThat(problem.path("field").asString()).isEqualTo("action");
+            assertThat(problem.path("allowed").asString())
+                    .contains("take, request")
+                    .contains("release");
+        }
+    }
+}

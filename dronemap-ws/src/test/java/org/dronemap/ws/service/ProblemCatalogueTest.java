@@ -1,0 +1,198 @@
+package org.dronemap.ws.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** The catalogue of problems, and docs/problems.md, which {@code -Ddronemap.approve=true} writes anew from it. */
+class ProblemCatalogueTest {
+    private static final Path PAGE = Path.of("..", "docs", "problems.md");
+    private static final String BEGIN = "<!-- written from the catalogue: begin -->\n";
+    private static final String END = "<!-- written from the catalogue: end -->\n";
+    private static final int WORDS_IN_A_ROW = 3;
+
+    @Test
+    void isWhatThePageSays() throws IOException {
+        String page = Files.readString(PAGE);
+        int begin = page.indexOf(BEGIN) + BEGIN.length();
+        int end = page.indexOf(END);
+        assertThat(begin).isBetween(BEGIN.length(), end);
+        if (Boolean.getBoolean("dronemap.approve")) {
+            Files.writeString(PAGE, page.substring(0, begin) + tables() + page.substring(end));
+            return;
+        }
+        assertThat(page.substring(begin, end))
+                .as("approve what was meant to change with -Ddronemap.approve=true")
+                .isEqualTo(tables());
+    }
+
+    @Test
+    void hasEachCodeAndEachMeaningOnce() {
+        assertThat(ProblemCode.all()).hasSizeGreaterThan(100);
+        assertThat(ProblemCode.all()).extracting(ProblemCode::word).doesNotHaveDuplicates();
+        assertThat(ProblemCode.all())
+                .extracting(code -> code.entry().meaning().toLowerCase(Locale.ROOT))
+                .doesNotHaveDuplicates();
+        assertThat(ProblemCode.all()).extracting(code -> code.entry().example()).doesNotHaveDuplicates();
+        assertThat(ProblemParameter.values()).extracting(ProblemParameter::word).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void speaksInWordsAndWholeSentences() {
+        assertThat(ProblemCode.all()).allSatisfy(code -> {
+            assertThat(code.word()).matches("[a-z]+(-[a-z]+)+");
+            assertThat(code.entry().meaning()).as(code.word()).endsWith(".");
+            assertThat(code.entry().example()).as(code.word()).endsWith(".");
+        });
+    }
+
+    @Test
+    void leavesNoParameterWithoutACode() {
+        List<ProblemParameter> told = ProblemCode.all().stream()
+                .flatMap(code -> Stream.concat(code.entry().parameters().stream(), code.entry().optional().stream()))
+                .distinct()
+                .toList();
+
+        assertThat(told).containsExactlyInAnyOrder(ProblemParameter.values());
+    }
+
+    /** An example that nobody says any more misleads. */
+    @Test
+    void givesExamplesOfWhatIsSaid() throws IOException {
+        String said = literals();
+
+        assertThat(ProblemCode.all())
+                .allSatisfy(code -> assertThat(partsOf(code.entry().example()))
+                        .as(code.word())
+                        .anyMatch(said::contains));
+    }
+
+    private static List<String> partsOf(String sentence) {
+        List<String> words = Arrays.asList(sentence.replaceAll("[.]$", "").split(" "));
+        int length = Math.min(WORDS_IN_A_ROW, words.size());
+        return IntStream.rangeClosed(0, words.size() - length)
+                .mapToObj(from -> String.join(" ", words.subList(from, from + length)))
+                .toList();
+    }
+
+    /** All that our programs say, but for the catalogue. */
+    private static String literals() throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of(".."), 12)) {
+            return files.filter(file -> file.toString().matches(".*/src/main/java/.*(?<!Problem)\\.java"))
+                    .map(ProblemCatalogueTest::text)
+                    .map(text -> text.replaceAll("\"\\s*\\+\\s*\"", ""))
+                    .collect(Collectors.joining("\n"));
+        }
+    }
+
+    private static String text(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    @Test
+    void refusesParametersThatAreNotDeclared() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Rejection.of(
+                        DroneProblem.DRONE_AIRBORNE,
+                        "It flies.",
+                        ProblemParameter.DRONE.is("d1"),
+                        ProblemParameter.MOST.is(1)))
+                .withMessageContaining("drone-airborne");
+    }
+
+    @Test
+    void refusesToLeaveOutParametersThatAreDeclared() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Rejection.of(DroneProblem.DRONE_AIRBORNE, "It flies."))
+                .withMessageContaining("DRONE");
+    }
+
+    @Test
+    void refusesTheSameParameterTwice() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Rejection.of(
+                        DroneProblem.DRONE_AIRBORNE,
+                        "It flies.",
+                        ProblemParameter.DRONE.is("d1"),
+                        ProblemParameter.DRONE.is("d2")));
+    }
+
+    @Test
+    void refusesValuesOfAnotherType() {
+        assertThatThrownBy(() -> ProblemParameter.DRONE.is(7)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> ProblemParameter.MOST.is("7")).isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void tellsCodeAndParametersInTheProblem() {
+        Problem problem = Problem.of(InvalidInput.outside(
+                ValueProblem.VALUE_OUT_OF_RANGE,
+                "rate",
+                "1 to 10",
+                11,
+                ProblemParameter.LEAST.is(1),
+                ProblemParameter.MOST.is(10)));
+
+        assertThat(problem.code()).isEqualTo("value-out-of-range");
+        assertThat(problem.parameters())
+                .isEqualTo(Map.of("field", "rate", "allowed", "1 to 10", "least", 1L, "most", 10L));
+        assertThat(problem.detail()).isEqualTo("\"rate\" must be 1 to 10, not 11.");
+    }
+
+    private static String tables() {
+        return subjects().entrySet().stream()
+                        .map(subject -> "## " + subject.getKey() + "\n\n"
+                                + "| code | status | parameters | meaning, and an example |\n| --- | --- | --- | --- |\n"
+                                + Arrays.stream(subject.getValue())
+                                        .map(ProblemCatalogueTest::row)
+                                        .collect(Collectors.joining()))
+                        .collect(Collectors.joining("\n"))
+                + "\n## Parameters\n\n| parameter | type | what it tells |\n| --- | --- | --- |\n"
+                + Arrays.stream(ProblemParameter.values())
+                        .map(parameter -> "| `" + parameter.word() + "` | "
+                                + parameter.type().word() + " | " + parameter.meaning() + " |\n")
+                        .collect(Collectors.joining());
+    }
+
+    private static Map<String, ProblemCode[]> subjects() {
+        Map<String, ProblemCode[]> subjects = new LinkedHashMap<>();
+        subjects.put("Requests as such", RequestProblem.values());
+        subjects.put("Values", ValueProblem.values());
+        subjects.put("What there is none of", UnknownProblem.values());
+        subjects.put("Accounts and rights", AccessProblem.values());
+        subjects.put("Drones", DroneProblem.values());
+        subjects.put("Plans and operations", OperationProblem.values());
+        subjects.put("The server", ServerProblem.values());
+        assertThat(subjects.values().stream().flatMap(Stream::of)).containsExactlyElementsOf(ProblemCode.all());
+        return subjects;
+    }
+
+    private static String row(ProblemCode code) {
+        ProblemEntry entry = code.entry();
+        String parameters = Stream.concat(
+                        entry.parameters().stream().map(one -> "`" + one.word() + "`"),
+                        entry.optional().stream().map(one -> "`" + one.word() + "`?"))
+                .collect(Collectors.joining(", "));
+        return "| `" + code.word() + "` | " + code.kind().status() + " "
+                + code.kind().code() + " | " + parameters + " | " + entry.meaning() + " *"
+                + entry.example().replace("|", "\\|") + "* |\n";
+    }
+}

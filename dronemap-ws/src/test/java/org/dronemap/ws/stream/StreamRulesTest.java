@@ -1,0 +1,51 @@
+package org.dronemap.ws.stream;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import org.dronemap.ws.access.Handlers;
+import org.dronemap.ws.access.RestOperation;
+import org.dronemap.ws.service.Alternatives;
+import org.dronemap.ws.service.ControlAction;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Each request of the stream is judged as an operation of REST is, or says why REST does not have it. */
+class StreamRulesTest {
+    private static final List<String> OPERATIONS = Handlers.all().stream()
+            .map(RestOperation::id)
+            .filter(Objects::nonNull)
+            .toList();
+
+    @ParameterizedTest
+    @EnumSource
+    void namesItsOperationsOrWhyThereAreNone(StreamRequestKind kind) {
+        StreamRule rule = StreamRules.of(kind);
+        if (rule instanceof StreamRule.OnlyHere only) {
+            assertThat(only.why()).matches("[A-Z].{20,}\\.");
+        } else {
+            assertThat(rule.operations()).isNotEmpty().isSubsetOf(OPERATIONS);
+        }
+    }
+
+    @Test
+    void namesAnOperationForEachActionOnControl() {
+        StreamRule.OfControl rule = (StreamRule.OfControl) StreamRules.of(StreamRequestKind.CONTROL);
+
+        assertThat(rule.byAction().keySet()).containsExactlyInAnyOrder(ControlAction.values());
+        assertThat(rule.operations()).doesNotHaveDuplicates();
+    }
+
+    /** Each record has its own kind, and is called as that is. */
+    @Test
+    void isOfEachRecordThatIsRead() {
+        assertThat(Alternatives.of(StreamRequest.class).orElseThrow().records().keySet())
+                .containsExactlyElementsOf(Arrays.stream(StreamRequestKind.values())
+                        .map(StreamRequestKind::word)
+                        .collect(Collectors.toList()));
+    }
+}

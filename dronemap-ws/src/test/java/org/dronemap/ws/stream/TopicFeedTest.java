@@ -1,0 +1,123 @@
+package org.dronemap.ws.stream;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.JsonReader;
+import org.java_websocket.WebSocket;
+import org.junit.jupiter.api.Test;
+
+/** What each topic does with changes, whatever its things are; here they are names, and their subject is the first letter. */
+class TopicFeedTest {
+    private static final long MILLI = 1_000_000L;
+    private static final Subject A = new Subject("name", "a");
+
+    private final Set<String> hidden = new HashSet<>();
+    private final List<String> things = new ArrayList<>(List.of("a1"));
+    private final StreamClient anna = client("anna");
+    private final StreamClient bert = client("bert");
+    private final List<StreamClient> clients = List.of(anna, bert);
+
+    private static StreamClient client(String user) {
+        WebSocket socket = (WebSocket) Proxy.newProxyInstance(
+                WebSocket.class.getClassLoader(), new Class<?>[] {WebSocket.class}, (p, m, a) -> {
+                    throw new UnsupportedOperationException(m.getName());
+                });
+        StreamClient client = new StreamClient(socket, 0);
+        client.admit(new SignedIn(new Principal(user, Role.VIEWER), SignedIn.Proof.KEY, null, null, false));
+        return client;
+    }
+
+    private TopicFeed<String> feed(Rate rate) {
+        Topic<String> topic = new Topic<>(
+                StreamMessage.Hello.class,
+                rate,
+                name -> new Subject("name", name.substring(0, 1)),
+                Topic.Audience.of("all but some", (who, name) -> !hidden.contains(who.name() + name)),
+                (name, who) -> new StreamMessage.Hello(name, "shown"),
+                () -> things,
+                StreamMessage.PlanRemoved::new);
+        return new TopicFeed<>(topic, new JsonReader());
+    }
+
+    private static List<String> heard(StreamClient client) {
+        return client.outbox().drain().stream()
+                .map(text -> text.replaceAll(".*\"(?:user|id)\":\"(\\w+)\".*", "$1"))
+                .toList();
+    }
+
+    @Test
+    void tellsTheNewestStateAloneAndNotTooOften() {
+        TopicFeed<String> feed = feed(new Rate.Newest(4));
+        feed.changed(A, () -> Optional.of("a1"));
+        feed.changed(A, () -> Optional.of("a2"));
+        feed.publish(clients, 0);
+        assertThat(heard(anna)).containsExactly("a2");
+
+        feed.changed(A, () -> Optional.of("a3"));
+        feed.publish(clients, 249 * MILLI);
+        assertThat(heard(anna)).isEmpty();
+        feed.publish(clients, 250 * MILLI);
+        assertThat(heard(anna)).containsExactly("a3");
+    }
+
+    @Test
+    void tellsAtOnceWhatCannotWait() {
+        TopicFeed<String> feed = feed(new Rate.Newest(4));
+        feed.changed(A, () -> Optional.of("a1"));
+        feed.publish(clients, 0);
+        feed.changedAtOnce(A, () -> Optional.of("a2"));
+        feed.changed(A, () -> Optional.of("a3"));
+        feed.publish(clients, MILLI);
+        assertThat(heard(anna)).containsExactly("a3");
+    }
+
+    @Test
+    void tellsOnlyThoseOfARemovalWhoWereShownWhatIsGone() {
+        TopicFeed<String> feed = feed(new Rate.Newest(4));
+        hidden.add("berta1");
+        feed.changed(A, () -> Optional.of("a1"));
+        feed.publish(clients, 0);
+        feed.changed(A, () -> Optional.of("a1"));
+        feed.removed(A);
+        feed.tellRemoved(clients);
+        feed.publish(clients, 1_000 * MILLI);
+
+        assertThat(heard(anna)).as("no picture follows it").containsExactly("a");
+        assertThat(heard(bert)).isEmpty();
+    }
+
+    @Test
+    void takesBackWhatIsOutOfSightAndShowsWhatHasComeIntoIt() {
+        TopicFeed<String> feed = feed(new Rate.Newest(4));
+        hidden.add("berta1");
+        feed.settle(clients);
+        hidden.clear();
+        hidden.add("annaa1");
+        feed.settle(clients);
+        feed.settle(clients);
+
+        assertThat(heard(anna)).as("what waited is withheld").containsExactly("a");
+        assertThat(heard(bert)).containsExactly("a1");
+    }
+
+    @Test
+    void tellsEachChangeInOrderAndWhoSeesTheNewFormNoMoreThatItIsGone() {
+        TopicFeed<String> feed = feed(new Rate.EveryChange());
+        hidden.add("berta2");
+        feed.tell(clients, "a1");
+        feed.tell(clients, "a1", "a2");
+        feed.tell(clients, "a2", null);
+
+        assertThat(heard(anna)).containsExactly("a1", "a2", "a");
+        assertThat(heard(bert)).containsExactly("a1", "a");
+    }
+}
