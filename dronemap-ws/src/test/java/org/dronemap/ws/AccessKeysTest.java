@@ -28,8 +28,6 @@ import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.SoapOutcome;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -56,14 +54,15 @@ class AccessKeysTest {
     }
 
     @Test
-    void showOnlyTheirDronesInListsBroadcastsAndStreams() throws DronemapFault {
+    void showOnlyTheirDronesInListsBroadcastsAndStreams() {
         String key = tenant.key(operatorOf(mine));
         Http http = new Http(house, key);
 
         assertThat(http.get("/api/v1/drones").json().path("drones").findValuesAsString("id"))
                 .contains(mine.id())
                 .doesNotContain(other.id());
-        assertThat(SoapClient.withKey(house, key).getDronesList()).hasSize(1);
+        assertThat(SoapClient.withKey(house, key).call("getDronesList").texts("drones.item.id"))
+                .containsExactly(mine.id());
         Http.Answer sent = http.post(
                 "/api/v1/commands",
                 "{\"drones\":[\"" + mine.id() + "\",\"" + other.id() + "\"],\"command\":{\"type\":\"land\"}}");
@@ -117,7 +116,7 @@ class AccessKeysTest {
                 new Http(house, key).post("/api/v1/drones/" + other.id() + "/commands", "{\"type\":\"arm\"}");
 
         assertThat(foreign.status()).isEqualTo(404);
-        assertThatThrownBy(() -> SoapClient.withKey(house, key).arm(other.id()))
+        assertThatThrownBy(() -> SoapClient.withKey(house, key).call("arm", "droneId", other.id()))
                 .hasMessage("There is no drone " + other.id() + ".");
         assertThat(other.performed()).isEmpty();
     }
@@ -213,7 +212,7 @@ class AccessKeysTest {
     }
 
     @Test
-    void flyOnlyInTheirAreaAndHeights() throws DronemapFault {
+    void flyOnlyInTheirAreaAndHeights() {
         Http user = tenant.http(Role.OPERATOR);
         Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"field\"," + circle(500) + ",\"ceiling\":60}");
         Http http = new Http(house, made.text("key"));
@@ -234,10 +233,12 @@ class AccessKeysTest {
         assertThat(user.post(path, goTo(47.41, 30)).status()).isEqualTo(200);
     }
 
-    private void flyNowhereElseByOtherFaces(String key) throws DronemapFault {
-        SoapOutcome outcome = SoapClient.withKey(house, key).goTo(mine.id(), 47.41, 8.5456, 30.0);
-        assertThat(outcome.getResult() + " by " + outcome.getBy()).isEqualTo("refused by gate");
-        assertThat(outcome.getReason()).contains("leaves the bounds of this access key after");
+    private void flyNowhereElseByOtherFaces(String key) {
+        SoapClient.Answer command = SoapClient.withKey(house, key)
+                .call("goto", "droneId", mine.id(), "latitude", 47.41, "longitude", 8.5456, "altitude", 30.0);
+        assertThat(command.text("outcome.result") + " by " + command.text("outcome.by"))
+                .isEqualTo("refused by gate");
+        assertThat(command.text("outcome.reason")).contains("leaves the bounds of this access key after");
         try (StreamListener stream = StreamListener.withKey(house, key)) {
             stream.send("{\"type\":\"command\",\"requestId\":\"r\",\"drone\":\"" + mine.id() + "\",\"command\":"
                     + goTo(47.41, 30) + "}");

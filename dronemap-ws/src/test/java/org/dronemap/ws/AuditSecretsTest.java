@@ -14,6 +14,7 @@ import org.dronemap.ws.house.Deeds;
 import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Sample;
+import org.dronemap.ws.house.SoapOperations;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.service.Secrets;
 import org.junit.jupiter.api.Test;
@@ -122,12 +123,12 @@ class AuditSecretsTest extends DeedTrial {
         for (String secret : made().values()) {
             String word = bare(secret);
             for (String operation : faces.soap()) {
-                faces.soap(estate.administrator().http(), operation, Map.of("droneId", word));
-                for (String element : List.of("mode", "name", "reason", "user", "setting", "commandId")) {
+                faces.soapAsRest(estate.administrator().http(), operation, Map.of("id", word, "name", word));
+                for (SoapOperations.Member element : faces.elements(operation)) {
                     faces.soap(
                             estate.administrator().http(),
                             operation,
-                            Faces.inOrder("droneId", vehicle.id(), element, word));
+                            Faces.inOrder(faces.elementOf(operation), vehicle.id(), element.name(), word));
                 }
             }
             try (StreamListener stream =

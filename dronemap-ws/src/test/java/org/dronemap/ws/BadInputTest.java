@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
@@ -12,9 +13,6 @@ import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.MAVLinkController;
-import org.dronemap.ws.soap.SoapWaypoint;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
@@ -131,8 +129,8 @@ class BadInputTest {
                         "/api/v1/drones/" + vehicle.id() + "/commands",
                         "{\"type\":\"goTo\",\"latitude\":95,\"longitude\":8,\"altitude\":20}")
                 .text("detail");
-        DronemapFault fault =
-                fault(SoapClient.withKey(house, operatorKey), soap -> soap.goTo(vehicle.id(), 95.0, 8.0, 20.0));
+        SoapClient.Refused fault = fault(
+                operatorKey, "goto", "droneId", vehicle.id(), "latitude", 95.0, "longitude", 8.0, "altitude", 20.0);
         String streamed;
         try (StreamListener stream = StreamListener.withKey(house, operatorKey)) {
             stream.send("{\"type\":\"command\",\"requestId\":\"r2\",\"drone\":\"" + vehicle.id()
@@ -146,8 +144,8 @@ class BadInputTest {
 
         assertThat(sentence).isEqualTo("\"latitude\" must be -90 to 90 degrees, not 95.0.");
         assertThat(fault.getMessage()).isEqualTo(sentence);
-        assertThat(fault.getFaultInfo().getField()).isEqualTo("latitude");
-        assertThat(fault.getFaultInfo().getAllowed()).isEqualTo("-90 to 90 degrees");
+        assertThat(fault.member("field")).isEqualTo("latitude");
+        assertThat(fault.member("allowed")).isEqualTo("-90 to 90 degrees");
         assertThat(streamed).isEqualTo(sentence);
     }
 
@@ -157,8 +155,17 @@ class BadInputTest {
                         "/api/v1/drones/" + vehicle.id() + "/commands",
                         "{\"type\":\"goTo\",\"latitude\":47,\"longitude\":8,\"altitude\":-10000}")
                 .text("detail");
-        DronemapFault fault =
-                fault(SoapClient.withKey(house, operatorKey), soap -> soap.goTo(vehicle.id(), 47.0, 8.0, -10_000.0));
+        SoapClient.Refused fault = fault(
+                operatorKey,
+                "goto",
+                "droneId",
+                vehicle.id(),
+                "latitude",
+                47.0,
+                "longitude",
+                8.0,
+                "altitude",
+                -10_000.0);
 
         assertThat(sentence).isEqualTo("\"altitude\" must be -500 to 10000 m, not -10000.0.");
         assertThat(fault.getMessage()).isEqualTo(sentence);
@@ -166,18 +173,18 @@ class BadInputTest {
 
     @Test
     void namesTheWaypointWithoutAltitudeInSoap() {
-        DronemapFault fault = fault(
-                SoapClient.withKey(house, operatorKey),
-                soap -> soap.uploadMission(
-                        vehicle.id(), List.of(SoapWaypoint.at(47.0, 8.0, 20.0), SoapWaypoint.at(47.0, 8.0, null))));
+        Map<String, Object> good = Map.of("type", "waypoint", "latitude", 47.0, "longitude", 8.0, "altitude", 20.0);
+        Map<String, Object> bad = Map.of("type", "waypoint", "latitude", 47.0, "longitude", 8.0);
+        SoapClient.Refused fault =
+                fault(operatorKey, "uploadMission", "droneId", vehicle.id(), "items", List.of(good, bad));
 
-        assertThat(fault.getFaultInfo().getField()).isEqualTo("items[1].altitude");
+        assertThat(fault.member("field")).isEqualTo("items[1].altitude");
     }
 
     @Test
     void doesNotKnowAnUnknownDrone() {
         Http.Answer rest = operator.post("/api/v1/drones/nosuchdrone/commands", "{\"type\":\"arm\"}");
-        DronemapFault fault = fault(SoapClient.withKey(house, operatorKey), soap -> soap.arm("nosuchdrone"));
+        SoapClient.Refused fault = fault(operatorKey, "arm", "droneId", "nosuchdrone");
 
         assertThat(rest.status()).isEqualTo(404);
         assertThat(rest.text("detail")).isEqualTo("There is no drone nosuchdrone.");
@@ -187,7 +194,7 @@ class BadInputTest {
     @Test
     void refusesAWrongKeyInAllFaces() {
         Http.Answer rest = new Http(house, "wrong").get("/api/v1/drones");
-        DronemapFault fault = fault(SoapClient.withKey(house, "wrong"), soap -> soap.arm(vehicle.id()));
+        SoapClient.Refused fault = fault("wrong", "arm", "droneId", vehicle.id());
 
         assertThat(rest.status()).isEqualTo(401);
         assertThat(rest.text("detail"))
@@ -205,7 +212,7 @@ class BadInputTest {
 
         Http.Answer look = viewer.get("/api/v1/drones/" + vehicle.id());
         Http.Answer arm = viewer.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"arm\"}");
-        DronemapFault fault = fault(SoapClient.withKey(house, key), soap -> soap.arm(vehicle.id()));
+        SoapClient.Refused fault = fault(key, "arm", "droneId", vehicle.id());
 
         assertThat(look.status()).isEqualTo(200);
         assertThat(look.json().path("actions").path("arm").path("allowed").asBoolean())
@@ -260,11 +267,8 @@ class BadInputTest {
         assertThat(answer.raw().body()).contains("must not have a DOCTYPE").doesNotContain("Exception");
     }
 
-    private interface Call {
-        Object on(MAVLinkController soap) throws DronemapFault;
-    }
-
-    private static DronemapFault fault(MAVLinkController soap, Call call) {
-        return catchThrowableOfType(DronemapFault.class, () -> call.on(soap));
+    private SoapClient.Refused fault(String key, String operation, Object... namesAndValues) {
+        return catchThrowableOfType(
+                SoapClient.Refused.class, () -> SoapClient.withKey(house, key).call(operation, namesAndValues));
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
@@ -24,9 +25,6 @@ import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.SoapOutcome;
-import org.dronemap.ws.soap.SoapWaypoint;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -128,9 +126,10 @@ class CommandsTest {
     }
 
     @Test
-    void tellsWhyTheGateRefusesInAllFaces() throws DronemapFault {
+    void tellsWhyTheGateRefusesInAllFaces() {
         Http.Answer rest = operator.post(commands, "{\"type\":\"takeOff\",\"altitude\":20}");
-        SoapOutcome soap = SoapClient.withKey(house, key).takeoff(vehicle.id(), 20.0);
+        SoapClient.Answer soap =
+                SoapClient.withKey(house, key).call("takeoff", "droneId", vehicle.id(), "altitude", 20.0);
 
         assertThat(rest.status()).isEqualTo(409);
         assertThat(rest.text("detail")).isEqualTo("Arm first.");
@@ -138,39 +137,51 @@ class CommandsTest {
                 operator.get("/api/v1/commands/" + rest.text("commandId")).json();
         assertThat(record.path("outcome").path("result").asString()).isEqualTo("refused");
         assertThat(record.path("outcome").path("by").asString()).isEqualTo("gate");
-        assertThat(List.of(soap.getResult(), String.valueOf(soap.getBy()), String.valueOf(soap.getReason())))
+        assertThat(List.of(soap.text("outcome.result"), soap.text("outcome.by"), soap.text("outcome.reason")))
                 .containsExactly("refused", "gate", "Arm first.");
         assertThat(vehicle.performed()).isEmpty();
     }
 
     @Test
-    void bringsTheVehiclesOwnSentenceToAllFaces() throws DronemapFault {
+    void bringsTheVehiclesOwnSentenceToAllFaces() {
         String sentence = "PreArm: compass 7 not healthy";
         vehicle.ends(command -> new Outcome.Refused("vehicle", sentence));
         try (StreamListener stream = StreamListener.withKey(house, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             Http.Answer rest = operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");
-            SoapOutcome soap = SoapClient.withKey(house, key).arm(vehicle.id());
+            SoapClient.Answer soap = SoapClient.withKey(house, key).call("arm", "droneId", vehicle.id());
             JsonNode streamed = stream.await(
                     message -> message.path("command").path("id").asString("").equals(rest.text("id"))
                             && message.path("command").path("phase").asString().equals("done"));
 
             assertThat(rest.json().path("outcome").path("reason").asString()).isEqualTo(sentence);
             assertThat(rest.json().path("outcome").path("by").asString()).isEqualTo("vehicle");
-            assertThat(soap.getReason()).isEqualTo(sentence);
+            assertThat(soap.text("outcome.reason")).isEqualTo(sentence);
             assertThat(streamed.path("command").path("outcome").path("reason").asString())
                     .isEqualTo(sentence);
         }
     }
 
     @Test
-    void setsAHomeThroughAllFaces() throws DronemapFault {
+    void setsAHomeThroughAllFaces() {
         operator.post(
                 commands + "?wait=10",
                 "{\"type\":\"setHome\",\"latitude\":47.5,\"longitude\":8.25,\"altitude\":500,"
                         + "\"altitudeReference\":\"amsl\"}");
         operator.post(commands + "?wait=10", "{\"type\":\"setHome\"}");
-        SoapClient.withKey(house, key).setHome(vehicle.id(), 47.5, 8.25, 500.0);
+        SoapClient.withKey(house, key)
+                .call(
+                        "setHome",
+                        "droneId",
+                        vehicle.id(),
+                        "latitude",
+                        47.5,
+                        "longitude",
+                        8.25,
+                        "altitude",
+                        500.0,
+                        "altitudeReference",
+                        "amsl");
         Http.Answer half = operator.post(commands, "{\"type\":\"setHome\",\"latitude\":47.5}");
 
         Command.SetHome there =
@@ -181,23 +192,31 @@ class CommandsTest {
     }
 
     @Test
-    void givesOtherOrdersThroughSoapAsThroughRest() throws DronemapFault {
-        var soap = SoapClient.withKey(house, key);
+    void givesOtherOrdersThroughSoapAsThroughRest() {
+        SoapClient soap = SoapClient.withKey(house, key);
+        String drone = vehicle.id();
         vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT32, 1500))));
         vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
         vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
         Waiting.until(
                 "it is known and in the air",
                 () -> Optional.of(operator.get("/api/v1/drones/" + vehicle.id()).json())
-                        .filter(drone -> drone.path("flight").asString("").equals("inAir")));
+                        .filter(seen -> seen.path("flight").asString("").equals("inAir")));
 
-        assertThat(soap.getParameters(vehicle.id(), "alt").get(0).getValue()).isEqualTo(1500);
-        assertThat(soap.readParameters(vehicle.id()).getResult()).isEqualTo("succeeded");
-        assertThat(soap.setParameter(vehicle.id(), "RTL_ALT", 2000.0).getResult())
+        assertThat(soap.call("listParameters", "droneId", drone, "search", "alt")
+                        .text("parameters.item.value"))
+                .isEqualTo("1500.0");
+        assertThat(soap.call("readParameters", "droneId", drone).text("outcome.result"))
                 .isEqualTo("succeeded");
-        assertThat(soap.takePicture(vehicle.id()).getResult()).isEqualTo("succeeded");
-        assertThat(soap.turn(vehicle.id(), -90.0).getResult()).isEqualTo("succeeded");
-        assertThatThrownBy(() -> soap.setParameter(vehicle.id(), "NOBODY", 1.0)).isInstanceOf(DronemapFault.class);
+        assertThat(soap.call("setParameter", "droneId", drone, "name", "RTL_ALT", "value", 2000.0)
+                        .text("outcome.result"))
+                .isEqualTo("succeeded");
+        assertThat(soap.call("takePicture", "droneId", drone).text("outcome.result"))
+                .isEqualTo("succeeded");
+        assertThat(soap.call("turn", "droneId", drone, "degrees", -90.0).text("outcome.result"))
+                .isEqualTo("succeeded");
+        assertThatThrownBy(() -> soap.call("setParameter", "droneId", drone, "name", "NOBODY", "value", 1.0))
+                .isInstanceOf(SoapClient.Refused.class);
         assertThat(vehicle.performed())
                 .containsExactly(
                         new Command.ReadParameters(),
@@ -232,21 +251,26 @@ class CommandsTest {
     }
 
     @Test
-    void warnsOfFarPlacesInAllFacesAndGoesOn() throws DronemapFault {
+    void warnsOfFarPlacesInAllFacesAndGoesOn() {
         String sentence = "Item 2 is 289.36 km away from the drone.";
         String far = "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":50,"
                 + "\"longitude\":8.5456,\"altitude\":35}]}";
 
         Http.Answer waited = operator.post(commands + "?wait=10", far);
-        SoapOutcome soap = SoapClient.withKey(house, key)
-                .uploadMission(vehicle.id(), List.of(SoapWaypoint.at(50.0, 8.5456, 35.0)));
+        SoapClient.Answer soap = SoapClient.withKey(house, key)
+                .call(
+                        "uploadMission",
+                        "droneId",
+                        vehicle.id(),
+                        "items",
+                        List.of(Map.of("type", "waypoint", "latitude", 50.0, "longitude", 8.5456, "altitude", 35.0)));
         Http.Answer near = operator.post(commands + "?wait=10", far.replace(":50,", ":47.4,"));
         Http.Answer atOnce = operator.post(commands, far);
 
         assertThat(waited.json().path("warnings").path(0).asString()).isEqualTo(sentence);
         assertThat(waited.json().path("outcome").path("result").asString()).isEqualTo("succeeded");
-        assertThat(soap.getWarning()).containsExactly(sentence);
-        assertThat(soap.getResult()).isEqualTo("succeeded");
+        assertThat(soap.texts("warnings.item")).containsExactly(sentence);
+        assertThat(soap.text("outcome.result")).isEqualTo("succeeded");
         assertThat(near.json().path("warnings").isArray()).isTrue();
         assertThat(near.json().path("warnings").size()).isZero();
         assertThat(atOnce.json().path("warnings").path(0).asString()).isEqualTo(sentence);

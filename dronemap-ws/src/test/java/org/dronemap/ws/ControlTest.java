@@ -16,9 +16,6 @@ import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.MAVLinkController;
-import org.dronemap.ws.soap.SoapControl;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -166,18 +163,23 @@ class ControlTest {
     }
 
     @Test
-    void takesAndGivesBackBySoap() throws DronemapFault {
-        MAVLinkController soap = SoapClient.withKey(house, annsKey);
-        SoapControl taken = soap.takeControl(vehicle.id());
+    void takesAndGivesBackBySoap() {
+        SoapClient soap = SoapClient.withKey(house, annsKey);
+        String drone = vehicle.id();
+        SoapClient.Answer taken = soap.call("takeControl", "droneId", drone);
 
-        assertThat(taken.getHolder()).isEqualTo(annsName);
-        assertThat(soap.controlHeartbeat(vehicle.id(), taken.getEpoch()).isExplicit())
-                .isTrue();
-        assertThatThrownBy(() -> soap.takeOverControl(vehicle.id(), "mine")).hasMessageContaining("supervisor");
-        assertThat(soap.handControlOver(vehicle.id(), bobsName).getHolder()).isEqualTo(bobsName);
-        assertThatThrownBy(() -> soap.giveControlBack(vehicle.id()))
+        assertThat(taken.text("holder")).isEqualTo(annsName);
+        assertThat(soap.call("keepControl", "droneId", drone, "epoch", taken.text("epoch"))
+                        .text("explicit"))
+                .isEqualTo("true");
+        assertThatThrownBy(() -> soap.call("takeOverControl", "droneId", drone, "reason", "mine"))
+                .hasMessageContaining("supervisor");
+        assertThat(soap.call("handOverControl", "droneId", drone, "user", bobsName)
+                        .text("holder"))
+                .isEqualTo(bobsName);
+        assertThatThrownBy(() -> soap.call("releaseControl", "droneId", drone))
                 .hasMessageStartingWith("You do not have control. " + bobsName);
-        assertThat(soap.getControl(vehicle.id()).getState()).isEqualTo("held");
+        assertThat(soap.call("getControl", "droneId", drone).text("state")).isEqualTo("held");
     }
 
     @Test

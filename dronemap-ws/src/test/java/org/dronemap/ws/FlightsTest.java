@@ -27,9 +27,6 @@ import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.MAVLinkController;
-import org.dronemap.ws.soap.SoapFlight;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -255,28 +252,28 @@ class FlightsTest {
     }
 
     @Test
-    void givesFlightsThroughSoap() throws DronemapFault {
-        MAVLinkController soap = SoapClient.withKey(house, tenant.key(Role.VIEWER));
+    void givesFlightsThroughSoap() {
+        SoapClient soap = SoapClient.withKey(house, tenant.key(Role.VIEWER));
 
-        SoapFlight flight = soap.getFlight(id);
-        assertThat(flight.getDroneId()).isEqualTo(vehicle.id());
-        assertThat(flight.getState()).isEqualTo("ended");
-        assertThat(flight.getBatteryUsed()).isEqualTo(20);
-        assertThat(flight.getUser()).containsExactly(nameOf(operator));
-        assertThat(soap.getFlightsList(vehicle.id(), null, null, null, null, null))
-                .extracting(SoapFlight::getFlightId)
+        SoapClient.Answer flight = soap.call("getFlight", "flightId", id);
+        assertThat(flight.text("drone")).isEqualTo(vehicle.id());
+        assertThat(flight.text("state")).isEqualTo("ended");
+        assertThat(flight.text("battery.used")).isEqualTo("20");
+        assertThat(flight.texts("users.item")).containsExactly(nameOf(operator));
+        assertThat(soap.call("listFlights", "drone", vehicle.id()).texts("flights.item.id"))
                 .contains(id);
-        assertThat(soap.getFlightsList(null, "nobody", null, null, null, null)).isNullOrEmpty();
-        assertThatThrownBy(() -> soap.getFlightsList(null, null, "yesterday", null, null, null))
-                .hasMessageContaining("from");
-        assertThatThrownBy(() -> soap.getFlight("nosuchflight")).hasMessageContaining("There is no flight");
+        assertThat(soap.call("listFlights", "user", "nobody").texts("flights.item"))
+                .isEmpty();
+        assertThatThrownBy(() -> soap.call("listFlights", "from", "yesterday")).hasMessageContaining("from");
+        assertThatThrownBy(() -> soap.call("getFlight", "flightId", "nosuchflight"))
+                .hasMessageContaining("There is no flight");
     }
 
     @Test
     void saysWhenTheStoreIsAwayAndDronesGoOn() {
         // What is remembered of all drones is for those who run the server.
         Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
-        MAVLinkController soap = SoapClient.withKey(house, tenant.key(Role.VIEWER));
+        SoapClient soap = SoapClient.withKey(house, tenant.key(Role.VIEWER));
         ScriptedVehicle other = tenant.vehicle();
         house.historyStores().off();
         try {
@@ -286,7 +283,7 @@ class FlightsTest {
                 assertThat(answer.text("type")).as(path).isEqualTo("urn:dronemap:problem:unavailable");
                 assertThat(answer.raw().body()).as(path).doesNotContain("switched");
             }
-            assertThatThrownBy(() -> soap.getFlight(id)).hasMessageContaining("cannot be reached");
+            assertThatThrownBy(() -> soap.call("getFlight", "flightId", id)).hasMessageContaining("cannot be reached");
             other.says(new DroneEvent.TextHeard(Severity.INFO, "on the ground"));
             Http.Answer health = Waiting.until(
                     "it is told",

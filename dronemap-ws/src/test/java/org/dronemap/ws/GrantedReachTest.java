@@ -26,8 +26,7 @@ class GrantedReachTest extends ReachTrial {
     /** What the gate says to those who may not. */
     private static final Pattern REFUSAL = Pattern.compile("You were not granted|Your role may|A planner may");
     /** What operations of SOAP call otherwise. */
-    private static final Map<String, String> COMMAND_OF =
-            Map.of("takeoff", "takeOff", "goto", "goTo", "setParameter", "setParameters");
+    private static final Map<String, String> TYPE_OF = Map.of("takeoff", "takeOff", "goto", "goTo");
     /** What it takes to reach the gate. */
     private static final Map<String, Map<String, String>> ARGUMENTS = Map.of(
             "takeoff", Map.of("altitude", "20"),
@@ -36,9 +35,12 @@ class GrantedReachTest extends ReachTrial {
             "setMode", Map.of("mode", "GUIDED"),
             "turn", Map.of("degrees", "90"),
             "setRelay", inOrder("relay", "1", "setting", "on"),
-            "setParameter", inOrder("name", "RTL_ALT", "value", "2000"),
+            "setParameters", Map.of("parameters", "<item><name>RTL_ALT</name><value>2000</value></item>"),
             "uploadMission",
-                    Map.of("waypoint", "<latitude>47.4</latitude><longitude>8.5</longitude><altitude>20</altitude>"));
+                    Map.of(
+                            "items",
+                            "<item><type>waypoint</type><latitude>47.4</latitude><longitude>8.5</longitude>"
+                                    + "<altitude>20</altitude></item>"));
     /** Open to those who plan and to those who command. */
     private static final String RELEASE = "DELETE /api/v1/drones/{id}/control";
 
@@ -137,34 +139,45 @@ class GrantedReachTest extends ReachTrial {
 
     @Test
     void opensADroneToWhatWasGrantedThroughSoap() {
-        RightsTable table = RightsTable.below("SOAP");
+        RightsTable table = RightsTable.below("REST");
         RightsTable commands = RightsTable.below("Commands");
+        int cells = 0;
         for (Granted granted : everyGrant()) {
             for (String operation : faces.soap()) {
-                String element = Faces.elementOf(operation);
-                String kind = Faces.kindOf(operation);
-                // Plans and virtual drones are their owner's alone, which PlansTest and VirtualReachTest look after.
-                if (Faces.isList(operation) || own.thing(kind).isEmpty()) {
+                String rest = faces.restOf(operation);
+                boolean ofDrone = whose.of(rest).filter(Whose.DRONE::equals).isPresent();
+                if (!ofDrone || faces.isList(operation)) {
                     continue;
                 }
-                Map<String, String> values = new LinkedHashMap<>();
-                values.put(element, own.thing(kind).orElseThrow());
-                values.putAll(ARGUMENTS.getOrDefault(operation, Map.of()));
-                String answer = faces.soap(granted.member().http(), operation, values);
-                boolean open = !answer.contains("problem:forbidden</type>")
-                        && !answer.contains("problem:unknown</type>")
-                        && !REFUSAL.matcher(answer).find();
-                String command = COMMAND_OF.getOrDefault(operation, operation);
-                // Keys of robots concern a whole organisation.
-                boolean promised = !kind.equals("robot-keys")
-                        && (granted.may(commands.lists(command) ? commands.least(command) : table.least(operation))
-                                || (operation.equals("giveControlBack") && granted.may(Role.OPERATOR)));
-                if (open != promised) {
-                    wrong.add(operation + " for " + granted + ": " + answer);
+                cells++;
+                if (rest.equals(COMMANDS)) {
+                    Role least = commands.least(TYPE_OF.getOrDefault(operation, operation));
+                    String answer = command(granted.member(), operation);
+                    boolean refused = Faces.wrong(answer).matches("forbidden|unknown")
+                            || REFUSAL.matcher(answer).find();
+                    if (refused == granted.may(least)) {
+                        wrong.add(operation + " for " + granted + ": " + answer);
+                    }
+                } else if (granted.permission() == null) {
+                    alikeInSoap(
+                            granted.member(), operation, own.thing(kind(rest)).orElseThrow());
+                } else {
+                    judgeSoap(
+                            operation + " for " + granted,
+                            granted.may(table.least(rest)) || (rest.equals(RELEASE) && granted.may(Role.OPERATOR)),
+                            soap(granted.member(), operation, ownThing(rest)));
                 }
             }
         }
         assertThat(wrong).isEmpty();
+        assertThat(cells).isGreaterThan(500);
+    }
+
+    private String command(Member caller, String operation) {
+        Map<String, String> values = new LinkedHashMap<>();
+        values.put("droneId", own.drone().id());
+        values.putAll(ARGUMENTS.getOrDefault(operation, Map.of()));
+        return faces.soap(caller.http(), operation, values);
     }
 
     /** One for each role and operation, each sees only what was granted; some were granted nothing. */

@@ -162,17 +162,26 @@ class HiddenDroneTest {
         }
         for (String operation : faces.soap()) {
             // One more of its own would end what is looked at after fifty, and start none.
-            if (operation.matches("(create|start|stop|resume|remove)VirtualDrone")) {
+            if (ENDING.matcher(faces.restOf(operation)).matches()) {
                 continue;
             }
-            String element = Faces.elementOf(operation);
-            String thing = operation.equals("getVirtualDrone") ? id : falcon.id();
-            heard.put(when + ": " + operation + " of it", faces.soap(holder, operation, Map.of(element, thing)));
-            heard.put(when + ": " + operation, faces.soap(holder, operation, Map.of(element, ABSENT)));
+            String kind =
+                    faces.restOf(operation).replaceFirst("\\S+ /(api/v1/)?", "").split("/")[0];
+            String thing = ids.getOrDefault(kind, falcon.id());
+            heard.put(
+                    when + ": " + operation + " of it",
+                    faces.soapAsRest(holder, operation, Map.of("id", thing))
+                            .raw()
+                            .body());
+            heard.put(
+                    when + ": " + operation,
+                    faces.soapAsRest(holder, operation, Map.of("id", ABSENT))
+                            .raw()
+                            .body());
         }
         keep(when + ": all", holder.post("/api/v1/commands", "{\"drones\":[\"all\"],\"command\":{\"type\":\"arm\"}}"));
         keep(when + ": virtual drones", holder.get(PATH));
-        heard.put(when + ": virtual drones by SOAP", faces.soap(holder, "getVirtualDronesList", Map.of()));
+        heard.put(when + ": virtual drones by SOAP", faces.soap(holder, "listVirtualDrones", Map.of()));
     }
 
     private void ask(StreamListener stream, WillingCopter falcon) {

@@ -2,18 +2,15 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
 import java.net.URLEncoder;
 import java.net.http.HttpRequest;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
@@ -21,15 +18,13 @@ import org.dronemap.ws.house.Injections;
 import org.dronemap.ws.house.Sample;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
+import org.dronemap.ws.house.SoapOperations;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.w3c.dom.Document;
-import org.w3c.dom.Element;
-import org.w3c.dom.NodeList;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
@@ -157,20 +152,24 @@ class InjectionTest {
     }
 
     @Test
-    void takesThemInEveryElementOfSoap() throws Exception {
+    void takesThemInEveryElementOfSoap() {
+        Faces faces = new Faces(house);
         int tried = 0;
-        for (Map.Entry<String, List<String>> operation : soapOperations().entrySet()) {
-            for (String element : operation.getValue()) {
+        for (String operation : faces.soap()) {
+            for (SoapOperations.Member element : faces.elements(operation)) {
+                if (!element.type().matches("string|")) {
+                    continue;
+                }
                 for (String text : Injections.ALL) {
-                    Http.Answer answer = call(operation.getKey(), element, text);
-                    String what = operation.getKey() + " " + element + ": "
-                            + answer.raw().body();
-                    assertThat(answer.status() == 200 || answer.raw().body().contains(":Client</faultcode>"))
+                    Map<String, String> elements = new LinkedHashMap<>();
+                    elements.put(faces.elementOf(operation), vehicle.id());
+                    elements.put(element.name(), text.replace("&", "&amp;").replace("<", "&lt;"));
+                    String answer = faces.soap(administrator, operation, elements);
+                    String what = operation + " " + element + ": " + answer;
+                    assertThat(answer.contains("Response") || answer.contains(":Client</faultcode>"))
                             .as(what)
                             .isTrue();
-                    assertThat(INSIDE.matcher(answer.raw().body()).find())
-                            .as(what)
-                            .isFalse();
+                    assertThat(INSIDE.matcher(answer).find()).as(what).isFalse();
                     tried++;
                 }
             }
@@ -178,68 +177,6 @@ class InjectionTest {
 
         assertThat(tried).isGreaterThan(200);
         isUnharmed();
-    }
-
-    private Http.Answer call(String operation, String element, String text) {
-        String value = text.replace("&", "&amp;").replace("<", "&lt;");
-        String drone = element.equals("droneId") ? "" : "<droneId>" + vehicle.id() + "</droneId>";
-        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
-                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + drone + "<" + element
-                + ">"
-                + value + "</" + element + "></w:" + operation + "></s:Body></s:Envelope>";
-        return administrator.send(
-                Faces.serviceOf(operation),
-                request ->
-                        request.header("Content-Type", "text/xml").POST(HttpRequest.BodyPublishers.ofString(envelope)));
-    }
-
-    /** The texts that each operation takes, by the description. */
-    private Map<String, List<String>> soapOperations() throws Exception {
-        Map<String, List<String>> operations = new LinkedHashMap<>();
-        for (String part : List.of(
-                "MAVLinkControllerService?wsdl",
-                "MAVLinkControllerService?wsdl=MAVLinkController.wsdl",
-                "FollowerService?wsdl",
-                "FollowerService?wsdl=Follower.wsdl")) {
-            Http.Answer answer = administrator.get("/services/" + part);
-            if (answer.status() == 200) {
-                collect(answer.raw().body(), operations);
-            }
-        }
-        return operations;
-    }
-
-    private static void collect(String wsdl, Map<String, List<String>> operations) throws Exception {
-        DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
-        factory.setNamespaceAware(true);
-        Document document =
-                factory.newDocumentBuilder().parse(new ByteArrayInputStream(wsdl.getBytes(StandardCharsets.UTF_8)));
-        NodeList types = document.getElementsByTagNameNS(SCHEMA, "complexType");
-        for (int i = 0; i < types.getLength(); i++) {
-            Element type = (Element) types.item(i);
-            String name = type.getAttribute("name");
-            List<String> texts = new ArrayList<>();
-            NodeList elements = type.getElementsByTagNameNS(SCHEMA, "element");
-            for (int k = 0; k < elements.getLength(); k++) {
-                Element element = (Element) elements.item(k);
-                if (element.getAttribute("type").endsWith(":string")) {
-                    texts.add(element.getAttribute("name"));
-                }
-            }
-            if (document.getElementsByTagNameNS("*", "operation").getLength() > 0 && isOperation(document, name)) {
-                operations.put(name, texts);
-            }
-        }
-    }
-
-    private static boolean isOperation(Document document, String name) {
-        NodeList operations = document.getElementsByTagNameNS("http://schemas.xmlsoap.org/wsdl/", "operation");
-        for (int i = 0; i < operations.getLength(); i++) {
-            if (((Element) operations.item(i)).getAttribute("name").equals(name)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private static final List<String> ABOUT_DRONES = List.of("command", "control", "steer", "letGo");

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.net.http.HttpRequest;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -22,12 +23,6 @@ import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.MAVLinkController;
-import org.dronemap.ws.soap.SoapPlan;
-import org.dronemap.ws.soap.SoapStop;
-import org.dronemap.ws.soap.SoapTour;
-import org.dronemap.ws.soap.SoapVisit;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -328,29 +323,34 @@ class PlansTest {
     }
 
     @Test
-    void goTheSameWayThroughSoap() throws DronemapFault {
-        MAVLinkController soap = SoapClient.withKey(house, key);
-        SoapVisit near = SoapVisit.at(LATITUDE + 0.0008, LONGITUDE, 30.0);
-        SoapVisit far = SoapVisit.at(LATITUDE + 0.0012, LONGITUDE + 0.0008, 30.0);
-        assertThatThrownBy(() -> soap.planMission(
-                        List.of(falcon.id()), List.of(SoapVisit.at(95.0, LONGITUDE, 30.0)), null, null, null))
+    void goTheSameWayThroughSoap() {
+        SoapClient soap = SoapClient.withKey(house, key);
+        List<Map<String, Object>> visits =
+                List.of(visit(LATITUDE + 0.0008, LONGITUDE), visit(LATITUDE + 0.0012, LONGITUDE + 0.0008));
+        assertThatThrownBy(() -> soap.call(
+                        "makePlan", "drones", List.of(falcon.id()), "waypoints", List.of(visit(95.0, LONGITUDE))))
                 .hasMessageContaining("waypoints[0].latitude");
-        SoapPlan asked = soap.planMission(List.of(falcon.id(), heron.id()), List.of(near, far), null, null, 0.1);
+        String plan = soap.call(
+                        "makePlan", "drones", List.of(falcon.id(), heron.id()), "waypoints", visits, "seconds", 0.1)
+                .text("id");
         Waiting.until(
                 "the plan is finished",
-                () -> Optional.of(operator.get(PATH + "/" + asked.getPlanId()))
-                        .filter(plan -> plan.text("state").equals("finished")));
-        assertThat(soap.getPlan(asked.getPlanId()).getTour()).isNotEmpty();
+                () -> Optional.of(operator.get(PATH + "/" + plan))
+                        .filter(seen -> seen.text("state").equals("finished")));
+        assertThat(soap.call("getPlan", "planId", plan).texts("result.tours.item"))
+                .isNotEmpty();
 
-        SoapPlan flown = soap.acceptPlan(asked.getPlanId(), true, null);
-        assertThat(flown.getTour()).extracting(SoapTour::getStage).containsOnly("started");
-        assertThat(flown.getTour().stream().flatMap(tour -> tour.getStop().stream()))
-                .extracting(SoapStop::getWaypoint)
-                .containsExactlyInAnyOrder("1", "2");
-        assertThatThrownBy(() -> soap.stopPlan(asked.getPlanId()))
+        SoapClient.Answer flown = soap.call("acceptPlan", "planId", plan, "start", true);
+        assertThat(flown.texts("launch.drones.item.stage")).containsOnly("started");
+        assertThat(flown.texts("result.tours.item.stops.item.waypoint")).containsExactlyInAnyOrder("1", "2");
+        assertThatThrownBy(() -> soap.call("stopPlan", "planId", plan))
                 .hasMessageContaining("Nobody of this plan waits for a start.");
-        soap.cancelPlan(asked.getPlanId());
-        assertThatThrownBy(() -> soap.getPlan(asked.getPlanId())).hasMessageContaining("There is no plan");
+        soap.call("removePlan", "planId", plan);
+        assertThatThrownBy(() -> soap.call("getPlan", "planId", plan)).hasMessageContaining("There is no plan");
+    }
+
+    private static Map<String, Object> visit(double latitude, double longitude) {
+        return Map.of("latitude", latitude, "longitude", longitude, "altitude", 30.0);
     }
 
     @Test

@@ -94,25 +94,35 @@ abstract class ReachTrial {
     }
 
     void silent(String cell, Http.Answer answer, Estate other) {
-        String body = answer.raw().body();
+        silent(cell, answer.raw().body(), other);
+    }
+
+    void silent(String cell, String body, Estate other) {
         if (body.contains(other.word() + "-")
-                || body.contains("\"" + other.drone().id() + "\"")) {
+                || body.matches("(?s).*[\">]" + other.drone().id() + "[\"<].*")) {
             wrong.add(cell + ": " + body);
         }
     }
 
     Http.Answer rest(Member caller, String operation, String thing) {
-        Map<String, String> values = operation.endsWith(GIVEN)
-                ? Map.of("id", foreignId, "drone", thing)
-                : operation.contains("/users/")
-                        // What is of a user: the key that each member has.
-                        ? Map.of("name", thing, "id", "key-" + thing)
-                        : Map.of("id", thing, "identity", thing);
-        return faces.rest(caller.http(), operation, values);
+        return faces.rest(caller.http(), operation, values(operation, thing));
     }
 
-    String soap(Member caller, String operation, String element, String thing) {
-        return faces.soap(caller.http(), operation, Map.of(element, thing));
+    private Map<String, String> values(String operation, String thing) {
+        if (operation.endsWith(GIVEN)) {
+            return Map.of("id", foreignId, "drone", thing);
+        }
+        return operation.contains("/users/")
+                // What is of a user: the key that each member has.
+                ? Map.of("name", thing, "id", "key-" + thing)
+                : Map.of("id", thing, "identity", thing);
+    }
+
+    /** The same call as {@link #rest} of the operation that it is there. */
+    String soap(Member caller, String operation, String thing) {
+        return faces.soapAsRest(caller.http(), operation, values(faces.restOf(operation), thing))
+                .raw()
+                .body();
     }
 
     /** What an address is about: the word after the version. */
@@ -152,9 +162,18 @@ abstract class ReachTrial {
         return vehicle;
     }
 
-    void alikeInSoap(Member caller, String operation, String element, String thing) {
-        String there = soap(caller, operation, element, thing);
-        String absent = soap(caller, operation, element, ABSENT);
+    /** {@link #judge} of an answer of SOAP. */
+    void judgeSoap(String cell, boolean promised, String answer) {
+        String wrongWith = Faces.wrong(answer);
+        boolean closed = wrongWith.matches("not-signed-in|forbidden");
+        if (closed == promised || wrongWith.matches("unknown|internal") || answer.contains("Server</faultcode>")) {
+            wrong.add(cell + ": " + answer);
+        }
+    }
+
+    void alikeInSoap(Member caller, String operation, String thing) {
+        String there = soap(caller, operation, thing);
+        String absent = soap(caller, operation, ABSENT);
         if (!there.replace(thing, ABSENT).equals(absent)) {
             wrong.add(operation + " for " + caller.name() + ": " + there + " / " + absent);
         }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.http.HttpRequest;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -71,7 +72,39 @@ class RightsTest {
 
     @Test
     void opensEachOperationOfSoapToWhomTheTableSays() {
-        compare("SOAP", faces.soap(), this::mayCallSoap);
+        RightsTable table = RightsTable.below("REST");
+        List<String> differences = new ArrayList<>();
+        for (String operation : faces.soap()) {
+            for (Caller caller : Caller.values()) {
+                boolean opened = mayCallSoap(operation, caller);
+                if (opened != table.promises(faces.restOf(operation), caller)) {
+                    differences.add(operation + " is " + (opened ? "open" : "closed") + " to " + caller);
+                }
+            }
+        }
+        assertThat(differences).as("otherwise than the table says").isEmpty();
+    }
+
+    /** Who may not is told so whatever elements there are. */
+    @Test
+    void turnsAwayWhoMayNotWhateverTheCallOfSoapSays() {
+        RightsTable table = RightsTable.below("REST");
+        List<String> differences = new ArrayList<>();
+        for (String operation : faces.soap()) {
+            for (Caller caller : Caller.values()) {
+                if (table.promises(faces.restOf(operation), caller)) {
+                    continue;
+                }
+                Map<String, String> bad = new LinkedHashMap<>();
+                faces.elements(operation).forEach(element -> bad.put(element.name(), "nosuchthing"));
+                bad.put("nosuchelement", "x");
+                String wrong = Faces.wrong(faces.soap(callers.get(caller), operation, bad));
+                if (!wrong.equals(caller == Caller.NOBODY ? "not-signed-in" : "forbidden")) {
+                    differences.add(operation + " for " + caller + ": " + wrong);
+                }
+            }
+        }
+        assertThat(differences).isEmpty();
     }
 
     @Test
@@ -132,14 +165,14 @@ class RightsTest {
     }
 
     private boolean mayCallSoap(String operation, Caller caller) {
-        Map<String, String> of = Faces.isList(operation) ? Map.of() : Map.of(Faces.elementOf(operation), "nosuchthing");
-        String answer = faces.soap(callers.get(caller), operation, of);
-        boolean refused =
-                answer.contains("problem:not-signed-in</type>") || answer.contains("problem:forbidden</type>");
-        assertThat(refused || answer.contains("problem:unknown</type>") || answer.contains(operation + "Response"))
+        String answer =
+                faces.soapAsRest(callers.get(caller), operation, Map.of()).raw().body();
+        String wrong = Faces.wrong(answer);
+        assertThat(!wrong.isEmpty() || answer.contains(operation + "Response"))
                 .as(operation + " for " + caller + ": " + answer)
                 .isTrue();
-        return !refused;
+        assertThat(wrong).as(operation + " for " + caller).doesNotMatch("malformed|method|media-type|internal");
+        return !wrong.matches("not-signed-in|forbidden");
     }
 
     /** As the stream itself names them to who says something else. */

@@ -11,9 +11,6 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.MAVLinkController;
-import org.dronemap.ws.soap.SoapRobotKey;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -94,34 +91,32 @@ class RobotKeysTest {
     }
 
     @Test
-    void areIssuedReplacedListedAndRevokedOverSoapAsWell() throws Exception {
-        MAVLinkController soap = SoapClient.withKey(house, house.key(Role.ADMINISTRATOR));
-        SoapRobotKey made = soap.issueRobotKey(null, "Of SOAP", 9, "26", null);
-        String id = made.getRobotKeyId();
-        assertThat(house.robotKeys().find(made.getKey())).hasValueSatisfying(found -> {
+    void areIssuedReplacedListedAndRevokedOverSoapAsWell() {
+        SoapClient soap = SoapClient.withKey(house, house.key(Role.ADMINISTRATOR));
+        SoapClient.Answer made = soap.call("issueRobotKey", "label", "Of SOAP", "systemId", 9, "owner", "26");
+        String id = made.text("id");
+        assertThat(house.robotKeys().find(made.text("key"))).hasValueSatisfying(found -> {
             assertThat(found.drone().value()).isEqualTo(id);
             assertThat(found.systemId()).isEqualTo(9);
             assertThat(found.owner()).isEqualTo("26");
         });
-        assertThat(soap.getRobotKeysList())
-                .filteredOn(key -> key.getRobotKeyId().equals(id))
-                .singleElement()
-                .satisfies(key -> assertThat(key.getKey()).isNull());
+        assertThat(soap.call("listRobotKeys").texts("robotKeys.item.id")).containsOnlyOnce(id);
+        assertThat(soap.call("listRobotKeys").texts("robotKeys.item.key")).isEmpty();
 
-        SoapRobotKey newer = soap.issueRobotKey(id, null, null, null, null);
-        assertThat(newer.getLabel()).isEqualTo("Of SOAP");
-        assertThat(house.robotKeys().find(made.getKey())).isEmpty();
-        soap.revokeRobotKey(id);
-        assertThat(house.robotKeys().find(newer.getKey())).isEmpty();
+        SoapClient.Answer newer = soap.call("issueRobotKey", "drone", id);
+        assertThat(newer.text("label")).isEqualTo("Of SOAP");
+        assertThat(house.robotKeys().find(made.text("key"))).isEmpty();
+        soap.call("revokeRobotKey", "robotKeyId", id);
+        assertThat(house.robotKeys().find(newer.text("key"))).isEmpty();
         assertThat(administrator.get(PATH).raw().body()).doesNotContain(id);
-        assertThat(house.records().toString()).doesNotContain(made.getKey()).doesNotContain(newer.getKey());
+        assertThat(house.records().toString()).doesNotContain(made.text("key")).doesNotContain(newer.text("key"));
 
-        assertThatThrownBy(() -> soap.revokeRobotKey(id)).isInstanceOf(DronemapFault.class);
-        assertThatThrownBy(() -> soap.issueRobotKey(null, "x", 65_536, null, null))
-                .isInstanceOf(DronemapFault.class)
+        assertThatThrownBy(() -> soap.call("revokeRobotKey", "robotKeyId", id)).isInstanceOf(SoapClient.Refused.class);
+        assertThatThrownBy(() -> soap.call("issueRobotKey", "label", "x", "systemId", 65_536))
+                .isInstanceOf(SoapClient.Refused.class)
                 .hasMessageContaining("65535");
-        MAVLinkController supervisor = SoapClient.withKey(house, house.key(Role.SUPERVISOR));
-        assertThatThrownBy(supervisor::getRobotKeysList).isInstanceOf(DronemapFault.class);
+        SoapClient supervisor = SoapClient.withKey(house, house.key(Role.SUPERVISOR));
+        assertThatThrownBy(() -> supervisor.call("listRobotKeys")).isInstanceOf(SoapClient.Refused.class);
     }
 
     @Test

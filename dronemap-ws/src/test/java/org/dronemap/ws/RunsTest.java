@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.net.http.HttpRequest;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunState;
@@ -27,12 +28,6 @@ import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.MAVLinkController;
-import org.dronemap.ws.soap.SoapRun;
-import org.dronemap.ws.soap.SoapRunDrone;
-import org.dronemap.ws.soap.SoapRunWaypoint;
-import org.dronemap.ws.soap.SoapVisit;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -267,28 +262,33 @@ class RunsTest {
     }
 
     @Test
-    void goTheSameWayThroughSoap() throws DronemapFault {
-        MAVLinkController soap = SoapClient.withKey(house, key);
-        assertThatThrownBy(() -> soap.startRun("nosuchplan", null, null, null))
-                .hasMessageContaining("There is no plan");
+    void goTheSameWayThroughSoap() {
+        SoapClient soap = SoapClient.withKey(house, key);
+        assertThatThrownBy(() -> soap.call("startRun", "plan", "nosuchplan")).hasMessageContaining("There is no plan");
 
-        SoapRun started = soap.startRun(planned(), "askFirst", "rtl", "roofs");
+        SoapClient.Answer started =
+                soap.call("startRun", "plan", planned(), "mode", "askFirst", "onCloudLoss", "rtl", "name", "roofs");
+        String run = started.text("id");
 
-        assertThat(started.getDrone()).extracting(SoapRunDrone::getDroneId).containsExactly(falcon.id(), heron.id());
-        assertThat(soap.getRunsList()).extracting(SoapRun::getRunId).containsExactly(started.getRunId());
-        assertThat(soap.getRun(started.getRunId()).getWaypoint())
-                .extracting(SoapRunWaypoint::getWaypoint)
-                .containsExactly("1", "2", "3", "4");
-        assertThatThrownBy(() -> soap.addRunWaypoint(started.getRunId(), List.of(SoapVisit.at(95.0, LONGITUDE, 30.0))))
+        assertThat(started.texts("drones.item.id")).containsExactly(falcon.id(), heron.id());
+        assertThat(soap.call("listRuns").texts("runs.item.id")).containsExactly(run);
+        assertThat(soap.call("getRun", "runId", run).texts("waypoints.item.id")).containsExactly("1", "2", "3", "4");
+        assertThatThrownBy(() -> soap.call(
+                        "addRunWaypoints",
+                        "runId",
+                        run,
+                        "waypoints",
+                        List.of(Map.of("latitude", 95.0, "longitude", LONGITUDE, "altitude", 30.0))))
                 .hasMessageContaining("waypoints[0].latitude");
-        assertThatThrownBy(() -> soap.answerRun(started.getRunId(), null, true)).hasMessageContaining("proposal");
-        assertThatThrownBy(() -> soap.resumeRunDrone(started.getRunId(), "nobody"))
+        assertThatThrownBy(() -> soap.call("answerRun", "runId", run, "accept", true))
+                .hasMessageContaining("proposal");
+        assertThatThrownBy(() -> soap.call("resumeRunDrone", "runId", run, "drone", "nobody"))
                 .hasMessageContaining("There is no drone");
-        assertThat(soap.pauseRun(started.getRunId()).getState()).isEqualTo("paused");
-        assertThatThrownBy(() -> soap.pauseRun(started.getRunId())).hasMessageContaining("paused already");
-        assertThat(soap.continueRun(started.getRunId()).getState()).isEqualTo("running");
-        assertThatThrownBy(() -> soap.continueRun(started.getRunId())).hasMessageContaining("is not paused");
-        assertThat(soap.stopRun(started.getRunId()).getRunId()).isEqualTo(started.getRunId());
+        assertThat(soap.call("pauseRun", "runId", run).text("state")).isEqualTo("paused");
+        assertThatThrownBy(() -> soap.call("pauseRun", "runId", run)).hasMessageContaining("paused already");
+        assertThat(soap.call("continueRun", "runId", run).text("state")).isEqualTo("running");
+        assertThatThrownBy(() -> soap.call("continueRun", "runId", run)).hasMessageContaining("is not paused");
+        assertThat(soap.call("stopRun", "runId", run).text("id")).isEqualTo(run);
     }
 
     @Test

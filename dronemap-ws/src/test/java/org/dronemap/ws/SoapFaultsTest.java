@@ -2,17 +2,16 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.lang.reflect.Method;
 import java.net.http.HttpRequest;
-import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.soap.MAVLinkController;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -24,6 +23,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Whose mistake a SOAP fault calls it, and what it says of XML that cannot be read. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class SoapFaultsTest {
+    private static final String CONTROLLER = "/services/MAVLinkControllerService";
     private static final String OF_THE_CALLER = "<faultcode>\\w+:Client</faultcode>";
 
     @AutoClose
@@ -40,12 +40,10 @@ class SoapFaultsTest {
     }
 
     private static Http.Answer call(Http caller, String operation) {
-        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
-                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body>" + operation + "</s:Body></s:Envelope>";
         return caller.send(
-                "/services/MAVLinkControllerService",
-                request ->
-                        request.header("Content-Type", "text/xml").POST(HttpRequest.BodyPublishers.ofString(envelope)));
+                CONTROLLER,
+                request -> request.header("Content-Type", "text/xml")
+                        .POST(HttpRequest.BodyPublishers.ofString(SoapClient.envelope("", operation))));
     }
 
     private String fault(String operation) {
@@ -74,12 +72,13 @@ class SoapFaultsTest {
         return Stream.of(
                 Arguments.of(
                         "<w:takeoff><droneId>x</droneId><altitude>high</altitude></w:takeoff>", "altitude", "a number"),
-                Arguments.of("<w:setRelay><droneId>x</droneId><relay>one</relay></w:setRelay>", "relay", "a number"),
+                Arguments.of(
+                        "<w:setRelay><droneId>x</droneId><relay>one</relay></w:setRelay>", "relay", "a whole number"),
                 Arguments.of("<w:disarm><droneId>x</droneId><force>maybe</force></w:disarm>", "force", "true or false"),
                 Arguments.of(
-                        "<w:uploadMission><droneId>x</droneId><waypoint><latitude>47</latitude></waypoint>"
-                                + "<waypoint><latitude>47N</latitude></waypoint></w:uploadMission>",
-                        "waypoint[1].latitude",
+                        "<w:uploadMission><droneId>x</droneId><items><item><latitude>47</latitude></item>"
+                                + "<item><latitude>47N</latitude></item></items></w:uploadMission>",
+                        "items[1].latitude",
                         "a number"));
     }
 
@@ -99,15 +98,15 @@ class SoapFaultsTest {
         IntStream.range(0, 15)
                 .forEach(
                         attempt -> assertThat(fault("<w:uploadMission><droneId>" + vehicle.id()
-                                        + "</droneId><waypoint><latitude>47</latitude><longitude>8</longitude>"
-                                        + "<altitude>20</altitude><altitudereference>amsl</altitudereference></waypoint>"
-                                        + "</w:uploadMission>"))
+                                        + "</droneId><items><item><latitude>47</latitude><longitude>8</longitude>"
+                                        + "<altitude>20</altitude><altitudereference>amsl</altitudereference></item>"
+                                        + "</items></w:uploadMission>"))
                                 .containsPattern(OF_THE_CALLER)
-                                .contains("<field>waypoint[0].altitudereference</field>")
+                                .contains("<field>items[0].altitudereference</field>")
                                 .contains(
                                         "<allowed>type, latitude, longitude, altitude, altitudeReference, holdSeconds, output, pulse, description"));
         assertThat(fault("<w:takeoff><droneId>x</droneId><altitud>5</altitud></w:takeoff>"))
-                .contains("<field>altitud</field>", "<allowed>droneId, altitude</allowed>");
+                .contains("<field>altitud</field>", "<allowed>type, altitude, id, epoch</allowed>");
         assertThat(vehicle.performed()).isEmpty();
     }
 
@@ -126,16 +125,17 @@ class SoapFaultsTest {
                 .doesNotContain("Exception");
     }
 
-    static Stream<String> operations() {
-        return Arrays.stream(MAVLinkController.class.getMethods()).map(Method::getName);
-    }
-
-    @ParameterizedTest
-    @MethodSource("operations")
-    void isNeverTheServersForACallWithoutElements(String operation) {
-        Http.Answer answer = call(operator, "<w:" + operation + "/>");
-        if (answer.status() == 500) {
-            assertThat(answer.raw().body()).containsPattern(OF_THE_CALLER).doesNotContain("Exception");
+    @Test
+    void isNeverTheServersForACallWithoutElements() {
+        Faces faces = new Faces(house);
+        for (String operation : faces.soap()) {
+            Http.Answer answer = faces.call(operator, operation, "");
+            if (answer.status() == 500) {
+                assertThat(answer.raw().body())
+                        .as(operation)
+                        .containsPattern(OF_THE_CALLER)
+                        .doesNotContain("Exception");
+            }
         }
     }
 
@@ -146,13 +146,15 @@ class SoapFaultsTest {
                 .contains("<field>droneId</field>", "\"droneId\" is missing");
     }
 
+    /** Some clients qualify what the schema has without a namespace. */
     @Test
     void passesOverNoElementThatIsInANamespace() {
         String id = vehicle.id();
 
-        assertThat(fault("<w:getDrone><w:droneId>" + id + "</w:droneId></w:getDrone>"))
-                .containsPattern(OF_THE_CALLER)
-                .contains("\"droneId\" must be an element without a namespace");
+        assertThat(call(operator, "<w:getDrone><w:droneId>" + id + "</w:droneId></w:getDrone>")
+                        .raw()
+                        .body())
+                .contains("<id>" + id + "</id>");
         assertThat(fault("<w:takeoff><droneId>" + id + "</droneId><w:altitude>5</w:altitude><altitude>9</altitude>"
                         + "</w:takeoff>"))
                 .contains("<field>altitude</field>");
@@ -161,13 +163,12 @@ class SoapFaultsTest {
 
     @Test
     void takesAKeyInTheHeaderBesideTheCall() {
-        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
-                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Header><w:accessKey>" + tenant.key(Role.VIEWER)
-                + "</w:accessKey></s:Header><s:Body><w:getDrone><droneId>" + vehicle.id()
-                + "</droneId></w:getDrone></s:Body></s:Envelope>";
+        String envelope = SoapClient.envelope(
+                "<w:accessKey>" + tenant.key(Role.VIEWER) + "</w:accessKey>",
+                "<w:getDrone><droneId>" + vehicle.id() + "</droneId></w:getDrone>");
         Http.Answer answer = new Http(house, "")
                 .send(
-                        "/services/MAVLinkControllerService",
+                        CONTROLLER,
                         request -> request.header("Content-Type", "text/xml")
                                 .POST(HttpRequest.BodyPublishers.ofString(envelope)));
 

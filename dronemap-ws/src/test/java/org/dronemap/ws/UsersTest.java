@@ -45,7 +45,7 @@ class UsersTest {
         assertThat(closed.status()).isEqualTo(403);
         assertThat(closed.text("detail")).startsWith("Somebody else has seen your password");
         assertThatThrownBy(() ->
-                        SoapClient.withHeader(house, Http.basic(bob, FIRST)).getDronesList())
+                        SoapClient.withHeader(house, Http.basic(bob, FIRST)).call("getDronesList"))
                 .hasMessageStartingWith("Somebody else has seen your password");
         assertThat(takeOwnPassword(cookie).status()).isEqualTo(204);
         assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(200);
@@ -68,7 +68,8 @@ class UsersTest {
         }
         assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(401);
         assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(401);
-        assertThatThrownBy(() -> SoapClient.withKey(house, key).getDronesList()).hasMessageContaining("not valid");
+        assertThatThrownBy(() -> SoapClient.withKey(house, key).call("getDronesList"))
+                .hasMessageContaining("not valid");
         Http.Answer again = signIn(bob, OWN);
         assertThat(again.status()).isEqualTo(403);
         assertThat(again.text("detail")).isEqualTo("Your account has been disabled; ask an administrator.");
@@ -191,7 +192,8 @@ class UsersTest {
         String sentence = "Your role may send reports, not see drones; ask an administrator for the viewer role.";
 
         assertThat(new Http(house, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
-        assertThatThrownBy(() -> SoapClient.withKey(house, key).getDronesList()).hasMessage(sentence);
+        assertThatThrownBy(() -> SoapClient.withKey(house, key).call("getDronesList"))
+                .hasMessage(sentence);
         try (StreamListener stream = StreamListener.withKey(house, key)) {
             assertThat(stream.awaitClose()).isEqualTo(sentence);
             assertThat(stream.heard())

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.net.http.HttpRequest;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.access.KeyRights;
@@ -21,10 +22,6 @@ import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
-import org.dronemap.ws.soap.DronemapFault;
-import org.dronemap.ws.soap.MAVLinkController;
-import org.dronemap.ws.soap.SoapVirtualDrone;
-import org.dronemap.ws.soap.SoapWaypoint;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -225,44 +222,50 @@ class VirtualDronesTest {
     }
 
     @Test
-    void flyTheSameWayThroughSoap() throws DronemapFault {
+    void flyTheSameWayThroughSoap() {
         WillingCopter falcon = falcon();
         offer(falcon);
-        MAVLinkController soap = SoapClient.withKey(house, tenant.key(Role.OPERATOR));
-        List<SoapWaypoint> way = List.of(SoapWaypoint.at(47.398, 8.5456, 20.0), SoapWaypoint.at(47.399, 8.5456, 20.0));
-        assertThatThrownBy(() -> soap.createVirtualDrone("Survey", "bird", null, null, way))
+        SoapClient soap = SoapClient.withKey(house, tenant.key(Role.OPERATOR));
+        List<Map<String, Object>> way = List.of(waypoint(47.398), waypoint(47.399));
+        assertThatThrownBy(() ->
+                        soap.call("addVirtualDrone", "name", "Survey", "needs", Map.of("kind", "bird"), "items", way))
                 .hasMessageContaining("needs.kind");
-        SoapVirtualDrone made = soap.createVirtualDrone("Survey", "multicopter", null, null, way);
-        String id = made.getVirtualDroneId();
-        assertThat(made.getState()).isNull();
-        assertThat(made.getWaypoint()).hasSizeGreaterThanOrEqualTo(2);
-        assertThat(soap.getVirtualDronesList())
-                .extracting(SoapVirtualDrone::getName)
+        SoapClient.Answer made =
+                soap.call("addVirtualDrone", "name", "Survey", "needs", Map.of("kind", "multicopter"), "items", way);
+        String id = made.text("id");
+        assertThat(made.text("run.state")).isEmpty();
+        assertThat(made.texts("items.item")).hasSizeGreaterThanOrEqualTo(2);
+        assertThat(soap.call("listVirtualDrones").texts("virtualDrones.item.name"))
                 .containsExactly("Survey");
-        assertThatThrownBy(() -> soap.startVirtualDrone(id, "fly")).hasMessageContaining("onCloudLoss");
+        assertThatThrownBy(() -> soap.call("startVirtualDrone", "virtualDroneId", id, "onCloudLoss", "fly"))
+                .hasMessageContaining("onCloudLoss");
 
-        soap.startVirtualDrone(id, "rtl");
+        soap.call("startVirtualDrone", "virtualDroneId", id, "onCloudLoss", "rtl");
         Waiting.until(
                 "it flies",
-                () -> Optional.ofNullable(through(soap, id)).filter(now -> "flying".equals(now.getState())));
-        assertThat(through(soap, id).getDroneId()).isEqualTo(falcon.id());
-        assertThatThrownBy(() -> soap.removeVirtualDrone(id)).hasMessageContaining("stop it first");
-        assertThatThrownBy(() -> soap.resumeVirtualDrone(id)).hasMessageContaining("It does not wait");
-        soap.stopVirtualDrone(id);
+                () -> Optional.of(through(soap, id))
+                        .filter(now -> now.text("run.state").equals("flying")));
+        assertThat(through(soap, id).text("run.drone.id")).isEqualTo(falcon.id());
+        assertThatThrownBy(() -> soap.call("removeVirtualDrone", "virtualDroneId", id))
+                .hasMessageContaining("stop it first");
+        assertThatThrownBy(() -> soap.call("resumeVirtualDrone", "virtualDroneId", id))
+                .hasMessageContaining("It does not wait");
+        soap.call("stopVirtualDrone", "virtualDroneId", id);
         falcon.isOnGround();
         Waiting.until(
                 "it is stopped",
-                () -> Optional.ofNullable(through(soap, id)).filter(now -> "stopped".equals(now.getState())));
-        soap.removeVirtualDrone(id);
-        assertThatThrownBy(() -> soap.getVirtualDrone(id)).hasMessageContaining("There is no virtual drone");
+                () -> Optional.of(through(soap, id))
+                        .filter(now -> now.text("run.state").equals("stopped")));
+        soap.call("removeVirtualDrone", "virtualDroneId", id);
+        assertThatThrownBy(() -> through(soap, id)).hasMessageContaining("There is no virtual drone");
     }
 
-    private static SoapVirtualDrone through(MAVLinkController soap, String id) {
-        try {
-            return soap.getVirtualDrone(id);
-        } catch (DronemapFault fault) {
-            throw new AssertionError(fault);
-        }
+    private static SoapClient.Answer through(SoapClient soap, String id) {
+        return soap.call("getVirtualDrone", "virtualDroneId", id);
+    }
+
+    private static Map<String, Object> waypoint(double latitude) {
+        return Map.of("type", "waypoint", "latitude", latitude, "longitude", 8.5456, "altitude", 20.0);
     }
 
     @Test

@@ -7,12 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.RightsTable;
@@ -80,18 +78,18 @@ class VirtualReachTest extends ReachTrial {
         int cells = 0;
         for (Role role : Role.values()) {
             for (String operation : faces.soap()) {
-                if (!Faces.elementOf(operation).equals("virtualDroneId")) {
+                if (!faces.elementOf(operation).equals("virtualDroneId")) {
                     continue;
                 }
-                alikeInSoap(ours.get(role), operation, "virtualDroneId", foreigns);
+                alikeInSoap(ours.get(role), operation, foreigns);
                 if (!role.includes(Role.SUPERVISOR)) {
-                    alikeInSoap(ours.get(role), operation, "virtualDroneId", colleagues);
+                    alikeInSoap(ours.get(role), operation, colleagues);
                 }
                 cells++;
             }
-            String list = faces.soap(ours.get(role).http(), "getVirtualDronesList", Map.of());
+            String list = soap(ours.get(role), "listVirtualDrones", ABSENT);
             if (list.contains(foreigns) || (!role.includes(Role.SUPERVISOR) && list.contains(colleagues))) {
-                wrong.add("getVirtualDronesList for " + role + ": " + list);
+                wrong.add("listVirtualDrones for " + role + ": " + list);
             }
         }
         assertThat(wrong).isEmpty();
@@ -134,9 +132,10 @@ class VirtualReachTest extends ReachTrial {
             }
         }
         for (String operation : faces.soap()) {
-            Optional<String> thing = own.thing(Faces.kindOf(operation));
-            if (!Faces.isList(operation) && thing.isPresent()) {
-                alikeInSoap(member, operation, Faces.elementOf(operation), thing.get());
+            String rest = faces.restOf(operation);
+            boolean ofDrone = whose.of(rest).filter(Whose.DRONE::equals).isPresent();
+            if (ofDrone && !faces.isList(operation)) {
+                alikeInSoap(member, operation, own.thing(kind(rest)).orElseThrow());
                 cells++;
             }
         }

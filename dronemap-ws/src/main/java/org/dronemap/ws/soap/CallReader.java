@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.ValueProblem;
 import org.dronemap.ws.soap.SoapOperation.Argument;
 import org.dronemap.ws.soap.SoapOperation.Body;
@@ -29,6 +30,9 @@ final class CallReader {
 
     private static final String SECONDS_TO_WAIT = "30";
 
+    /** In an address that is refused for it. */
+    private static final String NOT_SAID = "-";
+
     private final XmlToJson json;
     private final JsonMapper mapper;
 
@@ -37,12 +41,28 @@ final class CallReader {
         this.mapper = mapper;
     }
 
+    /** What is wrong with a call is told by the request, once it is known that its caller may make it. */
     RestRequest read(SoapOperation operation, Element call) {
         Map<String, String> path = new LinkedHashMap<>();
+        try {
+            return asked(operation, call, path);
+        } catch (Rejection wrong) {
+            return new RestRequest(operation.of().method(), uri(operation, path), Map.of()).refused(wrong);
+        }
+    }
+
+    /** {@code path}: takes what the call says for the address, encoded. */
+    private RestRequest asked(SoapOperation operation, Element call, Map<String, String> path) {
+        List<Element> children = XmlToJson.children(call);
+        for (Argument argument : operation.arguments()) {
+            if (argument.place() == Place.PATH) {
+                path.put(argument.inRest(), part(argument.member().name(), children));
+            }
+        }
         Map<String, String> query = new LinkedHashMap<>();
         List<Element> rest = new ArrayList<>();
         Set<String> seen = new HashSet<>();
-        for (Element child : XmlToJson.children(call)) {
+        for (Element child : children) {
             String name = child.getLocalName();
             if (!seen.add(name)) {
                 throw new InvalidInput(
@@ -54,8 +74,8 @@ final class CallReader {
             Argument argument = operation.argument(name).orElse(null);
             if (argument == null) {
                 rest.add(child);
-            } else if (!XmlToJson.isNil(child)) {
-                (argument.place() == Place.PATH ? path : query).put(argument.inRest(), XmlToJson.text(name, child));
+            } else if (argument.place() == Place.QUERY && !XmlToJson.isNil(child)) {
+                query.put(argument.inRest(), XmlToJson.text(name, child));
             }
         }
         for (Argument argument : operation.arguments()) {
@@ -63,23 +83,29 @@ final class CallReader {
                 query.putIfAbsent(WAIT, SECONDS_TO_WAIT);
             }
         }
-        String uri = uri(operation, path);
-        return body(new RestRequest(operation.of().method(), uri, query), operation, rest);
+        return body(new RestRequest(operation.of().method(), uri(operation, path), query), operation, rest);
     }
 
     private static String uri(SoapOperation operation, Map<String, String> path) {
         String uri = operation.of().path();
         for (Argument argument : operation.arguments()) {
             if (argument.place() == Place.PATH) {
-                String value = path.get(argument.inRest());
-                String name = argument.member().name();
-                if (value == null || value.isBlank()) {
-                    throw InvalidInput.missing(name, "a text");
-                }
-                uri = uri.replace("{" + argument.inRest() + "}", part(name, value.strip()));
+                uri = uri.replace("{" + argument.inRest() + "}", path.getOrDefault(argument.inRest(), NOT_SAID));
             }
         }
         return uri;
+    }
+
+    private static String part(String name, List<Element> children) {
+        String value = children.stream()
+                .filter(child -> child.getLocalName().equals(name) && !XmlToJson.isNil(child))
+                .findFirst()
+                .map(child -> XmlToJson.text(name, child))
+                .orElse("");
+        if (value.isBlank()) {
+            throw InvalidInput.missing(name, "a text");
+        }
+        return part(name, value.strip());
     }
 
     /** What no address can have is not the name of anything. */

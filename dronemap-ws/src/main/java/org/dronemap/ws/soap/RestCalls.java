@@ -5,6 +5,7 @@ import jakarta.servlet.Filter;
 import jakarta.servlet.Servlet;
 import jakarta.servlet.ServletContext;
 import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
@@ -13,6 +14,9 @@ import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.ws.security.CalledBy;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.security.ProblemWriter;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
 import org.springframework.mock.web.MockAsyncContext;
 import org.springframework.mock.web.MockFilterChain;
 import org.springframework.mock.web.MockHttpServletRequest;
@@ -26,11 +30,13 @@ public final class RestCalls {
 
     private final Servlet dispatcher;
     private final List<? extends Filter> filters;
+    private final ProblemWriter problems;
 
     /** {@code filters}: those that judge and note a request, in their order. */
-    public RestCalls(Servlet dispatcher, List<? extends Filter> filters) {
+    public RestCalls(Servlet dispatcher, List<? extends Filter> filters, ProblemWriter problems) {
         this.dispatcher = dispatcher;
         this.filters = filters;
+        this.problems = problems;
     }
 
     /**
@@ -44,12 +50,12 @@ public final class RestCalls {
         CurrentPrincipal.from(request, caller);
         RestAnswer answer = new RestAnswer();
         CompletableFuture<RestAnswer> whole = new CompletableFuture<>();
-        go(request, answer);
+        go(asked.refusal().<Servlet>map(this::refusing).orElse(dispatcher), request, answer);
         if (request.isAsyncStarted() && request.getAsyncContext() instanceof MockAsyncContext later) {
             later.addDispatchHandler(() -> {
                 request.setDispatcherType(DispatcherType.ASYNC);
                 request.setAsyncStarted(false);
-                go(request, answer);
+                go(dispatcher, request, answer);
                 later.complete();
                 whole.complete(answer);
             });
@@ -62,16 +68,28 @@ public final class RestCalls {
     /** What REST answers to anybody at an address of it. */
     public byte[] read(ServletContext context, String uri) {
         RestAnswer answer = new RestAnswer();
-        go(new MockHttpServletRequest(context, "GET", uri), answer);
+        go(dispatcher, new MockHttpServletRequest(context, "GET", uri), answer);
         if (answer.getStatus() != HttpServletResponse.SC_OK) {
             throw new IllegalStateException(uri + " was answered with status " + answer.getStatus());
         }
         return answer.getContentAsByteArray();
     }
 
-    private void go(MockHttpServletRequest request, RestAnswer answer) {
+    /** Stands where a handler would read what is wrong with the request: who may not make it has been told so before. */
+    private HttpServlet refusing(Rejection why) {
+        return new HttpServlet() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            protected void service(HttpServletRequest request, HttpServletResponse response) throws IOException {
+                problems.write(response, Problem.of(why));
+            }
+        };
+    }
+
+    private void go(Servlet handler, MockHttpServletRequest request, RestAnswer answer) {
         try {
-            new MockFilterChain(dispatcher, filters.toArray(Filter[]::new)).doFilter(request, answer);
+            new MockFilterChain(handler, filters.toArray(Filter[]::new)).doFilter(request, answer);
         } catch (ServletException | IOException | RuntimeException e) {
             answer.failed(e);
         }

@@ -2,6 +2,7 @@ package org.dronemap.ws.soap;
 
 import java.util.Map;
 import java.util.Optional;
+import org.dronemap.ws.service.Rejection;
 
 /** A request to REST. Immutable, but for the bytes of a body, which nobody changes. */
 final class RestRequest {
@@ -9,21 +10,33 @@ final class RestRequest {
     private final String uri;
     private final Map<String, String> query;
     private final Optional<Body> body;
+    private final Optional<Rejection> refusal;
 
     /** {@code uri}: encoded; the values of {@code query} are not. */
     RestRequest(String method, String uri, Map<String, String> query) {
-        this(method, uri, query, Optional.empty());
+        this(method, uri, query, Optional.empty(), Optional.empty());
     }
 
-    private RestRequest(String method, String uri, Map<String, String> query, Optional<Body> body) {
+    private RestRequest(
+            String method, String uri, Map<String, String> query, Optional<Body> body, Optional<Rejection> refusal) {
         this.method = method;
         this.uri = uri;
         this.query = query;
         this.body = body;
+        this.refusal = refusal;
     }
 
     RestRequest with(String mediaType, byte[] bytes) {
-        return new RestRequest(method, uri, query, Optional.of(new Body(mediaType, bytes)));
+        return new RestRequest(method, uri, query, Optional.of(new Body(mediaType, bytes)), refusal);
+    }
+
+    /** The same, which is refused once it is known that its caller may make it. */
+    RestRequest refused(Rejection why) {
+        return new RestRequest(method, uri, query, body, Optional.of(why));
+    }
+
+    Optional<Rejection> refusal() {
+        return refusal;
     }
 
     String method() {

@@ -42,8 +42,10 @@ public class SoapConfiguration {
             DispatcherServlet dispatcher,
             FilterRegistrationBean<OncePerRequestFilter> audit,
             FilterRegistrationBean<OncePerRequestFilter> plainAddress,
-            FilterRegistrationBean<OncePerRequestFilter> access) {
-        return new RestCalls(dispatcher, List.of(audit.getFilter(), plainAddress.getFilter(), access.getFilter()));
+            FilterRegistrationBean<OncePerRequestFilter> access,
+            ProblemWriter problems) {
+        return new RestCalls(
+                dispatcher, List.of(audit.getFilter(), plainAddress.getFilter(), access.getFilter()), problems);
     }
 
     @Bean

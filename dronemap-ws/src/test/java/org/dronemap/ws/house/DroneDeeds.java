@@ -173,7 +173,7 @@ public final class DroneDeeds extends Deeds {
         String keys = "/link-key";
         can("PUT /api/v1/drones/{id}/link-security", () -> ofDrone("PUT", "/link-security", "{\"policy\":\"off\"}"));
         can("POST /api/v1/drones/{id}/link-key", () -> {
-            ofDrone("DELETE", keys, "").make();
+            ofDrone("DELETE", keys + "?vehicle=false", "").make();
             return ofDrone("POST", keys, "{}");
         });
         can("DELETE /api/v1/drones/{id}/link-key", () -> ofDrone("DELETE", keys + "?vehicle=false", ""));

@@ -1,6 +1,8 @@
 package org.dronemap.ws.house;
 
 import java.net.http.HttpRequest;
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -13,15 +15,18 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
 
 /** What a running house exposes, and a way to try each operation of it on things of somebody's choice. */
 public final class Faces {
     private static final Pattern OWN = Pattern.compile("/api/v1/.*|/metrics");
     private static final Pattern VARIABLE = Pattern.compile("\\{(\\w+)}");
-    private static final Pattern WSDL_OPERATION = Pattern.compile("<wsdl:operation name=\"(\\w+)\">");
-    private static final List<String> SOAP = List.of("/services/MAVLinkControllerService", "/services/FollowerService");
-    private static final Pattern OF_FOLLOWING =
-            Pattern.compile("followRequest|sendNewGPSLocation|getFollow(sList)?|\\w+(Tracking|FollowRequest)");
+    private static final Pattern PROBLEM = Pattern.compile("<type>urn:dronemap:problem:([a-z-]+)</type>");
+    /** The element with the bytes of a file. */
+    private static final String CONTENT = "content";
+
+    private static final JsonMapper JSON = JsonMapper.shared();
 
     private static final Map<String, String> BODIES = Map.of(
             "PUT /api/v1/users/{name}/only-granted", "{\"onlyGranted\":false}",
@@ -33,12 +38,12 @@ public final class Faces {
 
     private final JsonNode description;
     private final Set<String> rest;
-    private final Set<String> soap;
+    private final SoapOperations soap;
 
     public Faces(TestHouse house) {
         description = new Http(house, "").get("/api/openapi.json").json();
         rest = Collections.unmodifiableSet(dispatched(house));
-        soap = Collections.unmodifiableSet(described(house));
+        soap = new SoapOperations(house);
     }
 
     /** All that the web framework dispatches, also what the description leaves out; by method and path. */
@@ -59,35 +64,36 @@ public final class Faces {
         return operations;
     }
 
-    /** As the WSDL says. */
+    /** The names of all operations, as the WSDLs say. */
     public Set<String> soap() {
-        return soap;
+        return soap.names();
     }
 
-    private static Set<String> described(TestHouse house) {
-        Set<String> operations = new TreeSet<>();
-        for (String service : SOAP) {
-            String wsdl = new Http(house, "").get(service + "?wsdl").raw().body();
-            Matcher found = WSDL_OPERATION.matcher(wsdl);
-            while (found.find()) {
-                operations.add(found.group(1));
-            }
-        }
-        return operations;
+    /** The addresses of all services of SOAP. */
+    public Set<String> services() {
+        return soap.services();
     }
 
-    /** Where an operation of SOAP is served. */
-    public static String serviceOf(String operation) {
-        return SOAP.get(OF_FOLLOWING.matcher(operation).matches() ? 1 : 0);
+    /** The operation of REST that one of SOAP is, by method and path. */
+    public String restOf(String operation) {
+        return soap.restOf(operation);
+    }
+
+    /** The names of SOAP of an operation of REST. */
+    public Set<String> soapOf(String rest) {
+        return soap.of(rest);
+    }
+
+    /** The elements of a call of an operation. */
+    public List<SoapOperations.Member> elements(String operation) {
+        return soap.get(operation).members();
     }
 
     /** With the values in the address, and a body that says what it takes to reach what it is about. */
     public Http.Answer rest(Http caller, String operation, Map<String, String> values) {
         String method = operation.substring(0, operation.indexOf(' '));
         String path = operation.substring(operation.indexOf(' ') + 1);
-        String address = VARIABLE.matcher(path)
-                .replaceAll(found ->
-                        values.getOrDefault(found.group(1), found.group(1).equals("number") ? "1" : "nosuchthing"));
+        String address = VARIABLE.matcher(path).replaceAll(found -> valueOf(found.group(1), values));
         return caller.send(
                 address,
                 request -> request.header("Content-Type", contentType(method, path))
@@ -97,67 +103,97 @@ public final class Faces {
                                         method.equals("GET") ? "" : BODIES.getOrDefault(operation, "{}"))));
     }
 
-    /** The element that names what an operation of SOAP is about. */
-    public static String elementOf(String operation) {
-        return switch (operation) {
-            case "getCommand" -> "commandId";
-            case "getPlan", "acceptPlan", "stopPlan", "cancelPlan", "startRun" -> "planId";
-            case "getRun", "addRunWaypoint", "resumeRunDrone", "answerRun", "pauseRun", "continueRun", "stopRun" ->
-                "runId";
-            case "getFlight" -> "flightId";
-            case "cancelFollowRequest",
-                    "startTracking",
-                    "sendNewGPSLocation",
-                    "disableTracking",
-                    "enableTracking",
-                    "stopTracking",
-                    "getFollow" -> "followId";
-            case "issueRobotKey", "revokeRobotKey" -> "robotKeyId";
-            case "createVirtualDrone" -> "name";
-            case "getVirtualDrone",
-                    "startVirtualDrone",
-                    "stopVirtualDrone",
-                    "resumeVirtualDrone",
-                    "removeVirtualDrone" -> "virtualDroneId";
-            default -> "droneId";
-        };
+    /** The element that names what an operation of SOAP is about; empty: it is about nothing in particular. */
+    public String elementOf(String operation) {
+        return restOf(operation).contains("{") ? elements(operation).get(0).name() : "";
     }
 
     /** It is about nothing in particular. */
-    public static boolean isList(String operation) {
-        return operation.endsWith("List");
-    }
-
-    /** What kind of thing that is. */
-    public static String kindOf(String operation) {
-        return switch (elementOf(operation)) {
-            case "commandId" -> "commands";
-            case "planId" -> "plans";
-            case "flightId" -> "flights";
-            case "runId" -> "runs";
-            case "followId" -> "follows";
-            case "robotKeyId" -> "robot-keys";
-            case "name" -> "nothing";
-            // Not what an organisation has: they are their owner's alone.
-            case "virtualDroneId" -> "virtual drones of one's own";
-            default -> "drones";
-        };
+    public boolean isList(String operation) {
+        return elementOf(operation).isEmpty();
     }
 
     /** The whole answer; {@code values} are the elements of the call. */
     public String soap(Http caller, String operation, Map<String, String> values) {
         String elements = values.entrySet().stream()
+                .filter(each -> !each.getKey().isEmpty())
                 .map(each -> "<" + each.getKey() + ">" + each.getValue() + "</" + each.getKey() + ">")
                 .collect(Collectors.joining());
-        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
-                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + elements + "</w:"
-                + operation + "></s:Body></s:Envelope>";
+        return call(caller, operation, elements).raw().body();
+    }
+
+    /** {@code elements}: as they stand in the call. */
+    public Http.Answer call(Http caller, String operation, String elements) {
+        String envelope = SoapClient.envelope("", SoapClient.call(operation, elements));
         return caller.send(
-                        serviceOf(operation),
-                        request -> request.header("Content-Type", "text/xml")
-                                .POST(HttpRequest.BodyPublishers.ofString(envelope)))
-                .raw()
-                .body();
+                soap.get(operation).service(),
+                request ->
+                        request.header("Content-Type", "text/xml").POST(HttpRequest.BodyPublishers.ofString(envelope)));
+    }
+
+    /**
+     * The same as {@link #rest} with the same values: those of the variables in REST's address, and the body that it takes to
+     * reach what it is about.
+     */
+    public Http.Answer soapAsRest(Http caller, String operation, Map<String, String> values) {
+        ObjectNode elements = JSON.createObjectNode();
+        JSON.readTree(BODIES.getOrDefault(restOf(operation), "{}"))
+                .properties()
+                .forEach(member -> elements.set(member.getKey(), member.getValue()));
+        Matcher variable = VARIABLE.matcher(restOf(operation));
+        for (SoapOperations.Member element : elements(operation)) {
+            if (variable.find()) {
+                elements.put(element.name(), valueOf(variable.group(1), values));
+            }
+        }
+        if (takesFile(operation)) {
+            elements.put(CONTENT, base64("{}"));
+        }
+        return call(caller, operation, soap.get(operation).written(elements));
+    }
+
+    /** What a deed does, through SOAP: its address, its parameters and its body are the elements of the call. */
+    public Http.Answer soap(Deeds.Deed deed, String operation) {
+        String[] path = deed.path().split("\\?", 2);
+        ObjectNode elements = JSON.createObjectNode();
+        if (takesFile(operation)) {
+            elements.put(CONTENT, base64(deed.body()));
+        } else if (!deed.body().isBlank()) {
+            JSON.readTree(deed.body()).properties().forEach(member -> elements.set(member.getKey(), member.getValue()));
+        }
+        String[] parts = path[0].split("/");
+        String[] pattern = restOf(operation).replaceFirst(".* ", "").split("/");
+        int variable = 0;
+        for (int i = 0; i < pattern.length; i++) {
+            if (pattern[i].startsWith("{")) {
+                elements.put(elements(operation).get(variable++).name(), parts[i]);
+            }
+        }
+        if (path.length > 1) {
+            for (String parameter : path[1].split("&")) {
+                String[] both = parameter.split("=", 2);
+                elements.put(both[0], both[1]);
+            }
+        }
+        return call(deed.who(), operation, soap.get(operation).written(elements));
+    }
+
+    private boolean takesFile(String operation) {
+        return elements(operation).stream().anyMatch(element -> element.name().equals(CONTENT));
+    }
+
+    private static String base64(String text) {
+        return Base64.getEncoder().encodeToString(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static String valueOf(String variable, Map<String, String> values) {
+        return values.getOrDefault(variable, variable.equals("number") ? "1" : "nosuchthing");
+    }
+
+    /** The word for what is wrong in a fault, such as {@code forbidden}; empty when it is none. */
+    public static String wrong(String answer) {
+        Matcher type = PROBLEM.matcher(answer);
+        return type.find() ? type.group(1) : "";
     }
 
     /** Elements of a call in the order that the description wants. */

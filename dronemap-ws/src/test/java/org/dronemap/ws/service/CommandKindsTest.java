@@ -2,18 +2,17 @@ package org.dronemap.ws.service;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import jakarta.jws.WebParam;
 import java.io.IOException;
-import java.lang.reflect.Method;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.core.command.CommandKind;
@@ -32,8 +31,6 @@ import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.parameter.ParameterSet;
-import org.dronemap.ws.soap.MAVLinkController;
-import org.dronemap.ws.soap.SoapOutcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -77,6 +74,10 @@ class CommandKindsTest {
             1,
             null);
     private static final Path DESCRIPTION = Path.of("src", "test", "resources", "wire", "openapi.json");
+    private static final Path CONTROLLER =
+            Path.of("src", "test", "resources", "wire", "wsdl", "MAVLinkControllerService.wsdl");
+    private static final Pattern GIVING = Pattern.compile(
+            "name=\"(\\w+)\">\\s*<wsdl:documentation>Give a command \\(operator\\): (\\w+)</wsdl:documentation>");
     private static final Alternatives ALTERNATIVES =
             Alternatives.of(CommandRequest.class).orElseThrow();
     private static final Set<String> TYPES = ALTERNATIVES.records().keySet();
@@ -119,54 +120,17 @@ class CommandKindsTest {
         };
     }
 
-    /** The operation of SOAP that gives it; empty where clients of SOAP are not to. */
-    private static Optional<String> soap(CommandKind kind) {
-        return switch (kind) {
-            case ARM -> Optional.of("arm");
-            case DISARM -> Optional.of("disarm");
-            case SET_MODE -> Optional.of("setMode");
-            case TAKE_OFF -> Optional.of("takeoff");
-            case LAND -> Optional.of("land");
-            case RETURN_TO_LAUNCH -> Optional.of("returnToLaunch");
-            case HOLD -> Optional.of("hold");
-            case EMERGENCY_STOP -> Optional.of("emergencyStop");
-            case GO_TO -> Optional.of("goTo");
-            case GO_TO_LOCAL -> Optional.of("goToLocal");
-            case TURN -> Optional.of("turn");
-            case UPLOAD_MISSION -> Optional.of("uploadMission");
-            case START_MISSION -> Optional.of("startMission");
-            case PAUSE_MISSION -> Optional.of("pauseMission");
-            case CLEAR_MISSION -> Optional.of("clearMission");
-            case SET_HOME -> Optional.of("setHome");
-            case TAKE_PICTURE -> Optional.of("takePicture");
-            case SET_RELAY -> Optional.of("setRelay");
-            case READ_PARAMETERS -> Optional.of("readParameters");
-            case SET_PARAMETERS -> Optional.of("setParameter");
-            case READ_MAP -> Optional.of("readMap");
-            // Clients of SOAP read homes with the drone; logs, fences and rally points are for people at the page.
-            case READ_HOME, READ_LOGS, DOWNLOAD_LOG, READ_FENCE, SET_FENCE, READ_RALLY_POINTS, SET_RALLY_POINTS ->
-                Optional.empty();
-            // Given by the cloud alone.
-            case SET_RETURN_HEIGHT, RETURN_ON_LOSS, SET_CLOUD_LOSS, PUT_BACK -> Optional.empty();
-        };
-    }
-
     @Test
-    void hasAnOperationOfSoapForEachKindAndNoneBeside() {
-        Set<String> giving = Stream.of(MAVLinkController.class.getMethods())
-                .filter(method -> method.getReturnType() == SoapOutcome.class && isOfADrone(method))
-                .map(Method::getName)
-                .collect(Collectors.toSet());
+    void hasAnOperationOfSoapForEachTypeAndNoneBeside() throws IOException {
+        Map<String, String> giving = new TreeMap<>();
+        Matcher found = GIVING.matcher(Files.readString(CONTROLLER));
+        while (found.find()) {
+            giving.put(found.group(2), found.group(1));
+        }
 
-        assertThat(Stream.of(CommandKind.values()).flatMap(kind -> soap(kind).stream()))
-                .containsExactlyInAnyOrderElementsOf(giving);
-    }
-
-    private static boolean isOfADrone(Method method) {
-        return Arrays.stream(method.getParameters())
-                .findFirst()
-                .filter(first -> first.getAnnotation(WebParam.class).name().equals(MAVLinkController.DRONE))
-                .isPresent();
+        assertThat(giving.keySet()).isEqualTo(TYPES);
+        assertThat(giving).allSatisfy((type, name) -> assertThat(name).isEqualToIgnoringCase(type));
+        assertThat(giving).containsEntry("takeOff", "takeoff").containsEntry("goTo", "goto");
     }
 
     @ParameterizedTest

@@ -8,9 +8,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.apache.cxf.Bus;
-import org.apache.cxf.endpoint.Server;
-import org.apache.cxf.endpoint.ServerRegistry;
+import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
@@ -27,10 +25,7 @@ class SoapWireTest {
         Http http = new Http(house, "");
         Map<String, String> described = new TreeMap<>();
         Deque<String> open = new ArrayDeque<>();
-        for (Server service :
-                house.bean(Bus.class).getExtension(ServerRegistry.class).getServers()) {
-            open.add("/services" + service.getEndpoint().getEndpointInfo().getAddress() + "?wsdl");
-        }
+        new Faces(house).services().forEach(service -> open.add(service + "?wsdl"));
         while (!open.isEmpty()) {
             String path = open.remove();
             Http.Answer answer = http.get(path);
