@@ -7,6 +7,30 @@ export type paths = Record<string, never>;
 export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
+        /** @description Start the motors. */
+        ArmCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "arm";
+        };
+        /** @description Delete the mission on the vehicle. */
+        ClearMissionCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "clearMission";
+        };
         CommandOutcomeView: {
             /** @enum {string|null} */
             by: "gate" | "vehicle" | null;
@@ -25,76 +49,8 @@ export interface components {
             /** Format: int32 */
             total: number;
         };
-        /** @description A command; which members are needed depends on the type. */
-        CommandRequest: {
-            /**
-             * Format: double
-             * @description takeOff, goTo, setHome: metres
-             */
-            altitude?: number | null;
-            /**
-             * @description goTo, setHome: home as it is now (the default) or amsl
-             * @enum {string|null}
-             */
-            altitudeReference?: "home" | "amsl" | null;
-            /**
-             * Format: double
-             * @description turn: degrees from where it looks now, clockwise when positive
-             */
-            degrees?: number | null;
-            /**
-             * Format: int64
-             * @description The epoch of the control that you believe to have: refused when that has ended
-             */
-            epoch?: number | null;
-            /** @description disarm: stop the motors even in the air */
-            force?: boolean | null;
-            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
-            id?: string | null;
-            /** @description uploadMission: 1 to 500 items */
-            items?: components["schemas"]["MissionItemView"][] | null;
-            /**
-             * Format: double
-             * @description goTo, setHome: degrees; setHome without a place means where the vehicle is
-             */
-            latitude?: number | null;
-            /**
-             * Format: double
-             * @description goTo, setHome: degrees
-             */
-            longitude?: number | null;
-            /** @description setMode: one of the drone's modes */
-            mode?: string | null;
-            /**
-             * @description startMission: what the vehicle does by itself when it no longer hears the cloud: continue (the default) or rtl
-             * @enum {string|null}
-             */
-            onCloudLoss?: "continue" | "rtl" | null;
-            /** @description setParameters: what is to be changed */
-            parameters?: components["schemas"]["CommandParameterRequest"][] | null;
-            /**
-             * Format: int32
-             * @description setRelay: 0 to 15
-             */
-            relay?: number | null;
-            /**
-             * @description setRelay
-             * @enum {string|null}
-             */
-            setting?: "off" | "on" | "toggle" | null;
-            /** @enum {string} */
-            type: "arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "goTo" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "turn" | "takePicture" | "setRelay" | "setHome" | "readHome" | "readParameters" | "setParameters" | "readLogs" | "goToLocal" | "emergencyStop" | "readMap";
-            /**
-             * Format: double
-             * @description goToLocal: metres along the x axis of the vehicle's own map
-             */
-            x?: number | null;
-            /**
-             * Format: double
-             * @description goToLocal: metres along the y axis of the vehicle's own map
-             */
-            y?: number | null;
-        };
+        /** @description A command; which members there are depends on the type. */
+        CommandRequest: components["schemas"]["ArmCommand"] | components["schemas"]["DisarmCommand"] | components["schemas"]["SetModeCommand"] | components["schemas"]["TakeOffCommand"] | components["schemas"]["LandCommand"] | components["schemas"]["ReturnToLaunchCommand"] | components["schemas"]["HoldCommand"] | components["schemas"]["GoToCommand"] | components["schemas"]["UploadMissionCommand"] | components["schemas"]["StartMissionCommand"] | components["schemas"]["PauseMissionCommand"] | components["schemas"]["ClearMissionCommand"] | components["schemas"]["TurnCommand"] | components["schemas"]["TakePictureCommand"] | components["schemas"]["SetRelayCommand"] | components["schemas"]["SetHomeCommand"] | components["schemas"]["ReadHomeCommand"] | components["schemas"]["ReadParametersCommand"] | components["schemas"]["SetParametersCommand"] | components["schemas"]["ReadLogsCommand"] | components["schemas"]["GoToLocalCommand"] | components["schemas"]["EmergencyStopCommand"] | components["schemas"]["ReadMapCommand"];
         CommandView: {
             /** Format: date-time */
             at: string;
@@ -154,6 +110,20 @@ export interface components {
              * @enum {string}
              */
             state: "free" | "held" | "pilot";
+        };
+        /** @description Stop the motors. */
+        DisarmCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Even in the air */
+            force?: boolean | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "disarm";
         };
         DroneActionView: {
             allowed: boolean;
@@ -341,6 +311,18 @@ export interface components {
             vehicle: string;
             /** Format: int64 */
             version: number;
+        };
+        /** @description Stand still at once, and give up whatever it was driving to. */
+        EmergencyStopCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "emergencyStop";
         };
         /** @description What changes all the time; null: nobody knows it. */
         FollowNowView: {
@@ -537,6 +519,84 @@ export interface components {
             /** @description What it said, the newest 30, the oldest first; first why this drone was chosen */
             told: components["schemas"]["FollowToldView"][];
         };
+        /** @description Fly to a place and stay there. */
+        GoToCommand: {
+            /**
+             * Format: double
+             * @description Metres
+             */
+            altitude: number;
+            /**
+             * @description home as it is now (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude: number;
+            /** @enum {string} */
+            type: "goTo";
+        };
+        /** @description Go to a place on the vehicle's own map. */
+        GoToLocalCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "goToLocal";
+            /**
+             * Format: double
+             * @description Metres along the x axis of that map
+             */
+            x: number;
+            /**
+             * Format: double
+             * @description Metres along the y axis of that map
+             */
+            y: number;
+        };
+        /** @description Stop and stay where it is. */
+        HoldCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "hold";
+        };
+        /** @description Land where it is. */
+        LandCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "land";
+        };
         /** @description One step of a mission; which members are there depends on the type. */
         MissionItemView: {
             /**
@@ -610,6 +670,18 @@ export interface components {
             state: "kept" | "waits" | "returns" | "helpless" | "leftAlone";
             /** @description A sentence: what happens then */
             then: string;
+        };
+        /** @description Stop in its mission. */
+        PauseMissionCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "pauseMission";
         };
         PlanDroneName: {
             id: string;
@@ -767,18 +839,84 @@ export interface components {
         /** @description Why a request was not carried out (RFC 9457); the detail is a sentence for people. */
         Problem: {
             allowed?: string;
+            /** @description Why exactly, for programs; docs/problems.md lists them */
+            code: string;
             commandId?: string;
             detail: string;
             field?: string;
             /** Format: date-time */
             heldSince?: string;
             holder?: string;
+            /** @description What the detail is about; which of them come with which code, docs/problems.md tells */
+            parameters: {
+                [key: string]: unknown;
+            };
             /** Format: int64 */
             retryAfterSeconds?: number;
             /** Format: int32 */
             status: number;
             title: string;
             type: string;
+        };
+        /** @description Ask the vehicle where its home is. */
+        ReadHomeCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "readHome";
+        };
+        /** @description List the logs on the vehicle. */
+        ReadLogsCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "readLogs";
+        };
+        /** @description Ask the vehicle for the map that it goes by. */
+        ReadMapCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "readMap";
+        };
+        /** @description Read all parameters of the vehicle. */
+        ReadParametersCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "readParameters";
+        };
+        /** @description Fly home and land there. */
+        ReturnToLaunchCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "returnToLaunch";
         };
         RunCountsView: {
             /** Format: int64 */
@@ -950,6 +1088,102 @@ export interface components {
             visits: components["schemas"]["RunVisitView"][];
             /** @description Why nobody visits it */
             why: string | null;
+        };
+        /** @description Move home; without a place to where the vehicle is. */
+        SetHomeCommand: {
+            /**
+             * Format: double
+             * @description Metres
+             */
+            altitude?: number | null;
+            /**
+             * @description home as it is now (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude?: number | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude?: number | null;
+            /** @enum {string} */
+            type: "setHome";
+        };
+        /** @description Change the mode. */
+        SetModeCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @description One of the drone's modes */
+            mode: string;
+            /** @enum {string} */
+            type: "setMode";
+        };
+        /** @description Change parameters of the vehicle. */
+        SetParametersCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @description What is to be changed */
+            parameters: components["schemas"]["CommandParameterRequest"][];
+            /** @enum {string} */
+            type: "setParameters";
+        };
+        /** @description Switch a relay on the vehicle. */
+        SetRelayCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * Format: int32
+             * @description Which relay, 0 to 15
+             */
+            relay: number;
+            /** @enum {string} */
+            setting: "off" | "on" | "toggle";
+            /** @enum {string} */
+            type: "setRelay";
+        };
+        /** @description Fly the mission on the vehicle. */
+        StartMissionCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * @description What the vehicle does by itself when it no longer hears the cloud: continue (the default) or rtl
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
+            /** @enum {string} */
+            type: "startMission";
         };
         /** @description Each -1 to 1, with 0 in the middle; what is left out is there. */
         SteeringSticks: {
@@ -1225,6 +1459,66 @@ export interface components {
             /** @enum {string} */
             type: "zoneRemoved";
         };
+        /** @description Climb straight up. */
+        TakeOffCommand: {
+            /**
+             * Format: double
+             * @description Metres above home
+             */
+            altitude: number;
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "takeOff";
+        };
+        /** @description Take one picture. */
+        TakePictureCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "takePicture";
+        };
+        /** @description Turn on the spot. */
+        TurnCommand: {
+            /**
+             * Format: double
+             * @description Degrees from where it looks now, clockwise when positive
+             */
+            degrees: number;
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @enum {string} */
+            type: "turn";
+        };
+        /** @description Bring a mission to the vehicle in place of the one it has. */
+        UploadMissionCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /** @description 1 to 500 items */
+            items: components["schemas"]["MissionItemView"][];
+            /** @enum {string} */
+            type: "uploadMission";
+        };
         VirtualDroneAreaView: {
             /**
              * Format: double
@@ -1407,6 +1701,8 @@ export interface components {
     headers: never;
     pathItems: never;
 }
+export type ArmCommand = components['schemas']['ArmCommand'];
+export type ClearMissionCommand = components['schemas']['ClearMissionCommand'];
 export type CommandOutcomeView = components['schemas']['CommandOutcomeView'];
 export type CommandParameterRequest = components['schemas']['CommandParameterRequest'];
 export type CommandProgressView = components['schemas']['CommandProgressView'];
@@ -1415,6 +1711,7 @@ export type CommandView = components['schemas']['CommandView'];
 export type ControlAskedView = components['schemas']['ControlAskedView'];
 export type ControlChangeView = components['schemas']['ControlChangeView'];
 export type ControlView = components['schemas']['ControlView'];
+export type DisarmCommand = components['schemas']['DisarmCommand'];
 export type DroneActionView = components['schemas']['DroneActionView'];
 export type DroneAttitudeView = components['schemas']['DroneAttitudeView'];
 export type DroneBatteryView = components['schemas']['DroneBatteryView'];
@@ -1432,6 +1729,7 @@ export type DronePositionView = components['schemas']['DronePositionView'];
 export type DroneQualityView = components['schemas']['DroneQualityView'];
 export type DroneSensedNumbersView = components['schemas']['DroneSensedNumbersView'];
 export type DroneView = components['schemas']['DroneView'];
+export type EmergencyStopCommand = components['schemas']['EmergencyStopCommand'];
 export type FollowNowView = components['schemas']['FollowNowView'];
 export type FollowOtherView = components['schemas']['FollowOtherView'];
 export type FollowPhoneView = components['schemas']['FollowPhoneView'];
@@ -1441,8 +1739,13 @@ export type FollowPositionRequest = components['schemas']['FollowPositionRequest
 export type FollowReceipt = components['schemas']['FollowReceipt'];
 export type FollowToldView = components['schemas']['FollowToldView'];
 export type FollowView = components['schemas']['FollowView'];
+export type GoToCommand = components['schemas']['GoToCommand'];
+export type GoToLocalCommand = components['schemas']['GoToLocalCommand'];
+export type HoldCommand = components['schemas']['HoldCommand'];
+export type LandCommand = components['schemas']['LandCommand'];
 export type MissionItemView = components['schemas']['MissionItemView'];
 export type OutlookView = components['schemas']['OutlookView'];
+export type PauseMissionCommand = components['schemas']['PauseMissionCommand'];
 export type PlanDroneName = components['schemas']['PlanDroneName'];
 export type PlanFlightView = components['schemas']['PlanFlightView'];
 export type PlanLaunchView = components['schemas']['PlanLaunchView'];
@@ -1455,6 +1758,11 @@ export type PlanTourView = components['schemas']['PlanTourView'];
 export type PlanUnservedView = components['schemas']['PlanUnservedView'];
 export type PlanView = components['schemas']['PlanView'];
 export type Problem = components['schemas']['Problem'];
+export type ReadHomeCommand = components['schemas']['ReadHomeCommand'];
+export type ReadLogsCommand = components['schemas']['ReadLogsCommand'];
+export type ReadMapCommand = components['schemas']['ReadMapCommand'];
+export type ReadParametersCommand = components['schemas']['ReadParametersCommand'];
+export type ReturnToLaunchCommand = components['schemas']['ReturnToLaunchCommand'];
 export type RunCountsView = components['schemas']['RunCountsView'];
 export type RunDroneView = components['schemas']['RunDroneView'];
 export type RunExplanationView = components['schemas']['RunExplanationView'];
@@ -1465,6 +1773,11 @@ export type RunTaskView = components['schemas']['RunTaskView'];
 export type RunView = components['schemas']['RunView'];
 export type RunVisitView = components['schemas']['RunVisitView'];
 export type RunWaypointView = components['schemas']['RunWaypointView'];
+export type SetHomeCommand = components['schemas']['SetHomeCommand'];
+export type SetModeCommand = components['schemas']['SetModeCommand'];
+export type SetParametersCommand = components['schemas']['SetParametersCommand'];
+export type SetRelayCommand = components['schemas']['SetRelayCommand'];
+export type StartMissionCommand = components['schemas']['StartMissionCommand'];
 export type SteeringSticks = components['schemas']['SteeringSticks'];
 export type SteeringVelocity = components['schemas']['SteeringVelocity'];
 export type StreamAuthenticateRequest = components['schemas']['StreamAuthenticateRequest'];
@@ -1498,6 +1811,10 @@ export type StreamVirtualDroneChanged = components['schemas']['StreamVirtualDron
 export type StreamVirtualDroneRemoved = components['schemas']['StreamVirtualDroneRemoved'];
 export type StreamZoneChanged = components['schemas']['StreamZoneChanged'];
 export type StreamZoneRemoved = components['schemas']['StreamZoneRemoved'];
+export type TakeOffCommand = components['schemas']['TakeOffCommand'];
+export type TakePictureCommand = components['schemas']['TakePictureCommand'];
+export type TurnCommand = components['schemas']['TurnCommand'];
+export type UploadMissionCommand = components['schemas']['UploadMissionCommand'];
 export type VirtualDroneAreaView = components['schemas']['VirtualDroneAreaView'];
 export type VirtualDroneDroneName = components['schemas']['VirtualDroneDroneName'];
 export type VirtualDroneLiveView = components['schemas']['VirtualDroneLiveView'];
