@@ -10,7 +10,7 @@ import org.dronemap.core.drone.DroneState;
 
 /** Use cases around drones: list, look, name, remove. Any thread. */
 public final class DroneService {
-    private static final int LONGEST_NAME = 60;
+    static final int LONGEST_NAME = 60;
 
     private final CloudManager cloud;
     private final DroneViews views;

@@ -31,8 +31,8 @@ final class TourReader {
     private static final String COUNT = "1 to " + Mission.MAX_ITEMS + " waypoints";
     private static final String ENDINGS = "returnToLaunch, hold or land";
     private static final double USUAL_SECONDS = 1;
-    private static final double LEAST_SECONDS = 0.1;
-    private static final double MOST_SECONDS = 5;
+    static final double LEAST_SECONDS = 0.1;
+    static final int MOST_SECONDS = 5;
     private static final double MILLIS = 1_000;
 
     private final DroneService drones;
@@ -112,7 +112,7 @@ final class TourReader {
     private static Duration search(@Nullable Double seconds) {
         double asked = seconds == null ? USUAL_SECONDS : seconds;
         if (!(asked >= LEAST_SECONDS && asked <= MOST_SECONDS)) {
-            throw InvalidInput.outside("seconds", "0.1 to 5 seconds", asked);
+            throw InvalidInput.outside("seconds", LEAST_SECONDS + " to " + MOST_SECONDS + " seconds", asked);
         }
         return Duration.ofMillis(Math.round(asked * MILLIS));
     }
