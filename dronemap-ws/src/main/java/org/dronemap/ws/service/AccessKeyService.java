@@ -81,7 +81,7 @@ public final class AccessKeyService {
         String secret = secrets.token();
         AccessKey key = new AccessKey(
                 UUID.randomUUID().toString(),
-                Names.checked("label", request.label(), 60),
+                Names.checked("label", request.label(), KeyRequest.LONGEST_LABEL),
                 principal.name(),
                 principal.key(),
                 rights,

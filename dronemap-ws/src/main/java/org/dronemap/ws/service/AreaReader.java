@@ -31,7 +31,7 @@ final class AreaReader {
                 new FenceZone.Circle(
                         inside,
                         position(at + ".coordinates", geometry.coordinates()),
-                        Ranges.checked(radiusField, radius, 1, 100_000, "m"));
+                        Ranges.radius(radiusField, radius));
             default ->
                 throw InvalidInput.outside(
                         ValueProblem.VALUE_NOT_ALLOWED,

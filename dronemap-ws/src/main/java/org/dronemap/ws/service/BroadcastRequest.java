@@ -2,6 +2,8 @@ package org.dronemap.ws.service;
 
 import com.fasterxml.jackson.annotation.JsonFormat;
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Pattern;
+import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -13,6 +15,7 @@ public record BroadcastRequest(
                 requiredMode = Schema.RequiredMode.REQUIRED,
                 example = "all")
         @JsonFormat(with = JsonFormat.Feature.ACCEPT_SINGLE_VALUE_AS_ARRAY)
+        @Size(min = 1, max = BroadcastService.MOST_DRONES)
         @Nullable
         List<@Nullable String> drones,
 
@@ -20,5 +23,6 @@ public record BroadcastRequest(
         CommandRequest command,
 
         @Schema(description = "Your own id (8 to 36 of A-Z a-z 0-9 _ -): the same id twice acts once on each drone")
+        @Pattern(regexp = BroadcastService.ID)
         @Nullable
         String id) {}

@@ -20,7 +20,8 @@ public final class BroadcastService {
     private static final String ALL = "all";
     private static final String DRONES_FORM = "\"all\" or a list of 1 to 1000 ids of drones";
     private static final String ID_FORM = "8 to 36 of A-Z, a-z, 0-9, _ and -";
-    private static final int MOST_DRONES = 1_000;
+    static final String ID = "^[A-Za-z0-9_-]{8,36}$";
+    static final int MOST_DRONES = 1_000;
     private static final int LONGEST_COMMAND_ID = 64;
 
     private final CloudManager cloud;
@@ -145,7 +146,7 @@ public final class BroadcastService {
         if (given == null) {
             return "all-" + commands.newId().substring(0, 18);
         }
-        if (!given.matches("[A-Za-z0-9_-]{8,36}")) {
+        if (!given.matches(ID)) {
             throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, "id", ID_FORM, "\"" + given + "\"");
         }
         return given;

@@ -3,10 +3,15 @@ package org.dronemap.ws.service;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Pattern;
+import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.Mission;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
@@ -46,6 +51,7 @@ public sealed interface CommandRequest {
     CommandKind kind();
 
     @Schema(description = "Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once")
+    @Pattern(regexp = CommandService.ID)
     @Nullable
     String id();
 
@@ -90,7 +96,10 @@ public sealed interface CommandRequest {
 
     @Schema(name = "TakeOffCommand", description = "Climb straight up.")
     record TakeOff(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres above home") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres above home")
+            @Min(Ranges.LEAST_TAKE_OFF)
+            @Max(Ranges.MOST_TAKE_OFF)
+            @Nullable
             Double altitude,
 
             @Nullable String id,
@@ -128,13 +137,22 @@ public sealed interface CommandRequest {
 
     @Schema(name = "GoToCommand", description = "Fly to a place and stay there.")
     record GoTo(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
+            @Min(-Ranges.LATITUDE)
+            @Max(Ranges.LATITUDE)
+            @Nullable
             Double latitude,
 
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
+            @Min(-Ranges.LONGITUDE)
+            @Max(Ranges.LONGITUDE)
+            @Nullable
             Double longitude,
 
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres")
+            @Min(Altitude.LOWEST_PLANNED_METERS)
+            @Max(Altitude.HIGHEST_PLANNED_METERS)
+            @Nullable
             Double altitude,
 
             @Schema(description = "home as it is now (the default) or amsl")
@@ -153,7 +171,9 @@ public sealed interface CommandRequest {
 
     @Schema(name = "UploadMissionCommand", description = "Bring a mission to the vehicle in place of the one it has.")
     record UploadMission(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "1 to 500 items") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "1 to 500 items")
+            @Size(min = 1, max = Mission.MAX_ITEMS)
+            @Nullable
             List<MissionItemView> items,
 
             @Nullable String id,
@@ -204,6 +224,8 @@ public sealed interface CommandRequest {
             @Schema(
                     requiredMode = Schema.RequiredMode.REQUIRED,
                     description = "Degrees from where it looks now, clockwise when positive")
+            @Min(-Ranges.MOST_TURN)
+            @Max(Ranges.MOST_TURN)
             @Nullable
             Double degrees,
 
@@ -226,7 +248,10 @@ public sealed interface CommandRequest {
 
     @Schema(name = "SetRelayCommand", description = "Switch a relay on the vehicle.")
     record SetRelay(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Which relay, 0 to 15") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Which relay, 0 to 15")
+            @Min(0)
+            @Max(Ranges.LAST_RELAY)
+            @Nullable
             Integer relay,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @ValuesOf(RelaySetting.class) @Nullable
@@ -243,11 +268,17 @@ public sealed interface CommandRequest {
 
     @Schema(name = "SetHomeCommand", description = "Move home; without a place to where the vehicle is.")
     record SetHome(
-            @Schema(description = "Degrees") @Nullable Double latitude,
+            @Schema(description = "Degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            Double latitude,
 
-            @Schema(description = "Degrees") @Nullable Double longitude,
+            @Schema(description = "Degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            Double longitude,
 
-            @Schema(description = "Metres") @Nullable Double altitude,
+            @Schema(description = "Metres")
+            @Min(Altitude.LOWEST_PLANNED_METERS)
+            @Max(Altitude.HIGHEST_PLANNED_METERS)
+            @Nullable
+            Double altitude,
 
             @Schema(description = "home as it is now (the default) or amsl")
             @ValuesOf(Altitude.Reference.class)
@@ -281,7 +312,9 @@ public sealed interface CommandRequest {
 
     @Schema(name = "SetParametersCommand", description = "Change parameters of the vehicle.")
     record SetParameters(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "What is to be changed") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "What is to be changed")
+            @Size(min = 1, max = ParameterReader.MOST)
+            @Nullable
             List<ParameterRequest> parameters,
 
             @Nullable String id,
@@ -304,10 +337,14 @@ public sealed interface CommandRequest {
     @Schema(name = "GoToLocalCommand", description = "Go to a place on the vehicle's own map.")
     record GoToLocal(
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres along the x axis of that map")
+            @Min(-Ranges.MOST_ON_MAP)
+            @Max(Ranges.MOST_ON_MAP)
             @Nullable
             Double x,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres along the y axis of that map")
+            @Min(-Ranges.MOST_ON_MAP)
+            @Max(Ranges.MOST_ON_MAP)
             @Nullable
             Double y,
 

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
-import java.util.regex.Pattern;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.Sight;
@@ -26,7 +25,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Use cases around commands; the one way from any face to the gate. Any thread. */
 public final class CommandService {
-    private static final Pattern ID = Pattern.compile("[A-Za-z0-9_-]{8,64}");
+    static final String ID = "^[A-Za-z0-9_-]{8,64}$";
     private static final String ID_FORM = "8 to 64 of A-Z, a-z, 0-9, _ and -";
     private static final int MOST_SHOWN = 50;
     private final CloudManager cloud;
@@ -208,6 +207,6 @@ public final class CommandService {
     }
 
     private static boolean isId(String text) {
-        return ID.matcher(text).matches();
+        return text.matches(ID);
     }
 }

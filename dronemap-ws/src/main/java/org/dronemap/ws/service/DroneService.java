@@ -13,7 +13,7 @@ import org.dronemap.core.drone.LinkState;
 
 /** Use cases around drones: list, look, name, remove. Any thread. */
 public final class DroneService {
-    private static final int LONGEST_NAME = 60;
+    static final int LONGEST_NAME = 60;
 
     private static final Set<LinkState> HEARD = EnumSet.of(LinkState.LIVE, LinkState.SUSPECT);
 

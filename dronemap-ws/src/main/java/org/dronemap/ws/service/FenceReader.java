@@ -10,7 +10,9 @@ import org.jspecify.annotations.Nullable;
 /** Turns a fence or rally points that a client wrote into the real ones, or says which member is wrong. */
 final class FenceReader {
     private static final String TYPES = "polygon or circle";
-    private static final String CORNERS = "3 to 100 corners";
+    static final int LEAST_CORNERS = 3;
+    static final int MOST_CORNERS = 100;
+    private static final String CORNERS = LEAST_CORNERS + " to " + MOST_CORNERS + " corners";
     private static final String ZONES = "at most 50 zones";
     private static final String POINTS = "at most 50 points";
     static final int MOST = 50;
@@ -44,7 +46,7 @@ final class FenceReader {
                 new FenceZone.Circle(
                         zone.inside(),
                         point(at + "center.", zone.center()),
-                        Ranges.checked(at + "radius", zone.radius(), 1, 100_000, "m"));
+                        Ranges.radius(at + "radius", zone.radius()));
             case "" -> throw InvalidInput.missing(at + "type", TYPES);
             default ->
                 throw InvalidInput.outside(
@@ -53,14 +55,14 @@ final class FenceReader {
     }
 
     private static List<Geodetic> corners(String at, @Nullable List<FenceView.PointView> corners) {
-        if (corners == null || corners.size() < 3 || corners.size() > 100) {
+        if (corners == null || corners.size() < LEAST_CORNERS || corners.size() > MOST_CORNERS) {
             throw InvalidInput.outside(
                     ValueProblem.SIZE_OUT_OF_RANGE,
                     at + "corners",
                     CORNERS,
                     corners == null ? "nothing" : corners.size(),
-                    ProblemParameter.LEAST.is(3),
-                    ProblemParameter.MOST.is(100));
+                    ProblemParameter.LEAST.is(LEAST_CORNERS),
+                    ProblemParameter.MOST.is(MOST_CORNERS));
         }
         List<Geodetic> read = new ArrayList<>();
         for (int index = 0; index < corners.size(); index++) {

@@ -1,6 +1,9 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
@@ -17,14 +20,23 @@ public record FenceView(@Nullable List<ZoneView> zones) {
             String type,
 
             @Nullable Boolean inside,
-            @Nullable List<PointView> corners,
+
+            @Size(min = FenceReader.LEAST_CORNERS, max = FenceReader.MOST_CORNERS) @Nullable
+            List<PointView> corners,
+
             @Nullable PointView center,
-            @Nullable Double radius) {}
+
+            @Min(Ranges.LEAST_RADIUS) @Max(Ranges.MOST_RADIUS) @Nullable
+            Double radius) {}
 
     /** Degrees. */
     @Schema(name = "FencePointView")
     public record PointView(
-            @Nullable Double latitude, @Nullable Double longitude) {
+            @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            Double latitude,
+
+            @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            Double longitude) {
         static PointView of(Geodetic point) {
             return new PointView(point.latitudeDegrees(), point.longitudeDegrees());
         }
@@ -49,8 +61,12 @@ public record FenceView(@Nullable List<ZoneView> zones) {
     /** The altitude is above home, in metres. */
     @Schema(name = "FenceRallyPointView")
     public record RallyPointView(
-            @Nullable Double latitude,
-            @Nullable Double longitude,
+            @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            Double latitude,
+
+            @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            Double longitude,
+
             @Nullable Double altitude) {}
 
     static FenceView of(@Nullable List<FenceZone> zones) {

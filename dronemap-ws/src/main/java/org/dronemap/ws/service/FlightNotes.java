@@ -1,12 +1,14 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import org.jspecify.annotations.Nullable;
 
 /** What people write about a flight. */
 @Schema(name = "FlightNotes")
-public record FlightNotes(@Nullable String notes) {
-    private static final int LONGEST = 4_000;
+public record FlightNotes(
+        @Size(max = FlightNotes.LONGEST) @Nullable String notes) {
+    static final int LONGEST = 4_000;
     private static final String ALLOWED = "0 to " + LONGEST + " characters";
 
     String checked() {

@@ -126,6 +126,7 @@ public final class FlightService {
 
     public FlightView annotate(Principal principal, String id, FlightNotes notes) {
         Roles.require(principal, Role.OPERATOR);
+        String written = notes.checked();
         Flight flight = find(principal, id);
         Roles.require(principal, Role.OPERATOR, flight.drone());
         if (sight(principal, flight) != Sight.ALL) {
@@ -133,7 +134,7 @@ public final class FlightService {
                     DroneProblem.OF_ANOTHER_ORGANISATION,
                     "The drone was another organisation's then; only that one writes notes.");
         }
-        flights.annotate(id, notes.checked());
+        flights.annotate(id, written);
         return flight(principal, id);
     }
 

@@ -14,10 +14,30 @@ import org.jspecify.annotations.Nullable;
 /** Turns what a client wants of a follow into what the follow understands, or says which member is wrong. */
 final class FollowReader {
     private static final FollowOrder.Place USUAL = new FollowOrder.Place(new Side.Behind(), 8, 15);
-    private static final int LONGEST_NAME = 60;
-    private static final int MOST_POSITIONS = 60;
+    static final int LONGEST_NAME = 60;
+    static final int MOST_POSITIONS = 60;
+    static final int MOST_MINUTES = 60;
+    /** Of a drone, in m/s. */
+    static final int FASTEST = 15;
+    /** In m/s. */
+    static final int FASTEST_PHONE = 100;
+    /** In seconds. */
+    static final int LEAST_PATIENCE = 10;
+
+    static final int MOST_PATIENCE = 600;
+    /** In degrees. */
+    static final int FULL_CIRCLE = 360;
+    /** In degrees a second, either way. */
+    static final int MOST_TURN = 30;
+    /** In metres on the ground. */
+    static final int FARTHEST = 200;
+    /** In milliseconds. */
+    static final int LONGEST_ROUND_TRIP = 60_000;
+    /** In metres. */
+    static final int WORST_ACCURACY = 100_000;
+
     /** All that a page's numbers tell apart. */
-    private static final long MOST_ID = (1L << 53) - 1;
+    static final long MOST_ID = (1L << 53) - 1;
 
     private static final Instant EARLIEST = Instant.EPOCH;
     private static final Instant LATEST = Instant.parse("2200-01-01T00:00:00Z");
@@ -43,15 +63,16 @@ final class FollowReader {
     }
 
     static double minutes(FollowRequest.OpenRequest request) {
-        return Ranges.checked("minutes", or(request.minutes(), USUAL_MINUTES), 1, 60, "minutes");
+        return Ranges.checked("minutes", or(request.minutes(), USUAL_MINUTES), 1, MOST_MINUTES, "minutes");
     }
 
     static double speed(FollowRequest.OpenRequest request) {
-        return Ranges.checked("speed", or(request.speed(), USUAL_SPEED), 1, 15, "m/s");
+        return Ranges.checked("speed", or(request.speed(), USUAL_SPEED), 1, FASTEST, "m/s");
     }
 
     static int patience(FollowRequest.OpenRequest request) {
-        return (int) Ranges.checked("patience", or(request.patience(), USUAL_PATIENCE), 10, 600, "seconds");
+        return (int) Ranges.checked(
+                "patience", or(request.patience(), USUAL_PATIENCE), LEAST_PATIENCE, MOST_PATIENCE, "seconds");
     }
 
     static FollowOrder.Place place(FollowRequest.OpenRequest request) {
@@ -62,7 +83,7 @@ final class FollowReader {
     static FollowOrder.Place place(FollowRequest.PlaceRequest request, FollowOrder.Place before, String above) {
         return new FollowOrder.Place(
                 side(request, before.side(), above),
-                Ranges.checked(above + "distance", or(request.distance(), before.distanceMeters()), 0, 200, "m"),
+                Ranges.checked(above + "distance", or(request.distance(), before.distanceMeters()), 0, FARTHEST, "m"),
                 Ranges.checked(
                         above + "height",
                         or(request.height(), before.heightMeters()),
@@ -78,7 +99,9 @@ final class FollowReader {
         return switch (request.side()) {
             case "behind" -> new Side.Behind();
             case "ahead" -> new Side.Ahead();
-            case "fixed" -> new Side.Fixed(Ranges.checked(above + "bearing", request.bearing(), -360, 360, "degrees"));
+            case "fixed" ->
+                new Side.Fixed(
+                        Ranges.checked(above + "bearing", request.bearing(), -FULL_CIRCLE, FULL_CIRCLE, "degrees"));
             case "orbit" -> orbit(request, above);
             default ->
                 throw InvalidInput.outside(
@@ -87,7 +110,7 @@ final class FollowReader {
     }
 
     private static Side orbit(FollowRequest.PlaceRequest request, String above) {
-        double turn = Ranges.checked(above + "turn", request.turn(), -30, 30, "degrees a second");
+        double turn = Ranges.checked(above + "turn", request.turn(), -MOST_TURN, MOST_TURN, "degrees a second");
         if (turn == 0) {
             throw InvalidInput.outside(
                     ValueProblem.VALUE_OUT_OF_RANGE,
@@ -125,7 +148,8 @@ final class FollowReader {
         Double roundTrip = request.roundTrip();
         Duration measured = roundTrip == null
                 ? null
-                : Duration.ofMillis((long) Ranges.checked("roundTrip", roundTrip, 0, 60_000, "milliseconds"));
+                : Duration.ofMillis(
+                        (long) Ranges.checked("roundTrip", roundTrip, 0, LONGEST_ROUND_TRIP, "milliseconds"));
         List<Sighting> sightings = new ArrayList<>();
         for (int index = 0; index < positions.size(); index++) {
             sightings.add(sighting(
@@ -165,8 +189,8 @@ final class FollowReader {
             String allowed = "at most " + AHEAD.toSeconds() + " s after \"sent\"";
             throw InvalidInput.outside(ValueProblem.VALUE_OUT_OF_RANGE, field + ".at", allowed, at.toString());
         }
-        Double speed = optional(field + ".speed", position.speed(), 0, 100, "m/s");
-        Double course = optional(field + ".course", position.course(), -360, 360, "degrees");
+        Double speed = optional(field + ".speed", position.speed(), 0, FASTEST_PHONE, "m/s");
+        Double course = optional(field + ".course", position.course(), -FULL_CIRCLE, FULL_CIRCLE, "degrees");
         Instant then = at.isAfter(said.sent()) ? said.sent() : at;
         return new Sighting(
                 // By the time that it is taken for: nothing that comes later may seem to be known.
@@ -178,7 +202,7 @@ final class FollowReader {
                 new Geodetic(
                         Ranges.latitude(field + ".latitude", position.latitude()),
                         Ranges.longitude(field + ".longitude", position.longitude())),
-                Ranges.checked(field + ".accuracy", or(position.accuracy(), USUAL_ACCURACY), 0, 100_000, "m"),
+                Ranges.checked(field + ".accuracy", or(position.accuracy(), USUAL_ACCURACY), 0, WORST_ACCURACY, "m"),
                 speed == null || course == null ? null : new Sighting.Motion(speed, course));
     }
 

@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -18,8 +19,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Groups of users and fleets of drones: named sets of an organisation, for its administrators. Any thread. */
 public final class GroupService {
-    private static final int LONGEST_NAME = 60;
-    private static final int MOST = 500;
+    static final int LONGEST_NAME = 60;
+    static final int MOST = 500;
     private static final String MEMBERS = "names of users, at most " + MOST;
     private static final String DRONES = "ids of drones, at most " + MOST;
 
@@ -30,12 +31,18 @@ public final class GroupService {
     /** A group as an administrator writes it; without members it is empty. */
     @Schema(name = "GroupRequest")
     public record GroupRequest(
-            @Nullable String name, @Nullable List<@Nullable String> members) {}
+            @Size(min = 1, max = GroupService.LONGEST_NAME) @Nullable
+            String name,
+
+            @Size(max = GroupService.MOST) @Nullable List<@Nullable String> members) {}
 
     /** A fleet as an administrator writes it; without drones it is empty. */
     @Schema(name = "FleetRequest")
     public record FleetRequest(
-            @Nullable String name, @Nullable List<@Nullable String> drones) {}
+            @Size(min = 1, max = GroupService.LONGEST_NAME) @Nullable
+            String name,
+
+            @Size(max = GroupService.MOST) @Nullable List<@Nullable String> drones) {}
 
     /** A group; {@code onlyGranted}: its members see nothing but what they, or it, were granted. */
     @Schema(name = "GroupView")

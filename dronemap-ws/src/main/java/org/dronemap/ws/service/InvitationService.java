@@ -1,6 +1,9 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
@@ -17,9 +20,9 @@ import org.jspecify.annotations.Nullable;
 /** Invitations, for administrators. Any thread. */
 public final class InvitationService {
     private static final int DEFAULT_DAYS = 7;
-    private static final int MOST_DAYS = 30;
+    static final int MOST_DAYS = 30;
     private static final int MOST_OPEN = 500;
-    private static final int LONGEST_LABEL = 60;
+    static final int LONGEST_LABEL = 60;
 
     private final AccessStore store;
     private final OrganisationService organisations;
@@ -29,9 +32,14 @@ public final class InvitationService {
     /** Whom to invite as what, for how many days; seven, and into the asker's organisation, unless said otherwise. */
     @Schema(name = "NewInvitation")
     public record NewInvitation(
-            @Nullable String label,
+            @Size(min = 1, max = InvitationService.LONGEST_LABEL) @Nullable
+            String label,
+
             @ValuesOf(Role.class) @Nullable String role,
-            @Nullable Integer days,
+
+            @Min(1) @Max(InvitationService.MOST_DAYS) @Nullable
+            Integer days,
+
             @Nullable String organisation) {}
 
     /**

@@ -1,6 +1,8 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
 import java.util.List;
 import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
@@ -17,7 +19,7 @@ public record KeyArea(
         @Schema(description = "Degrees, longitude first") @Nullable
         Object coordinates,
 
-        @Schema(description = "Point: metres, 1 to 100000") @Nullable
+        @Schema(description = "Point: metres, 1 to 100000") @Min(Ranges.LEAST_RADIUS) @Max(Ranges.MOST_RADIUS) @Nullable
         Double radius) {
     static final String FIELD = "area";
 

@@ -1,6 +1,9 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
@@ -31,18 +34,29 @@ import org.jspecify.annotations.Nullable;
  */
 @Schema(name = "KeyRequest")
 public record KeyRequest(
-        @Nullable String label,
+        @Size(min = 1, max = KeyRequest.LONGEST_LABEL) @Nullable
+        String label,
+
         @ValuesOf(Role.class) @Nullable String role,
         @ValuesOf(Permission.class) @Nullable List<@Nullable String> operations,
-        @Nullable List<@Nullable String> drones,
+
+        @Size(min = 1, max = KeyRequest.MOST_DRONES) @Nullable
+        List<@Nullable String> drones,
+
         @Nullable KeyArea area,
-        @Nullable Double floor,
-        @Nullable Double ceiling,
+
+        @Min(Altitude.LOWEST_PLANNED_METERS) @Max(Altitude.HIGHEST_PLANNED_METERS) @Nullable
+        Double floor,
+
+        @Min(Altitude.LOWEST_PLANNED_METERS) @Max(Altitude.HIGHEST_PLANNED_METERS) @Nullable
+        Double ceiling,
+
         @ValuesOf(Altitude.Reference.class) @Nullable String altitudeReference,
-        @Nullable Integer days) {
+        @Min(1) @Max(KeyRequest.MOST_DAYS) @Nullable Integer days) {
+    static final int LONGEST_LABEL = 60;
     static final String OPERATIONS = "a list of view, plan, command and administer";
-    private static final int MOST_DRONES = 500;
-    private static final int MOST_DAYS = 3650;
+    static final int MOST_DRONES = 500;
+    static final int MOST_DAYS = 3650;
 
     /** Within {@code widest}, from which comes what was left out. */
     KeyRights rights(KeyRights widest, Instant now) {

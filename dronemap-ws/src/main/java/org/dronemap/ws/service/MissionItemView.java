@@ -2,6 +2,8 @@ package org.dronemap.ws.service;
 
 import com.fasterxml.jackson.annotation.JsonInclude;
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -15,10 +17,10 @@ public record MissionItemView(
         @Schema(description = "other: read only") @ValuesOf(MissionItem.Kind.class) @Nullable
         String type,
 
-        @Schema(description = "waypoint, lookAt: degrees") @Nullable
+        @Schema(description = "waypoint, lookAt: degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
         Double latitude,
 
-        @Schema(description = "waypoint, lookAt: degrees") @Nullable
+        @Schema(description = "waypoint, lookAt: degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
         Double longitude,
 
         @Schema(description = "takeOff, waypoint, lookAt: metres") @Nullable

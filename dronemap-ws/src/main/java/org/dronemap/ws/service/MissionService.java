@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -8,13 +9,14 @@ import java.util.List;
 import java.util.UUID;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.mission.SavedMission;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around the mission library. Any thread. */
 public final class MissionService {
-    private static final int LONGEST_NAME = 80;
+    static final int LONGEST_NAME = 80;
 
     private final MissionStore store;
     private final Clock clock;
@@ -22,7 +24,11 @@ public final class MissionService {
     /** A mission as a client writes it. */
     @Schema(name = "MissionRequest")
     public record MissionRequest(
-            @Nullable String name, @Nullable List<MissionItemView> items) {}
+            @Size(min = 1, max = MissionService.LONGEST_NAME) @Nullable
+            String name,
+
+            @Size(min = 1, max = Mission.MAX_ITEMS) @Nullable
+            List<MissionItemView> items) {}
 
     /** A saved mission as clients see it. */
     @Schema(name = "SavedMissionView")

@@ -16,7 +16,6 @@ import org.jspecify.annotations.Nullable;
 final class NeedsReader {
     private static final String KINDS = names(VehicleKind.values());
     private static final String CAPABILITIES = names(Capability.values());
-    private static final int LARGEST_RADIUS_METERS = 100_000;
 
     private NeedsReader() {}
 
@@ -73,7 +72,7 @@ final class NeedsReader {
                         new Geodetic(
                                 Ranges.latitude("needs.area.latitude", area.latitude()),
                                 Ranges.longitude("needs.area.longitude", area.longitude())),
-                        Ranges.checked("needs.area.radius", area.radius(), 1, LARGEST_RADIUS_METERS, "m"));
+                        Ranges.radius("needs.area.radius", area.radius()));
     }
 
     private static <E extends Enum<E>> E named(String field, String name, E[] all, String allowed) {

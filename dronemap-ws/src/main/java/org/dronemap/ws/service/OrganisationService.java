@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -20,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Organisations, for those who run the server: what they hold is counted here, never shown. Any thread. */
 public final class OrganisationService {
-    private static final int LONGEST_NAME = 60;
+    static final int LONGEST_NAME = 60;
     private static final int MOST = 200;
     private static final String HOME_NAME = "Home";
     private static final String ID_FORM = "the id of an organisation";
@@ -34,7 +35,9 @@ public final class OrganisationService {
 
     /** What it is called. */
     @Schema(name = "OrganisationNameRequest")
-    public record NameRequest(@Nullable String name) {}
+    public record NameRequest(
+            @Size(min = 1, max = OrganisationService.LONGEST_NAME) @Nullable
+            String name) {}
 
     /** An organisation as the server's administrators see it. */
     @Schema(name = "OrganisationView")

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 final class ParameterReader {
     private static final String NAMES = "1 to 16 of A-Z, a-z, 0-9, _ . and -";
     private static final String COUNT = "1 to 10000 parameters";
-    private static final int MOST = 10_000;
+    static final int MOST = 10_000;
 
     private ParameterReader() {}
 

@@ -4,8 +4,8 @@ import org.jspecify.annotations.Nullable;
 
 /** What a password must be. */
 final class PasswordRule {
-    private static final int SHORTEST = 10;
-    private static final int LONGEST = 200;
+    static final int SHORTEST = 10;
+    static final int LONGEST = 200;
 
     private PasswordRule() {}
 

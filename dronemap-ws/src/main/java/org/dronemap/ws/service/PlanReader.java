@@ -24,13 +24,18 @@ import org.jspecify.annotations.Nullable;
 /** Turns what a client wrote, what the cloud knows of the drones and what binds them into a problem. Any thread. */
 final class PlanReader {
     static final String DRONES_FORM = "a list of 1 to 100 ids of drones";
-    private static final int MOST_DRONES = 100;
+    static final int MOST_DRONES = 100;
     private static final double USUAL_SECONDS = 5;
-    private static final double LEAST_SECONDS = 0.1;
-    private static final double MOST_SECONDS = 60;
+    static final double LEAST_SECONDS = 0.1;
+    static final int MOST_SECONDS = 60;
     private static final String KINDS = "earliestEnd, leastTime, leastDistance, leastEnergy or weighted";
     private static final String MEASURES = "seconds, meters or joules";
-    private static final int HEAVIEST = 1_000_000;
+    static final int HEAVIEST = 1_000_000;
+    /** In m/s. */
+    static final int STRONGEST_WIND = 100;
+    /** In degrees. */
+    static final int FULL_CIRCLE = 360;
+
     private static final double MILLIS = 1_000;
     /** Profiles of speed are not known to the metre, so more room than must be kept is asked for. */
     private static final Rules RULES = new Rules(new Separation(15, 5), 1 - Selection.WORST_LOSS_PERCENT / 100.0, 3, 5);
@@ -94,10 +99,10 @@ final class PlanReader {
             throw InvalidInput.outside(
                     ValueProblem.VALUE_OUT_OF_RANGE,
                     "seconds",
-                    "0.1 to 60 seconds",
+                    LEAST_SECONDS + " to " + MOST_SECONDS + " seconds",
                     asked,
-                    ProblemParameter.LEAST.is(0.1),
-                    ProblemParameter.MOST.is(60),
+                    ProblemParameter.LEAST.is(LEAST_SECONDS),
+                    ProblemParameter.MOST.is(MOST_SECONDS),
                     ProblemParameter.UNIT.is("seconds"));
         }
         return Duration.ofMillis(Math.round(asked * MILLIS));
@@ -145,7 +150,7 @@ final class PlanReader {
         return asked == null
                 ? Wind.CALM
                 : new Wind(
-                        Ranges.checked("wind.speed", asked.speed(), 0, 100, "m/s"),
-                        Ranges.checked("wind.from", asked.from(), 0, 360, "degrees"));
+                        Ranges.checked("wind.speed", asked.speed(), 0, STRONGEST_WIND, "m/s"),
+                        Ranges.checked("wind.from", asked.from(), 0, FULL_CIRCLE, "degrees"));
     }
 }

@@ -1,27 +1,38 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.DecimalMin;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.cognitive.problem.Objective;
+import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /** What is to be planned, as a client writes it. Nothing is checked yet. */
 @Schema(name = "PlanRequest", description = "Waypoints that are to be shared out among drones.")
 public record PlanRequest(
-        @Schema(description = "1 to 5000", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+        @Schema(description = "1 to 5000", requiredMode = Schema.RequiredMode.REQUIRED)
+        @Size(min = 1, max = PlanWaypoints.MOST)
+        @Nullable
         List<@Nullable WaypointRequest> waypoints,
 
         @Schema(
                 description = "Ids of 1 to 100 drones that are on the ground",
                 requiredMode = Schema.RequiredMode.REQUIRED)
+        @Size(min = 1, max = PlanReader.MOST_DRONES)
         @Nullable
         List<@Nullable String> drones,
 
         @Schema(description = "What the plan is to be good at; left out: all done as early as can be") @Nullable
         ObjectiveRequest objective,
 
-        @Schema(description = "Seconds to search, 0.1 to 60; left out: 5") @Nullable
+        @Schema(description = "Seconds to search, 0.1 to 60; left out: 5")
+        @DecimalMin("" + PlanReader.LEAST_SECONDS)
+        @Max(PlanReader.MOST_SECONDS)
+        @Nullable
         Double seconds,
 
         @Schema(description = "Where the search begins; left out: 1") @Nullable
@@ -32,12 +43,22 @@ public record PlanRequest(
     /** A place that one drone is to visit. */
     @Schema(name = "PlanWaypointRequest", description = "A place that one drone is to visit.")
     public record WaypointRequest(
-            @Schema(description = "Your own name of it, up to 40 characters; left out: its number from 1") @Nullable
+            @Schema(description = "Your own name of it, up to 40 characters; left out: its number from 1")
+            @Size(min = 1, max = PlanWaypoints.LONGEST_ID)
+            @Nullable
             String id,
 
-            @Schema(description = "degrees") @Nullable Double latitude,
-            @Schema(description = "degrees") @Nullable Double longitude,
-            @Schema(description = "metres") @Nullable Double altitude,
+            @Schema(description = "degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            Double latitude,
+
+            @Schema(description = "degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            Double longitude,
+
+            @Schema(description = "metres")
+            @Min(Altitude.LOWEST_PLANNED_METERS)
+            @Max(Altitude.HIGHEST_PLANNED_METERS)
+            @Nullable
+            Double altitude,
 
             @Schema(
                     description =
@@ -47,10 +68,16 @@ public record PlanRequest(
             @Nullable
             String altitudeReference,
 
-            @Schema(description = "Seconds that the drone stays there, 0 to 3600; left out: 0") @Nullable
+            @Schema(description = "Seconds that the drone stays there, 0 to 3600; left out: 0")
+            @Min(0)
+            @Max(Ranges.MOST_SECONDS)
+            @Nullable
             Double holdSeconds,
 
-            @Schema(description = "What leaving it out weighs beside others, 0.001 to 1000; left out: 1") @Nullable
+            @Schema(description = "What leaving it out weighs beside others, 0.001 to 1000; left out: 1")
+            @DecimalMin("" + Waypoint.LEAST_PRIORITY)
+            @Max((int) Waypoint.HIGHEST_PRIORITY)
+            @Nullable
             Double priority,
 
             @Schema(description = "When its task may begin; left out: at any time") @Nullable
@@ -59,7 +86,7 @@ public record PlanRequest(
             @Schema(description = "What a drone must be able to do for it, such as takePicture") @Nullable
             List<@Nullable String> needs,
 
-            @Schema(description = "What is done there, in order; up to 10") @Nullable
+            @Schema(description = "What is done there, in order; up to 10") @Size(max = PlanTasks.MOST) @Nullable
             List<@Nullable PlanTaskRequest> tasks) {
         WaypointRequest called(String name) {
             return new WaypointRequest(
@@ -79,9 +106,10 @@ public record PlanRequest(
     /** A span on the plan's clock. */
     @Schema(name = "PlanWindowRequest", description = "Seconds after the start of the plan.")
     public record WindowRequest(
-            @Schema(description = "left out: 0") @Nullable Double opens,
+            @Schema(description = "left out: 0") @Min(0) @Max(PlanWaypoints.LONGEST_WINDOW_SECONDS) @Nullable
+            Double opens,
 
-            @Schema(description = "left out: never") @Nullable
+            @Schema(description = "left out: never") @Min(0) @Max(PlanWaypoints.LONGEST_WINDOW_SECONDS) @Nullable
             Double closes) {}
 
     /** What a plan is to be good at. */
@@ -91,10 +119,10 @@ public record PlanRequest(
             @Nullable
             String kind,
 
-            @Schema(description = "weighted: of the longest tour's seconds") @Nullable
+            @Schema(description = "weighted: of the longest tour's seconds") @Min(0) @Max(PlanReader.HEAVIEST) @Nullable
             Double longestWeight,
 
-            @Schema(description = "weighted: of the sum over all tours") @Nullable
+            @Schema(description = "weighted: of the sum over all tours") @Min(0) @Max(PlanReader.HEAVIEST) @Nullable
             Double sumWeight,
 
             @Schema(description = "weighted: what is summed; left out: seconds")
@@ -108,9 +136,13 @@ public record PlanRequest(
     /** Wind that is the same everywhere. */
     @Schema(name = "PlanWindRequest")
     public record WindRequest(
-            @Schema(description = "m/s, 0 to 100") @Nullable Double speed,
+            @Schema(description = "m/s, 0 to 100") @Min(0) @Max(PlanReader.STRONGEST_WIND) @Nullable
+            Double speed,
 
-            @Schema(description = "where it comes from: degrees clockwise from north, 0 to 360") @Nullable
+            @Schema(description = "where it comes from: degrees clockwise from north, 0 to 360")
+            @Min(0)
+            @Max(PlanReader.FULL_CIRCLE)
+            @Nullable
             Double from) {}
 
     /** How a plan is accepted. */

@@ -3,8 +3,11 @@ package org.dronemap.ws.service;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
 import java.util.function.ToDoubleFunction;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.WaypointTask;
 import org.jspecify.annotations.Nullable;
@@ -43,12 +46,17 @@ public sealed interface PlanTaskRequest {
     /** An output of the vehicle. */
     @Schema(name = "PlanServoTask", description = "An output of the vehicle is set.")
     record Servo(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Which output, 1 to 32") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Which output, 1 to 32")
+            @Min(1)
+            @Max(MissionItem.SetServo.MOST_OUTPUTS)
+            @Nullable
             Integer output,
 
             @Schema(
                     requiredMode = Schema.RequiredMode.REQUIRED,
                     description = "Length of its pulses in microseconds, 500 to 2500")
+            @Min(MissionItem.SetServo.SHORTEST_MICROS)
+            @Max(MissionItem.SetServo.LONGEST_MICROS)
             @Nullable
             Integer pulse)
             implements PlanTaskRequest {
@@ -62,15 +70,23 @@ public sealed interface PlanTaskRequest {
     /** A place that camera and nose point to. */
     @Schema(name = "PlanLookAtTask", description = "Camera and nose point to a place.")
     record LookAt(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
+            @Min(-Ranges.LATITUDE)
+            @Max(Ranges.LATITUDE)
+            @Nullable
             Double latitude,
 
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees") @Nullable
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
+            @Min(-Ranges.LONGITUDE)
+            @Max(Ranges.LONGITUDE)
+            @Nullable
             Double longitude,
 
             @Schema(
                     requiredMode = Schema.RequiredMode.REQUIRED,
                     description = "Metres; as of what is said by the waypoint's altitudeReference")
+            @Min(Altitude.LOWEST_PLANNED_METERS)
+            @Max(Altitude.HIGHEST_PLANNED_METERS)
             @Nullable
             Double altitude)
             implements PlanTaskRequest {
@@ -85,14 +101,20 @@ public sealed interface PlanTaskRequest {
     /** A time in which what the sensors tell is kept. */
     @Schema(name = "PlanReadSensorsTask", description = "It stays, and what its sensors tell meanwhile is kept.")
     record ReadSensors(
-            @Schema(description = "For how long in seconds, 1 to 3600; left out: 5") @Nullable
-            Double seconds) implements PlanTaskRequest {
+            @Schema(description = "For how long in seconds, 1 to 3600; left out: 5")
+            @Min(ReadSensors.LEAST_SECONDS)
+            @Max(Ranges.MOST_SECONDS)
+            @Nullable
+            Double seconds)
+            implements PlanTaskRequest {
+        static final int LEAST_SECONDS = 1;
         private static final double USUAL_SECONDS = 5;
 
         @Override
         public WaypointTask read(String at, ToDoubleFunction<@Nullable Double> amslMeters) {
             double asked = seconds == null ? USUAL_SECONDS : seconds;
-            return new WaypointTask.Sensors(Ranges.checked(at + "seconds", asked, 1, 3600, "seconds"));
+            return new WaypointTask.Sensors(
+                    Ranges.checked(at + "seconds", asked, LEAST_SECONDS, Ranges.MOST_SECONDS, "seconds"));
         }
     }
 }

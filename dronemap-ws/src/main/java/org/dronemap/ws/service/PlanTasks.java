@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Turns what a client wants done at a waypoint into its tasks, or says which member of which one is wrong. */
 final class PlanTasks {
-    private static final int MOST = 10;
+    static final int MOST = 10;
     private static final String COUNT = "up to " + MOST + " tasks";
     private static final String TYPES =
             Alternatives.of(PlanTaskRequest.class).orElseThrow().allowed();

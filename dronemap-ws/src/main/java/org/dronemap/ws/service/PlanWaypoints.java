@@ -22,13 +22,14 @@ import org.jspecify.annotations.Nullable;
 final class PlanWaypoints {
     static final int MOST = 5_000;
     private static final String COUNT = "1 to " + MOST + " waypoints";
-    private static final String ID_FORM = "1 to 40 printable characters";
+    static final int LONGEST_ID = 40;
+    private static final String ID_FORM = "1 to " + LONGEST_ID + " printable characters";
     private static final String CAPABILITIES =
             Arrays.stream(Capability.values()).map(WireNames::camel).collect(Collectors.joining(", "));
     /** Homes farther apart in height make "above home" mean too different things. */
     private static final double MOST_BETWEEN_HOMES_METERS = 20;
 
-    private static final int LONGEST_WINDOW_SECONDS = 86_400;
+    static final int LONGEST_WINDOW_SECONDS = 86_400;
     private static final double USUAL_PRIORITY = 1;
 
     private final List<Craft> crafts;
@@ -102,7 +103,7 @@ final class PlanWaypoints {
         if (given == null) {
             return String.valueOf(number);
         }
-        if (given.isBlank() || given.length() > 40 || given.chars().anyMatch(Character::isISOControl)) {
+        if (given.isBlank() || given.length() > LONGEST_ID || given.chars().anyMatch(Character::isISOControl)) {
             throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, at + "id", ID_FORM, "\"" + given.strip() + "\"");
         }
         return given;

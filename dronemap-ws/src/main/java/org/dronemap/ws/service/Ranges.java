@@ -6,20 +6,40 @@ import org.jspecify.annotations.Nullable;
 
 /** Checks numbers against the range of their field. */
 final class Ranges {
+    /** Degrees, on either side of the equator. */
+    static final int LATITUDE = 90;
+    /** Degrees, on either side of Greenwich. */
+    static final int LONGITUDE = 180;
+    /** Metres above home, up to which a drone takes off. */
+    static final int LEAST_TAKE_OFF = 1;
+
+    static final int MOST_TAKE_OFF = 500;
+    /** Degrees, either way. */
+    static final int MOST_TURN = 360;
+    /** Metres, either way. */
+    static final int MOST_ON_MAP = 100_000;
+
+    static final int LAST_RELAY = 15;
+    /** Seconds that a drone stays somewhere. */
+    static final int MOST_SECONDS = 3600;
+    /** Metres of a circle. */
+    static final int LEAST_RADIUS = 1;
+
+    static final int MOST_RADIUS = 100_000;
     private static final double LEAST_WAIT_SECONDS = 0.1;
 
     private Ranges() {}
 
     static double latitude(String field, @Nullable Double value) {
-        return checked(field, value, -90, 90, "degrees");
+        return checked(field, value, -LATITUDE, LATITUDE, "degrees");
     }
 
     static double longitude(String field, @Nullable Double value) {
-        return checked(field, value, -180, 180, "degrees");
+        return checked(field, value, -LONGITUDE, LONGITUDE, "degrees");
     }
 
     static double takeOffAltitude(String field, @Nullable Double value) {
-        return checked(field, value, 1, 500, "m");
+        return checked(field, value, LEAST_TAKE_OFF, MOST_TAKE_OFF, "m");
     }
 
     static double altitude(String field, @Nullable Double value) {
@@ -27,7 +47,7 @@ final class Ranges {
     }
 
     static double turn(String field, @Nullable Double value) {
-        double degrees = checked(field, value, -360, 360, "degrees");
+        double degrees = checked(field, value, -MOST_TURN, MOST_TURN, "degrees");
         if (degrees == 0) {
             throw outside(field, "-360 to 360 degrees, not 0", degrees, -360, 360, "degrees");
         }
@@ -36,24 +56,29 @@ final class Ranges {
 
     /** Metres on a map of a vehicle's own. */
     static double onMap(String field, @Nullable Double value) {
-        return checked(field, value, -100_000, 100_000, "m");
+        return checked(field, value, -MOST_ON_MAP, MOST_ON_MAP, "m");
     }
 
     static int relay(String field, @Nullable Integer value) {
-        return checked(field, value, 0, 15, "");
+        return checked(field, value, 0, LAST_RELAY, "");
     }
 
     static double holdSeconds(String field, double value) {
-        return checked(field, value, 0, 3600, "seconds");
+        return checked(field, value, 0, MOST_SECONDS, "seconds");
     }
 
     /** Less would be waiting for a time of day. */
     static double waitSeconds(String field, @Nullable Double value) {
-        double seconds = checked(field, value, 0, 3600, "seconds");
+        double seconds = checked(field, value, 0, MOST_SECONDS, "seconds");
         if (seconds < LEAST_WAIT_SECONDS) {
             throw outside(field, "0.1 to 3600 seconds", seconds, LEAST_WAIT_SECONDS, 3600, "seconds");
         }
         return seconds;
+    }
+
+    /** Of a circle, in metres. */
+    static double radius(String field, @Nullable Double value) {
+        return checked(field, value, LEAST_RADIUS, MOST_RADIUS, "m");
     }
 
     static int output(String field, @Nullable Integer value) {

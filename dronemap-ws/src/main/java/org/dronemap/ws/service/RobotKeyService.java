@@ -1,6 +1,9 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -18,8 +21,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Use cases around the keys of robots, for administrators of the organisations that they belong to. Any thread. */
 public final class RobotKeyService {
-    private static final int LONGEST_LABEL = 60;
-    private static final int LAST_SYSTEM_ID = 65_535;
+    static final int LONGEST_LABEL = 60;
+    static final int LAST_SYSTEM_ID = 65_535;
     private static final int MOST = 2_000;
     private static final String SYSTEM_ID = "systemId";
     private static final String SYSTEM_ID_FORM = "0 to " + LAST_SYSTEM_ID;
@@ -43,9 +46,15 @@ public final class RobotKeyService {
      */
     @Schema(name = "RobotKeyRequest")
     public record RobotKeyRequest(
-            @Nullable String label,
-            @Nullable Integer systemId,
-            @Nullable String owner,
+            @Size(min = 1, max = RobotKeyService.LONGEST_LABEL) @Nullable
+            String label,
+
+            @Min(0) @Max(RobotKeyService.LAST_SYSTEM_ID) @Nullable
+            Integer systemId,
+
+            @Size(min = 1, max = RobotKeyService.LONGEST_LABEL) @Nullable
+            String owner,
+
             @Nullable String organisation,
             @Nullable String drone) {}
 

@@ -26,7 +26,8 @@ import org.jspecify.annotations.Nullable;
 final class RunReader {
     static final int MOST_AT_ONCE = 500;
     private static final String COUNT = "1 to " + MOST_AT_ONCE + " waypoints";
-    private static final int LONGEST_NAME = 60;
+    static final int MOST_SEARCH_SECONDS = 60;
+    static final int LONGEST_NAME = 60;
     private static final double USUAL_SEARCH_SECONDS = 2;
     private static final double MILLIS = 1_000;
 
@@ -64,8 +65,8 @@ final class RunReader {
     }
 
     static Duration search(@Nullable Double seconds) {
-        double checked =
-                Ranges.checked("searchSeconds", seconds == null ? USUAL_SEARCH_SECONDS : seconds, 0, 60, "seconds");
+        double checked = Ranges.checked(
+                "searchSeconds", seconds == null ? USUAL_SEARCH_SECONDS : seconds, 0, MOST_SEARCH_SECONDS, "seconds");
         return Duration.ofMillis(Math.round(checked * MILLIS));
     }
 

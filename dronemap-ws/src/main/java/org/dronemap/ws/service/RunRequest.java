@@ -1,6 +1,9 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.cognitive.operation.run.RunOrder;
 import org.dronemap.core.mission.Altitude;
@@ -30,10 +33,14 @@ public final class RunRequest {
             @Nullable
             String onCloudLoss,
 
-            @Schema(description = "For people, up to 60 characters; left out: Mission run") @Nullable
+            @Schema(description = "For people, up to 60 characters; left out: Mission run")
+            @Size(min = 1, max = RunReader.LONGEST_NAME)
+            @Nullable
             String name,
 
             @Schema(description = "Seconds to look for a better plan when something changes, 0 to 60; left out: 2")
+            @Min(0)
+            @Max(RunReader.MOST_SEARCH_SECONDS)
             @Nullable
             Double searchSeconds) {}
 
@@ -42,15 +49,25 @@ public final class RunRequest {
             name = "RunWaypointsRequest",
             description = "Further waypoints; windows count from the beginning of the run.")
     public record WaypointsRequest(
-            @Schema(description = "1 to 500", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            @Schema(description = "1 to 500", requiredMode = Schema.RequiredMode.REQUIRED)
+            @Size(min = 1, max = RunReader.MOST_AT_ONCE)
+            @Nullable
             List<PlanRequest.@Nullable WaypointRequest> waypoints) {}
 
     /** Where a waypoint is from now on. */
     @Schema(name = "RunMoveRequest", description = "Where a waypoint is from now on; what is left out stays.")
     public record MoveRequest(
-            @Schema(description = "degrees") @Nullable Double latitude,
-            @Schema(description = "degrees") @Nullable Double longitude,
-            @Schema(description = "metres") @Nullable Double altitude,
+            @Schema(description = "degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            Double latitude,
+
+            @Schema(description = "degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            Double longitude,
+
+            @Schema(description = "metres")
+            @Min(Altitude.LOWEST_PLANNED_METERS)
+            @Max(Altitude.HIGHEST_PLANNED_METERS)
+            @Nullable
+            Double altitude,
 
             @Schema(description = "home (the default): above the highest home of the run's drones; or amsl")
             @ValuesOf(Altitude.Reference.class)

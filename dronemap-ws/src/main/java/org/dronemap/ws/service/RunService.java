@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -88,6 +89,7 @@ public final class RunService {
         }
         String name = RunReader.name(request);
         RunOrder.Mode mode = RunReader.mode(request.mode());
+        Duration search = RunReader.search(request.searchSeconds());
         desk.requireRoom(principal);
         PlanService.Flyable plan = plans.flyable(principal, request.plan());
         Instant at = desk.now();
@@ -100,7 +102,7 @@ public final class RunService {
                 mode,
                 RunReader.onCloudLoss(request.onCloudLoss()),
                 plan.order().seed(),
-                RunReader.search(request.searchSeconds()),
+                search,
                 at);
         RunState state = RunState.begin(order);
         return RunViews.view(desk.begin(principal, id, name, state, at));

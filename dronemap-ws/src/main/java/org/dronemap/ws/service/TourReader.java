@@ -31,8 +31,8 @@ final class TourReader {
     private static final String COUNT = "1 to " + Mission.MAX_ITEMS + " waypoints";
     private static final String ENDINGS = "returnToLaunch, hold or land";
     private static final double USUAL_SECONDS = 1;
-    private static final double LEAST_SECONDS = 0.1;
-    private static final double MOST_SECONDS = 5;
+    static final double LEAST_SECONDS = 0.1;
+    static final int MOST_SECONDS = 5;
     private static final double MILLIS = 1_000;
 
     private final DroneService drones;
@@ -125,10 +125,10 @@ final class TourReader {
             throw InvalidInput.outside(
                     ValueProblem.VALUE_OUT_OF_RANGE,
                     "seconds",
-                    "0.1 to 5 seconds",
+                    LEAST_SECONDS + " to " + MOST_SECONDS + " seconds",
                     asked,
-                    ProblemParameter.LEAST.is(0.1),
-                    ProblemParameter.MOST.is(5),
+                    ProblemParameter.LEAST.is(LEAST_SECONDS),
+                    ProblemParameter.MOST.is(MOST_SECONDS),
                     ProblemParameter.UNIT.is("seconds"));
         }
         return Duration.ofMillis(Math.round(asked * MILLIS));

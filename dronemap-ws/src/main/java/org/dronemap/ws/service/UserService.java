@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
@@ -24,7 +25,9 @@ public final class UserService {
     public record NewUser(
             @Nullable String name,
             @ValuesOf(Role.class) @Nullable String role,
-            @Nullable String password) {}
+
+            @Size(min = PasswordRule.SHORTEST, max = PasswordRule.LONGEST) @Nullable
+            String password) {}
 
     /** What shall change; null leaves it as it is. A user who waits is let in by {@code "state": "active"}. */
     @Schema(name = "UserChange")

@@ -1,15 +1,20 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.virtual.Needs;
 import org.jspecify.annotations.Nullable;
 
 /** A virtual drone as its owner writes it. */
 @Schema(name = "VirtualDroneRequest", description = "A virtual drone as its owner writes it.")
 public record VirtualDroneRequest(
-        @Nullable String name,
+        @Size(min = 1, max = VirtualDroneService.LONGEST_NAME) @Nullable
+        String name,
 
         @Schema(description = "What a drone must be to serve; left out: any that can fly the mission") @Nullable
         NeedsView needs,
@@ -28,6 +33,8 @@ public record VirtualDroneRequest(
             List<@Nullable String> capabilities,
 
             @Schema(description = "minutes in the air with what is in its battery; null: what the mission takes")
+            @Min(1)
+            @Max(Needs.LONGEST_ENDURANCE_MINUTES)
             @Nullable
             Integer enduranceMinutes,
 
@@ -37,10 +44,13 @@ public record VirtualDroneRequest(
     /** A circle. */
     @Schema(name = "VirtualDroneAreaView")
     public record AreaView(
-            @Schema(description = "degrees") @Nullable Double latitude,
-            @Schema(description = "degrees") @Nullable Double longitude,
+            @Schema(description = "degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            Double latitude,
 
-            @Schema(description = "metres, 1 to 100000") @Nullable
+            @Schema(description = "degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            Double longitude,
+
+            @Schema(description = "metres, 1 to 100000") @Min(Ranges.LEAST_RADIUS) @Max(Ranges.MOST_RADIUS) @Nullable
             Double radius) {}
 
     /** How a mission is started. */

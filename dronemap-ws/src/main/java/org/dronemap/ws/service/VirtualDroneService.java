@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Use cases around virtual drones: make, plan, start, stop. Each belongs to who made it; supervisors see all. Any thread. */
 public final class VirtualDroneService {
-    private static final int LONGEST_NAME = 60;
+    static final int LONGEST_NAME = 60;
     private static final int MOST_OF_ONE_USER = 50;
     private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
     private static final int ID_LENGTH = 12;

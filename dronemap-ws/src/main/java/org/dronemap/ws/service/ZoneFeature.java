@@ -1,6 +1,9 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -41,7 +44,8 @@ public record ZoneFeature(
     /** What GeoJSON has no word for. */
     @Schema(name = "ZoneProperties")
     public record ZoneProperties(
-            @Nullable String name,
+            @Size(min = 1, max = ZoneReader.LONGEST_NAME) @Nullable
+            String name,
 
             @Schema(
                     description = "exclusion: keep out, the default; inclusion: stay in",
@@ -49,13 +53,22 @@ public record ZoneFeature(
             @Nullable
             String kind,
 
-            @Schema(description = "Point: metres, 1 to 100000") @Nullable
+            @Schema(description = "Point: metres, 1 to 100000")
+            @Min(Ranges.LEAST_RADIUS)
+            @Max(Ranges.MOST_RADIUS)
+            @Nullable
             Double radius,
 
-            @Schema(description = "metres; null: down to the ground") @Nullable
+            @Schema(description = "metres; null: down to the ground")
+            @Min(Altitude.LOWEST_PLANNED_METERS)
+            @Max(Altitude.HIGHEST_PLANNED_METERS)
+            @Nullable
             Double floor,
 
-            @Schema(description = "metres; null: without end") @Nullable
+            @Schema(description = "metres; null: without end")
+            @Min(Altitude.LOWEST_PLANNED_METERS)
+            @Max(Altitude.HIGHEST_PLANNED_METERS)
+            @Nullable
             Double ceiling,
 
             @Schema(description = "what floor and ceiling are measured from: home (the default) or amsl")

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Turns a feature that a client wrote into the parts of a zone, or says which member is wrong. */
 final class ZoneReader {
-    private static final int LONGEST_NAME = 80;
+    static final int LONGEST_NAME = 80;
     private static final String NOTHING = "nothing";
     private static final String MOMENT = "a time such as 2026-05-04T10:00:00Z";
 

@@ -1,0 +1,317 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.ws.house.DescribedBounds;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.Tenant;
+import org.dronemap.ws.house.Waiting;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What the description says of lengths and ranges is what is refused: nothing at a bound, and all that is just beyond. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class DescribedBoundsTest {
+    private static final String API = "/api/v1";
+    private static final String ID = "\"id\":\"just-an-id\"";
+    private static final String PLACE = "\"latitude\":47.4,\"longitude\":8.5";
+
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final DescribedBounds bounds = new DescribedBounds(
+            new Http(tenant.server(), "").get("/api/openapi.json").json());
+    private Http administrator;
+    private Http operator;
+    private String drone;
+    private String copter;
+    private String member;
+    private String run;
+    private String follow;
+
+    /**
+     * A request that is right but for what is changed of it.
+     *
+     * @param left a member that another example tries; empty: none
+     */
+    private record Example(Http who, String method, String pattern, String path, String body, String left) {
+        Example(Http who, String method, String pattern, String path, String body) {
+            this(who, method, pattern, path, body, "");
+        }
+
+        Example without(String member) {
+            return new Example(who, method, pattern, path, body, member);
+        }
+
+        @Override
+        public String toString() {
+            return method + " " + pattern + " " + body;
+        }
+    }
+
+    @BeforeAll
+    void open() {
+        administrator = tenant.http(Role.ADMINISTRATOR);
+        operator = tenant.http(Role.OPERATOR);
+        drone = tenant.vehicle().id();
+        Member someone = tenant.member("someone", Role.VIEWER);
+        member = someone.name();
+        copter = copter("Kestrel");
+        run = run();
+        follow = follow();
+    }
+
+    private String copter(String name) {
+        return tenant.copter(name, new Geodetic(47.3977, 8.5456))
+                .wellHeard(tenant.server().cloud())
+                .id();
+    }
+
+    private String run() {
+        String flying = copter("Falcon");
+        String plan = operator.post(
+                        API + "/plans",
+                        "{\"drones\":[\"" + flying + "\"],\"seconds\":0.1,\"waypoints\":[{\"latitude\":47.3985,"
+                                + "\"longitude\":8.5456,\"altitude\":30}]}")
+                .text("id");
+        Waiting.until(
+                "the plan is finished",
+                () -> Optional.of(operator.get(API + "/plans/" + plan))
+                        .filter(asked -> asked.text("state").equals("finished")));
+        return operator.post(API + "/runs", "{\"plan\":\"" + plan + "\"}").text("id");
+    }
+
+    private String follow() {
+        String flying = copter("Heron");
+        Http.Answer served = tenant.http(Role.SUPERVISOR)
+                .send(
+                        API + "/warehouse/" + flying,
+                        request -> request.header("Content-Type", "application/json")
+                                .PUT(HttpRequest.BodyPublishers.ofString("{}")));
+        assertThat(served.status()).isLessThan(300);
+        return operator.post(API + "/follows", "{\"latitude\":47.3980,\"longitude\":8.5456}")
+                .text("id");
+    }
+
+    Stream<Example> examples() {
+        return Stream.of(commands(), plans(), operations(), areas(), names()).flatMap(List::stream);
+    }
+
+    private Example post(String path, String body) {
+        return new Example(operator, "post", API + path, API + path, body);
+    }
+
+    private Example command(String members) {
+        return new Example(
+                operator,
+                "post",
+                API + "/drones/{id}/commands",
+                API + "/drones/" + drone + "/commands",
+                "{" + members + "}");
+    }
+
+    private List<Example> commands() {
+        List<String> plain = List.of(
+                "arm",
+                "disarm",
+                "land",
+                "returnToLaunch",
+                "hold",
+                "startMission",
+                "pauseMission",
+                "clearMission",
+                "takePicture",
+                "readHome",
+                "readParameters",
+                "readLogs",
+                "emergencyStop",
+                "readMap");
+        Stream<Example> others = Stream.of(
+                        "\"type\":\"setMode\",\"mode\":\"AUTO\"",
+                        "\"type\":\"takeOff\",\"altitude\":10",
+                        "\"type\":\"goTo\",\"altitude\":10," + PLACE,
+                        "\"type\":\"setHome\",\"altitude\":10," + PLACE,
+                        "\"type\":\"goToLocal\",\"x\":1,\"y\":1",
+                        "\"type\":\"turn\",\"degrees\":1",
+                        "\"type\":\"setRelay\",\"relay\":1,\"setting\":\"on\"",
+                        "\"type\":\"setParameters\",\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":1}]",
+                        "\"type\":\"uploadMission\",\"items\":[{\"type\":\"takeOff\",\"altitude\":10},"
+                                + "{\"type\":\"waypoint\",\"altitude\":10," + PLACE + "}]")
+                .map(members -> command(members + "," + ID));
+        return Stream.of(
+                        plain.stream().map(type -> command("\"type\":\"" + type + "\"," + ID)),
+                        others,
+                        Stream.of(post(
+                                "/commands", "{\"drones\":[\"unlike\"],\"command\":{\"type\":\"hold\"}," + ID + "}")))
+                .flatMap(all -> all)
+                .toList();
+    }
+
+    /** Each has a waypoint that cannot be read, so that nothing is searched for. */
+    private List<Example> plans() {
+        String tasks =
+                "\"tasks\":[{\"type\":\"servo\",\"output\":1,\"pulse\":1000},{\"type\":\"lookAt\",\"altitude\":10,"
+                        + PLACE + "},{\"type\":\"readSensors\",\"seconds\":5}]";
+        String waypoint =
+                "{" + PLACE + ",\"altitude\":1000,\"altitudeReference\":\"amsl\",\"id\":\"roof\",\"holdSeconds\":1,"
+                        + "\"priority\":1,\"window\":{\"opens\":1},";
+        String unread = "\"waypoints\":[" + waypoint + tasks + "},{\"window\":{\"closes\":1}," + PLACE
+                + ",\"altitude\":1000,\"altitudeReference\":\"amsl\"},{}]";
+        return List.of(
+                post(
+                                "/plans",
+                                "{\"drones\":[\"" + copter + "\"],\"seconds\":1,\"wind\":{\"speed\":1,\"from\":1},"
+                                        + unread + "}")
+                        .without("drones"),
+                post("/plans", "{\"drones\":[\"unlike\"]}"),
+                post(
+                                "/plans",
+                                "{\"drones\":[\"" + copter
+                                        + "\"],\"objective\":{\"kind\":\"weighted\",\"longestWeight\":1,\"sumWeight\":1},"
+                                        + "\"waypoints\":[{}]}")
+                        .without("drones"),
+                post("/tours", "{\"drone\":\"" + copter + "\",\"seconds\":1,\"waypoints\":[{}]}"));
+    }
+
+    private List<Example> operations() {
+        String runs = "/runs/" + run + "/waypoints";
+        String now = Instant.now().toString();
+        String phone = "\"speed\":1,\"course\":1,\"accuracy\":1,\"id\":1,\"at\":\"" + now + "\"," + PLACE;
+        String positions = "{\"sent\":\"" + now + "\",\"roundTrip\":1,\"positions\":[{" + phone + "}]}";
+        return List.of(
+                post("/runs", "{\"plan\":\"nosuchplan\",\"name\":\"roofs\",\"searchSeconds\":1}"),
+                new Example(operator, "post", API + "/runs/{id}/waypoints", API + runs, "{\"waypoints\":[{}]}"),
+                new Example(
+                        operator,
+                        "patch",
+                        API + "/runs/{id}/waypoints/{waypoint}",
+                        API + runs + "/1",
+                        "{\"altitude\":1000,\"altitudeReference\":\"amsl\"," + PLACE + "}"),
+                post("/follows", "{\"name\":\"me\",\"minutes\":1,\"speed\":1,\"patience\":10," + PLACE + "}"),
+                post(
+                        "/follows",
+                        "{\"place\":{\"side\":\"fixed\",\"bearing\":1,\"distance\":1,\"height\":5}," + PLACE + "}"),
+                post("/follows", "{\"place\":{\"side\":\"orbit\",\"turn\":1}," + PLACE + "}"),
+                new Example(
+                        operator,
+                        "post",
+                        API + "/follows/{id}/positions",
+                        API + "/follows/" + follow + "/positions",
+                        positions));
+    }
+
+    private List<Example> areas() {
+        String point = "\"type\":\"Point\",\"coordinates\":[10,10]";
+        String zone = "{\"type\":\"Feature\",\"geometry\":{" + point + "},\"properties\":{\"radius\":5,\"drone\":\""
+                + drone + "\",";
+        String fence = "{\"zones\":[{\"type\":\"circle\",\"inside\":false,\"radius\":5,\"center\":{" + PLACE
+                + "}},{\"type\":\"polygon\",\"inside\":false,\"corners\":[{" + PLACE
+                + "},{\"latitude\":47.5,\"longitude\":8.5},{\"latitude\":47.5,\"longitude\":8.6}]}]}";
+        return List.of(
+                as(administrator, "/zones", zone + "\"name\":\"Park\",\"floor\":10}}"),
+                as(administrator, "/zones", zone + "\"name\":\"Lake\",\"ceiling\":10}}"),
+                post("/access-keys", "{\"label\":\"a\",\"days\":1,\"drones\":[\"unlike\"],\"floor\":10}"),
+                post("/access-keys", "{\"label\":\"b\",\"ceiling\":10,\"area\":{\"radius\":5," + point + "}}"),
+                new Example(operator, "put", API + "/drones/{id}/fence", API + "/drones/" + drone + "/fence", fence),
+                new Example(
+                        operator,
+                        "put",
+                        API + "/drones/{id}/rally-points",
+                        API + "/drones/" + drone + "/rally-points",
+                        "{\"points\":[{\"altitude\":10," + PLACE + "}]}"),
+                post(
+                        "/virtual-drones",
+                        "{\"name\":\"a\",\"needs\":{\"enduranceMinutes\":1,\"area\":{\"radius\":5," + PLACE + "}}}"));
+    }
+
+    private Example as(Http who, String path, String body) {
+        return new Example(who, "post", API + path, API + path, body);
+    }
+
+    private List<Example> names() {
+        Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        return List.of(
+                post("/missions", "{\"name\":\"a\",\"items\":[{\"type\":\"waypoint\",\"altitude\":10," + PLACE + "}]}"),
+                as(administrator, "/groups", "{\"name\":\"a\",\"members\":[\"" + member + "\"]}"),
+                as(administrator, "/fleets", "{\"name\":\"a\",\"drones\":[\"" + drone + "\"]}"),
+                as(administrator, "/invitations", "{\"label\":\"a\",\"role\":\"viewer\",\"days\":1}"),
+                as(
+                        administrator,
+                        "/users",
+                        "{\"name\":\"" + tenant.unique("new")
+                                + "\",\"role\":\"viewer\",\"password\":\"a-long-password\"}"),
+                new Example(
+                        operator,
+                        "patch",
+                        API + "/flights/{id}",
+                        API + "/flights/nosuchflight",
+                        "{\"notes\":\"windy\"}"),
+                as(server, "/robot-keys", "{\"label\":\"a\",\"systemId\":1,\"owner\":\"b\"}"),
+                new Example(
+                        server,
+                        "patch",
+                        API + "/organisations/{id}",
+                        API + "/organisations/" + tenant.organisation().value(),
+                        "{\"name\":\"a\"}"),
+                new Example(
+                        administrator, "patch", API + "/drones/{id}", API + "/drones/" + drone, "{\"name\":\"a\"}"));
+    }
+
+    private static Http.Answer answer(Example example, String body) {
+        return example.who()
+                .send(
+                        example.path(),
+                        request -> request.header("Content-Type", "application/json")
+                                .method(
+                                        example.method().toUpperCase(Locale.ROOT),
+                                        HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("examples")
+    void areThoseThatAreKeptTo(Example example) {
+        List<DescribedBounds.Probe> probes = bounds.probes(example.method(), example.pattern(), example.body());
+
+        assertThat(probes).isNotEmpty();
+        for (DescribedBounds.Probe probe : probes) {
+            if (probe.field().equals(example.left())) {
+                continue;
+            }
+            Http.Answer answer = answer(example, probe.body());
+            boolean refused = answer.status() == 422 && answer.text("field").equals(probe.field());
+            assertThat(refused)
+                    .as(
+                            "%s with %.200s: %d %.300s",
+                            probe.field(),
+                            probe.body(),
+                            answer.status(),
+                            answer.raw().body())
+                    .isEqualTo(!probe.inside());
+        }
+    }
+
+    @Test
+    void areAllTried() {
+        TreeSet<String> left = bounds.members();
+        examples()
+                .flatMap(one -> bounds.probes(one.method(), one.pattern(), one.body()).stream()
+                        .filter(probe -> !probe.field().equals(one.left())))
+                .forEach(probe -> left.remove(probe.member()));
+
+        assertThat(left).isEmpty();
+    }
+}
