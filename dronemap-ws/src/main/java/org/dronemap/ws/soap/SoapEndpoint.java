@@ -28,7 +28,8 @@ public final class SoapEndpoint {
                 // The payload of a call, as a tree.
                 "source-preferred-format",
                 "dom"));
-        endpoint.getInInterceptors().addAll(List.of(new RefusedBodies(), new NoDoctype(), new UnderstoodHeaders()));
+        endpoint.getInInterceptors()
+                .addAll(List.of(new AnnouncedVersion(), new RefusedBodies(), new NoDoctype(), new UnderstoodHeaders()));
         endpoint.getOutFaultInterceptors().add(new FaultWords(calls));
         endpoint.publish("/" + name);
         return endpoint;
