@@ -1,23 +1,56 @@
 /**
- * Writes the types of what REST takes and answers from its description; with --check it only says whether they are what
- * the description gives. Addresses and their statuses are left out: the page has its own words for them.
+ * Writes the types of what REST takes and answers, and of what is said on the stream, from their descriptions; with --check
+ * it only says whether they are what the descriptions give. Addresses and their statuses are left out: the page has its own
+ * words for them.
  */
 import { readFileSync, writeFileSync } from 'node:fs';
-import openapiTS, { astToString, COMMENT_HEADER, type OpenAPI3 } from 'openapi-typescript';
+import openapiTS, { astToString, COMMENT_HEADER, type OpenAPI3, type SchemaObject } from 'openapi-typescript';
+import { brokenReferences, faultsOf, type Description } from './asyncapi';
 
-const DESCRIPTION = new URL('../../dronemap-ws/src/test/resources/wire/openapi.json', import.meta.url);
-const TYPES = new URL('../src/api/contract.ts', import.meta.url);
+const WIRE = new URL('../../dronemap-ws/src/test/resources/wire/', import.meta.url);
+const API = new URL('../src/api/', import.meta.url);
 
-const description = JSON.parse(readFileSync(DESCRIPTION, 'utf8')) as OpenAPI3;
-const ast = await openapiTS(
-  { ...description, paths: {} },
-  { rootTypes: true, rootTypesNoSchemaPrefix: true, rootTypesKeepCasing: true },
-);
-const types = COMMENT_HEADER + astToString(ast);
+const rest = JSON.parse(readFileSync(new URL('openapi.json', WIRE), 'utf8')) as OpenAPI3;
+const stream = JSON.parse(readFileSync(new URL('asyncapi.json', WIRE), 'utf8')) as Description;
 
-if (!process.argv.includes('--check')) {
-  writeFileSync(TYPES, types);
-} else if (readFileSync(TYPES, 'utf8') !== types) {
-  console.error('src/api/contract.ts is not what the description of REST gives: npm run types');
+/** As the schemas of a description of REST, which tells what is meant by a discriminator in another way. */
+function asRest({ components: { schemas } }: Description): OpenAPI3 {
+  const plain = JSON.stringify(schemas, (_, value: unknown) =>
+    typeof value === 'object' && value !== null && 'oneOf' in value && 'discriminator' in value
+      ? { ...value, discriminator: undefined }
+      : value,
+  );
+  return {
+    openapi: '3.1.0',
+    info: { title: 'stream', version: '' },
+    components: { schemas: JSON.parse(plain) as Record<string, SchemaObject> },
+  };
+}
+
+async function written(description: OpenAPI3): Promise<string> {
+  const ast = await openapiTS(
+    { ...description, paths: {} },
+    { rootTypes: true, rootTypesNoSchemaPrefix: true, rootTypesKeepCasing: true },
+  );
+  return COMMENT_HEADER + astToString(ast);
+}
+
+function fail(sentence: string): void {
+  console.error(sentence);
   process.exitCode = 1;
 }
+
+async function handOut(name: string, description: OpenAPI3): Promise<void> {
+  const types = await written(description);
+  if (!process.argv.includes('--check')) {
+    writeFileSync(new URL(name, API), types);
+  } else if (readFileSync(new URL(name, API), 'utf8') !== types) {
+    fail(`src/api/${name} is not what the description gives: npm run types`);
+  }
+}
+
+[...faultsOf(stream), ...brokenReferences(stream)].forEach((fault) => {
+  fail(`wire/asyncapi.json is no description by AsyncAPI 3: ${fault}`);
+});
+await handOut('contract.ts', rest);
+await handOut('stream-contract.ts', asRest(stream));

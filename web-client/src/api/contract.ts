@@ -1572,6 +1572,29 @@ export interface components {
         PlanList: {
             plans: components["schemas"]["PlanView"][];
         };
+        /** @description Camera and nose point to a place. */
+        PlanLookAtTask: {
+            /**
+             * Format: double
+             * @description Metres; as of what is said by the waypoint's altitudeReference
+             */
+            altitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "lookAt";
+        };
         /** @description What the plan is to be good at. */
         PlanObjectiveRequest: {
             /** @description Whether each drone must fly; left out: drones may stay where they are */
@@ -1597,6 +1620,14 @@ export interface components {
         PlanOrderView: {
             drone: string;
             waypoints: string[];
+        };
+        /** @description One picture. */
+        PlanPhotoTask: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "photo";
         };
         PlanPlaceView: {
             /** Format: double */
@@ -1635,6 +1666,19 @@ export interface components {
             /** Format: int32 */
             unserved: number;
         };
+        /** @description It stays, and what its sensors tell meanwhile is kept. */
+        PlanReadSensorsTask: {
+            /**
+             * Format: double
+             * @description For how long in seconds, 1 to 3600; left out: 5
+             */
+            seconds?: number | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "readSensors";
+        };
         /** @description Waypoints that are to be shared out among drones. */
         PlanRequest: {
             /** @description Ids of 1 to 100 drones that are on the ground */
@@ -1666,6 +1710,24 @@ export interface components {
             tours: components["schemas"]["PlanTourView"][];
             unserved: components["schemas"]["PlanUnservedView"][];
         };
+        /** @description An output of the vehicle is set. */
+        PlanServoTask: {
+            /**
+             * Format: int32
+             * @description Which output, 1 to 32
+             */
+            output: number;
+            /**
+             * Format: int32
+             * @description Length of its pulses in microseconds, 500 to 2500
+             */
+            pulse: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "servo";
+        };
         PlanStopView: {
             /** Format: double */
             altitudeAmsl: number;
@@ -1688,41 +1750,8 @@ export interface components {
             wattHours: number;
             waypoint: string;
         };
-        /** @description Something that is done at a waypoint; which members count depends on the type. */
-        PlanTaskRequest: {
-            /**
-             * Format: double
-             * @description lookAt: metres; as of what is said by the waypoint's altitudeReference
-             */
-            altitude?: number | null;
-            /**
-             * Format: double
-             * @description lookAt: degrees
-             */
-            latitude?: number | null;
-            /**
-             * Format: double
-             * @description lookAt: degrees
-             */
-            longitude?: number | null;
-            /**
-             * Format: int32
-             * @description servo: which output, 1 to 32
-             */
-            output?: number | null;
-            /**
-             * Format: int32
-             * @description servo: length of its pulses in microseconds, 500 to 2500
-             */
-            pulse?: number | null;
-            /**
-             * Format: double
-             * @description readSensors: for how long, 1 to 3600; left out: 5
-             */
-            seconds?: number | null;
-            /** @enum {string} */
-            type: "photo" | "servo" | "lookAt" | "readSensors";
-        };
+        /** @description Something that is done at a waypoint; which members there are depends on the type. */
+        PlanTaskRequest: components["schemas"]["PlanPhotoTask"] | components["schemas"]["PlanServoTask"] | components["schemas"]["PlanLookAtTask"] | components["schemas"]["PlanReadSensorsTask"];
         PlanTourView: {
             /** @description From the last stop to the end: the end is the last place */
             back: components["schemas"]["PlanPlaceView"][];
@@ -3086,12 +3115,16 @@ export type PlanDroneName = components['schemas']['PlanDroneName'];
 export type PlanFlightView = components['schemas']['PlanFlightView'];
 export type PlanLaunchView = components['schemas']['PlanLaunchView'];
 export type PlanList = components['schemas']['PlanList'];
+export type PlanLookAtTask = components['schemas']['PlanLookAtTask'];
 export type PlanObjectiveRequest = components['schemas']['PlanObjectiveRequest'];
 export type PlanOrderView = components['schemas']['PlanOrderView'];
+export type PlanPhotoTask = components['schemas']['PlanPhotoTask'];
 export type PlanPlaceView = components['schemas']['PlanPlaceView'];
 export type PlanProgressView = components['schemas']['PlanProgressView'];
+export type PlanReadSensorsTask = components['schemas']['PlanReadSensorsTask'];
 export type PlanRequest = components['schemas']['PlanRequest'];
 export type PlanResultView = components['schemas']['PlanResultView'];
+export type PlanServoTask = components['schemas']['PlanServoTask'];
 export type PlanStopView = components['schemas']['PlanStopView'];
 export type PlanTaskRequest = components['schemas']['PlanTaskRequest'];
 export type PlanTourView = components['schemas']['PlanTourView'];

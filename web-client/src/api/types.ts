@@ -1,14 +1,11 @@
 // The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
 //
-// What REST answers and takes comes from contract.ts, which is written from its description. Written by hand are the
-// messages of the stream, StreamMessage, StreamRequest and Velocity, and ProblemBody.
+// What REST answers and takes comes from contract.ts, what is said on the stream from stream-contract.ts, both of which
+// are written from the descriptions. Written by hand is ProblemBody.
 
-import type { Role } from './accounts';
-import type { Control } from './control';
 import type { MissionItem, WithItems } from './items';
-import type { FleetPlan } from './plans';
-import type { Follow, FollowNow, Positions, Receipt } from './follows';
 import type { MissionRun } from './runs';
+import type { StreamMessage as Said } from './stream-contract';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
 import type {
@@ -75,20 +72,7 @@ export type CommandRequest =
 export type { AltitudeReference, LookAtItem, MissionItem, WaypointItem } from './items';
 
 /** Speeds from the vehicle's own nose, in m/s, and a turn in degrees a second, clockwise. */
-export interface Velocity {
-  frame: 'vehicle';
-  forward: number;
-  right: number;
-  down: number;
-  turn: number;
-}
-
-/** What the page says on the stream; `requestId` comes back with an error. */
-export type StreamRequest =
-  | { type: 'steer'; requestId: string; drone: string; velocity: Velocity; epoch?: number }
-  | { type: 'letGo'; requestId: string; drone: string }
-  | { type: 'subscribe'; requestId: string; drones: readonly string[] | null; rate: number }
-  | ({ type: 'positions'; requestId: string; follow: string } & Positions);
+export type Velocity = { frame: 'vehicle' } & Record<'forward' | 'right' | 'down' | 'turn', number>;
 
 /** RFC 9457 problem details, with the field at fault and its allowed range where there is one. */
 export interface ProblemBody {
@@ -103,24 +87,20 @@ export interface ProblemBody {
   commandId?: string;
 }
 
-export type StreamMessage =
-  | { type: 'hello'; user: string; role: Role }
-  | { type: 'drones'; drones: Drone[] }
-  | { type: 'drone'; drone: Drone }
-  | { type: 'droneRemoved'; id: string }
-  | { type: 'zone'; zone: Zone }
-  | { type: 'zoneRemoved'; id: string }
-  | { type: 'virtualDrone'; virtualDrone: VirtualDrone }
-  | { type: 'virtualDroneRemoved'; id: string }
-  | { type: 'plan'; plan: FleetPlan }
-  | { type: 'planRemoved'; id: string }
-  | { type: 'run'; run: MissionRun }
-  | { type: 'follow'; follow: Follow }
-  | { type: 'followNow'; id: string; now: FollowNow | null }
-  | { type: 'positionsHeard'; requestId: string; receipt: Receipt }
-  | { type: 'command'; command: Command }
-  | { type: 'control'; drone: string; control: Control }
-  | { type: 'ping'; at: string }
-  | { type: 'pong' }
-  | { type: 'commandAccepted'; requestId: string; command: Command }
-  | { type: 'error'; problem: ProblemBody; requestId?: string };
+/** What the page knows in a closer form than the description of the stream has it. */
+interface Closer {
+  drone: Drone;
+  drones: Drone[];
+  zone: Zone;
+  virtualDrone: VirtualDrone;
+  run: MissionRun;
+  problem: ProblemBody;
+}
+
+type Read<M> = M extends unknown
+  ? { [N in keyof M]: N extends keyof Closer ? (M[N] extends string ? M[N] : Closer[N]) : M[N] }
+  : never;
+
+export type StreamMessage = Read<Said>;
+
+export type { StreamRequest } from './stream-contract';

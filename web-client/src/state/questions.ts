@@ -18,8 +18,11 @@ export class Questions<T> {
     return say(id) ? new Promise<T>((resolve, reject) => this.#waiting.set(id, { resolve, reject })) : null;
   }
 
-  answer(requestId: string, answer: T): void {
-    this.#take(requestId)?.resolve(answer);
+  /** `requestId`: null when it was asked without one. */
+  answer(requestId: string | null, answer: T): void {
+    if (requestId !== null) {
+      this.#take(requestId)?.resolve(answer);
+    }
   }
 
   /** True when that was the answer to one of them. */

@@ -11,6 +11,7 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -48,11 +49,31 @@ class BadAddressTest {
                 .doesNotContain("<html", "Tomcat");
     }
 
-    /** A client of the library would not send such an address. */
+    @ParameterizedTest
+    @ValueSource(strings = {"?=x", "?active=%zz", "?active=false&=x"})
+    void saysWhatIsWrongWithAQueryThatCannotBeRead(String query) throws IOException {
+        String answer = answerTo("/api/v1/drones" + query, "Authorization: Bearer " + house.key(Role.VIEWER) + "\r\n");
+
+        assertThat(answer).startsWith("HTTP/1.1 400").contains("NAME=VALUE", "\"code\":\"request-unreadable\"");
+    }
+
+    @Test
+    void takesACookieOfItsNameThatIsNotItsOwn() throws IOException {
+        String answer = answerTo("/api/v1/session/oidc/callback", "Cookie: dronemap-oidc=%m<TqE9\r\n");
+
+        assertThat(answer).startsWith("HTTP/1.1 404");
+    }
+
     private static String answerTo(String target) throws IOException {
+        return answerTo(target, "");
+    }
+
+    /** A client of the library would not send such an address. */
+    private static String answerTo(String target, String headers) throws IOException {
         try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), house.httpPort())) {
             socket.setSoTimeout(30_000);
-            String request = "GET " + target + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
+            String request =
+                    "GET " + target + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" + headers + "\r\n";
             socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
             return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         }

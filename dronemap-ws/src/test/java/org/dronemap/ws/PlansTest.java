@@ -245,6 +245,10 @@ class PlansTest {
                 .isEqualTo("objective.kind");
         assertThat(field("{" + drones() + "," + waypoints(1) + ",\"wind\":{\"speed\":5}}"))
                 .isEqualTo("wind.from");
+        assertThat(field("{" + drones() + ",\"waypoints\":[{\"tasks\":[{\"type\":\"dance\"}]}]}"))
+                .isEqualTo("waypoints[0].tasks[0].type");
+        assertThat(field("{" + drones() + ",\"waypoints\":[{\"tasks\":[{\"type\":\"photo\",\"seconds\":3}]}]}"))
+                .isEqualTo("waypoints[0].tasks[0].seconds");
         assertThat(field("{" + drones() + ",\"waypoints\":[{\"latitude\":48.4,\"longitude\":18.5,\"altitude\":20}]}"))
                 .isEqualTo("waypoints");
     }

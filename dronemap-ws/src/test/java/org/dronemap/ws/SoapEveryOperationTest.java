@@ -55,7 +55,10 @@ class SoapEveryOperationTest {
     @Test
     void hasEachOperationOfRestInOneServiceAndNoOther() {
         assertThat(operations.names()).containsExactlyInAnyOrderElementsOf(operations.namesByRest());
-        assertThat(operations.doubled()).isEmpty();
+        // The follower has two names.
+        assertThat(operations.doubled())
+                .isNotEmpty()
+                .allMatch(name -> operations.restOf(name).contains("/follows"));
         assertThat(operations.services()).hasSizeGreaterThan(5);
     }
 
@@ -72,9 +75,7 @@ class SoapEveryOperationTest {
                                 operation.path("x-without-soap").asString());
                     }
                 }));
-        assertThat(without)
-                .containsOnlyKeys(
-                        "signIn", "signOut", "signOutEverywhere", "startSignInElsewhere", "finishSignInElsewhere");
+        assertThat(without).containsOnlyKeys("signIn", "signOut", "startSignInElsewhere", "finishSignInElsewhere");
         assertThat(without.values()).allMatch(why -> why.endsWith("."));
     }
 

@@ -223,10 +223,12 @@ public final class Activity {
         left.ifPresent(writer);
     }
 
-    /** Of a call that was turned away after its record had said that it was carried out. */
+    /** Of a call that was turned away after its record had said that it was carried out; once, however often it ends. */
     private Optional<AuditEntry> ending() {
-        return sequence != null && said == AuditOutcome.SUCCEEDED && entry.outcome() != AuditOutcome.SUCCEEDED
-                ? Optional.of(timed().endingOf(sequence))
-                : Optional.empty();
+        if (sequence == null || said != AuditOutcome.SUCCEEDED || entry.outcome() == AuditOutcome.SUCCEEDED) {
+            return Optional.empty();
+        }
+        said = entry.outcome();
+        return Optional.of(timed().endingOf(sequence));
     }
 }

@@ -76,6 +76,8 @@ public final class DescribedAlternatives implements ModelConverter, OpenApiCusto
         Schema<String> told = new StringSchema();
         told.setTypes(Set.of("string"));
         told.setEnum(List.of(all.nameOf(record)));
+        // The usual reader says nothing of a record without members.
+        schema.setTypes(Set.of("object"));
         schema.addProperty(all.member(), told);
         schema.addRequiredItem(all.member());
         schema.setDiscriminator(null);

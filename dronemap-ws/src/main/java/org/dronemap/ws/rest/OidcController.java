@@ -2,6 +2,7 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.Cookie;
 import jakarta.servlet.http.HttpServletRequest;
 import java.net.URI;
 import java.time.Duration;
@@ -25,11 +26,11 @@ import org.springframework.http.HttpHeaders;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseCookie;
 import org.springframework.http.ResponseEntity;
-import org.springframework.web.bind.annotation.CookieValue;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
+import org.springframework.web.util.WebUtils;
 
 /** Signing in with another provider, for browsers: there and back. */
 @RestController
@@ -73,9 +74,12 @@ public class OidcController {
     public ResponseEntity<Void> finish(
             @RequestParam(required = false) @Nullable String code,
             @RequestParam(required = false) @Nullable String state,
-            @CookieValue(name = COOKIE, required = false) @Nullable String browser,
             HttpServletRequest request) {
         OidcSignIn oidc = oidc();
+        // As it is: what is not of ours may be no text that can be decoded.
+        String browser = Optional.ofNullable(WebUtils.getCookie(request, COOKIE))
+                .map(Cookie::getValue)
+                .orElse(null);
         ResponseEntity.BodyBuilder answer = ResponseEntity.status(HttpStatus.FOUND)
                 .header(HttpHeaders.SET_COOKIE, cookie("", request.isSecure(), Duration.ZERO));
         try {

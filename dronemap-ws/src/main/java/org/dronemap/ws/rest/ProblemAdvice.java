@@ -116,9 +116,16 @@ public class ProblemAdvice {
                 ProblemParameter.ALLOWED.is(allowed)));
     }
 
-    /** The web server's own reader of forms, which no address takes. */
+    /** The web server's own reader, of the query and of forms, which no address takes. */
     @ExceptionHandler(InvalidParameterException.class)
-    public ResponseEntity<Problem> form(InvalidParameterException e) {
+    public ResponseEntity<Problem> unreadableParameters(InvalidParameterException e, HttpServletRequest request) {
+        String content = request.getContentType();
+        if (content == null || !content.contains("form")) {
+            return answer(Rejection.of(
+                    RequestProblem.REQUEST_UNREADABLE,
+                    "What stands behind the '?' of the address cannot be read; it must be NAME=VALUE, more of them after a"
+                            + " '&' each."));
+        }
         return answer(Rejection.of(
                 RequestProblem.CONTENT_TYPE_NOT_TAKEN,
                 "No address here takes forms; send JSON.",

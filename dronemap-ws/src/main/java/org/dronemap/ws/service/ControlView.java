@@ -44,10 +44,16 @@ public record ControlView(
     }
 
     /** What happened: who did it or whom it befell, and who else it is about; null: the pilot, or nobody. */
+    @Schema(name = "ControlChangeView", description = "What happened to the control of a drone.")
     public record ChangeView(
-            String kind,
-            @Nullable String by,
-            @Nullable String other,
+            @ValuesOf(ControlChange.Kind.class) String kind,
+
+            @Schema(description = "Who did it, or whom it befell; null: the pilot") @Nullable
+            String by,
+
+            @Schema(description = "Who had it before, or who gets it; null: nobody else") @Nullable
+            String other,
+
             @Nullable String reason) {
         public static ChangeView of(ControlChange change) {
             return new ChangeView(

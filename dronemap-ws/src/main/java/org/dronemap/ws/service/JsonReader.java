@@ -121,7 +121,7 @@ public final class JsonReader {
     private static Rejection noneOf(Alternatives all, InvalidTypeIdException other) {
         String at = path(other);
         String field = at.isEmpty() ? all.member() : at + "." + all.member();
-        String allowed = "one of " + String.join(", ", all.records().keySet());
+        String allowed = all.allowed();
         String said = other.getTypeId();
         return said == null
                 ? InvalidInput.missing(field, allowed)

@@ -60,7 +60,7 @@ public record PlanRequest(
             List<@Nullable String> needs,
 
             @Schema(description = "What is done there, in order; up to 10") @Nullable
-            List<@Nullable TaskRequest> tasks) {
+            List<@Nullable PlanTaskRequest> tasks) {
         WaypointRequest called(String name) {
             return new WaypointRequest(
                     name,
@@ -75,35 +75,6 @@ public record PlanRequest(
                     tasks);
         }
     }
-
-    /** Something that is done at a waypoint. */
-    @Schema(
-            name = "PlanTaskRequest",
-            description = "Something that is done at a waypoint; which members count depends on the type.")
-    public record TaskRequest(
-            @Schema(
-                    requiredMode = Schema.RequiredMode.REQUIRED,
-                    allowableValues = {"photo", "servo", "lookAt", "readSensors"})
-            @Nullable
-            String type,
-
-            @Schema(description = "servo: which output, 1 to 32") @Nullable
-            Integer output,
-
-            @Schema(description = "servo: length of its pulses in microseconds, 500 to 2500") @Nullable
-            Integer pulse,
-
-            @Schema(description = "lookAt: degrees") @Nullable
-            Double latitude,
-
-            @Schema(description = "lookAt: degrees") @Nullable
-            Double longitude,
-
-            @Schema(description = "lookAt: metres; as of what is said by the waypoint's altitudeReference") @Nullable
-            Double altitude,
-
-            @Schema(description = "readSensors: for how long, 1 to 3600; left out: 5") @Nullable
-            Double seconds) {}
 
     /** A span on the plan's clock. */
     @Schema(name = "PlanWindowRequest", description = "Seconds after the start of the plan.")

@@ -3,8 +3,6 @@ package org.dronemap.ws.service;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
-import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.WaypointTask;
 import org.jspecify.annotations.Nullable;
 
@@ -12,8 +10,8 @@ import org.jspecify.annotations.Nullable;
 final class PlanTasks {
     private static final int MOST = 10;
     private static final String COUNT = "up to " + MOST + " tasks";
-    private static final String TYPES = "photo, servo, lookAt or readSensors";
-    private static final double USUAL_SECONDS = 5;
+    private static final String TYPES =
+            Alternatives.of(PlanTaskRequest.class).orElseThrow().allowed();
 
     private final ToDoubleFunction<@Nullable Double> amslMeters;
 
@@ -22,7 +20,7 @@ final class PlanTasks {
         this.amslMeters = amslMeters;
     }
 
-    List<WaypointTask> read(String at, @Nullable List<PlanRequest.@Nullable TaskRequest> asked) {
+    List<WaypointTask> read(String at, @Nullable List<@Nullable PlanTaskRequest> asked) {
         if (asked == null) {
             return List.of();
         }
@@ -37,37 +35,10 @@ final class PlanTasks {
         return tasks;
     }
 
-    private WaypointTask task(String at, PlanRequest.@Nullable TaskRequest asked) {
-        String type = asked == null ? null : asked.type();
-        if (asked == null || type == null) {
+    private WaypointTask task(String at, @Nullable PlanTaskRequest asked) {
+        if (asked == null) {
             throw InvalidInput.missing(at + ".type", TYPES);
         }
-        return switch (type) {
-            case "photo" -> new WaypointTask.Photo();
-            case "servo" -> {
-                MissionItem.SetServo servo = MissionReader.servo(at + ".", asked.output(), asked.pulse());
-                yield new WaypointTask.Servo(servo.output(), servo.pulseMicros());
-            }
-            case "lookAt" ->
-                new WaypointTask.Look(
-                        new Geodetic(
-                                Ranges.latitude(at + ".latitude", asked.latitude()),
-                                Ranges.longitude(at + ".longitude", asked.longitude())),
-                        amsl(at, asked.altitude()));
-            case "readSensors" ->
-                new WaypointTask.Sensors(Ranges.checked(
-                        at + ".seconds",
-                        asked.seconds() == null ? Double.valueOf(USUAL_SECONDS) : asked.seconds(),
-                        1,
-                        3600,
-                        "seconds"));
-            default ->
-                throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, at + ".type", TYPES, "\"" + type + "\"");
-        };
-    }
-
-    private double amsl(String at, @Nullable Double altitude) {
-        Ranges.altitude(at + ".altitude", altitude);
-        return amslMeters.applyAsDouble(altitude);
+        return asked.read(at + ".", amslMeters);
     }
 }

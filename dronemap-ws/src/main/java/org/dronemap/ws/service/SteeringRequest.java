@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.Objects;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
@@ -24,15 +25,26 @@ public record SteeringRequest(
      * @param turn degrees a second, clockwise seen from above
      * @param heading degrees clockwise from true north, where it shall look; not beside {@code turn}
      */
+    @Schema(name = "SteeringVelocity", description = "Speeds in m/s, each at most 100; what is left out is 0.")
     public record Velocity(
-            @Nullable String frame,
+            @Schema(
+                    description = "From the vehicle's nose, or from true north; left out: vehicle",
+                    allowableValues = {"vehicle", "earth"})
+            @Nullable
+            String frame,
+
             @Nullable Double forward,
             @Nullable Double right,
             @Nullable Double down,
-            @Nullable Double turn,
-            @Nullable Double heading) {}
+
+            @Schema(description = "degrees a second, clockwise seen from above") @Nullable
+            Double turn,
+
+            @Schema(description = "degrees clockwise from true north, where it shall look; not beside turn") @Nullable
+            Double heading) {}
 
     /** Each −1 to 1, with 0 in the middle; what is left out is there. */
+    @Schema(name = "SteeringSticks", description = "Each -1 to 1, with 0 in the middle; what is left out is there.")
     public record Sticks(
             @Nullable Double forward,
             @Nullable Double right,

@@ -16,6 +16,7 @@ public final class SoapEndpoint {
         bus.setProperty("org.apache.cxf.stax.maxElementCount", 20_000L);
         bus.setProperty("org.apache.cxf.stax.maxChildElements", 5_000);
         bus.setProperty("org.apache.cxf.stax.maxElementDepth", 30);
+        bus.setProperty("org.apache.cxf.stax.maxAttributeCount", 50);
         bus.setProperty("org.apache.cxf.stax.maxAttributeSize", 4_096);
         bus.setProperty("org.apache.cxf.stax.maxTextLength", 1_048_576L);
         bus.setProperty("org.apache.cxf.stax.maxXMLCharacters", 1_048_576L);

@@ -3,6 +3,7 @@ package org.dronemap.ws.stream;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Clock;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -183,6 +184,10 @@ public final class StreamFace implements AutoCloseable {
     /** Hears what is to be told to clients. */
     public CloudListener news() {
         return news;
+    }
+
+    List<Topic<?>> topics() {
+        return news.topics();
     }
 
     /** How many clients are connected. */

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
+import org.dronemap.core.access.Role;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneView;
@@ -15,6 +16,7 @@ import org.dronemap.ws.service.ObjectsOnly;
 import org.dronemap.ws.service.PlanView;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.RunView;
+import org.dronemap.ws.service.ValuesOf;
 import org.dronemap.ws.service.VirtualDroneView;
 import org.dronemap.ws.service.ZoneFeature;
 import org.jspecify.annotations.Nullable;
@@ -49,7 +51,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
 @Schema(name = "StreamMessage", description = "What the server says.")
 sealed interface StreamMessage {
     @Schema(name = "StreamHello", description = "The first message: who you are.")
-    record Hello(String user, String role) implements StreamMessage {}
+    record Hello(String user, @ValuesOf(Role.class) String role) implements StreamMessage {}
 
     @Schema(name = "StreamDrones", description = "All drones that you see, once after hello.")
     record Drones(List<DroneView> drones) implements StreamMessage {}

@@ -79,6 +79,10 @@ final class StreamNews implements CloudListener, VirtualListener, PlanListener {
         this.feeds = List.of(zones, virtualDrones, plans, runs, follows, followsNow, commands, controls, drones);
     }
 
+    List<Topic<?>> topics() {
+        return feeds.stream().<Topic<?>>map(TopicFeed::topic).toList();
+    }
+
     void listen(CloudManager cloud) {
         cloud.addListener(this);
         cloud.zones().onChange(this::zonesChanged);

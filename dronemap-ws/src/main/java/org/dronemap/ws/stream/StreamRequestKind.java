@@ -1,17 +1,31 @@
 package org.dronemap.ws.stream;
 
+import java.util.Optional;
 import org.dronemap.ws.service.WireNames;
+import org.jspecify.annotations.Nullable;
 
 /** What there is of requests on the stream; {@link StreamRules} says by what each is judged. */
 enum StreamRequestKind {
-    AUTHENTICATE,
-    COMMAND,
-    CONTROL,
-    STEER,
-    LET_GO,
-    POSITIONS,
-    SUBSCRIBE,
-    PING;
+    AUTHENTICATE(StreamMessage.Hello.class),
+    COMMAND(StreamMessage.CommandAccepted.class),
+    CONTROL(StreamMessage.ControlAnswer.class),
+    STEER(null),
+    LET_GO(null),
+    POSITIONS(StreamMessage.PositionsHeard.class),
+    SUBSCRIBE(null),
+    PING(StreamMessage.Pong.class);
+
+    private final @Nullable Class<? extends StreamMessage> answer;
+
+    /** {@code answer}: null when only a refusal is answered. */
+    StreamRequestKind(@Nullable Class<? extends StreamMessage> answer) {
+        this.answer = answer;
+    }
+
+    /** How it is answered when it is carried out. */
+    Optional<Class<? extends StreamMessage>> answer() {
+        return Optional.ofNullable(answer);
+    }
 
     /** As clients call it. */
     String word() {

@@ -18,6 +18,11 @@ sealed interface StreamRule {
     /** The ids of the operations of REST whose rules count. */
     List<String> operations();
 
+    /** For people. */
+    default String words() {
+        return "Judged as in REST: " + String.join(", ", operations()) + ".";
+    }
+
     /** The rule of the operation of REST that does the same. */
     record OfOperation(String operation) implements StreamRule {
         @Override
@@ -55,6 +60,11 @@ sealed interface StreamRule {
         @Override
         public List<String> operations() {
             return List.of();
+        }
+
+        @Override
+        public String words() {
+            return why;
         }
     }
 }

@@ -29,7 +29,7 @@ import org.slf4j.LoggerFactory;
 final class StreamServer extends WebSocketServer {
     private static final Logger LOG = LoggerFactory.getLogger(StreamServer.class);
     private static final int WORKERS = 2;
-    private static final String PATH = "/stream";
+    static final String PATH = "/stream";
     private static final String TICKET = "ticket=";
     private static final String FAREWELL = "The server stops.";
     private static final Pattern RATE = Pattern.compile("[?&]rate=(\\d{1,4})(?:&|$)");

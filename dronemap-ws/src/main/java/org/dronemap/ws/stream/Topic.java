@@ -26,7 +26,10 @@ record Topic<T>(
         Audience<T> audience,
         BiFunction<T, Principal, StreamMessage> picture,
         Supplier<? extends Collection<T>> atFirst,
-        @Nullable Function<String, StreamMessage> removal) {
+        @Nullable Removal removal) {
+
+    /** What is said of a thing that is gone, by its id. */
+    record Removal(Class<? extends StreamMessage> message, Function<String, StreamMessage> of) {}
 
     /** Whom a thing is shown to: in words for people, and by its {@link Sight}. */
     record Audience<T>(String words, Sight<T> sight) {

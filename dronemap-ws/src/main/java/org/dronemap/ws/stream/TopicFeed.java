@@ -41,6 +41,10 @@ final class TopicFeed<T> {
         this.json = json;
     }
 
+    Topic<T> topic() {
+        return topic;
+    }
+
     /** Something that must arrive. */
     void tell(Collection<StreamClient> clients, T now) {
         tell(clients, null, now);
@@ -193,6 +197,6 @@ final class TopicFeed<T> {
     }
 
     private String removal(Subject subject) {
-        return json.write(Objects.requireNonNull(topic.removal()).apply(subject.id()));
+        return json.write(Objects.requireNonNull(topic.removal()).of().apply(subject.id()));
     }
 }

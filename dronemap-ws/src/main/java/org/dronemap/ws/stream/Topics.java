@@ -61,7 +61,7 @@ final class Topics {
                 new Topic.Audience<>("whoever sees the drone", (who, drone) -> sightOf(who, drone.id())),
                 (drone, who) -> new StreamMessage.Drone(views.view(drone, who)),
                 cloud::drones,
-                StreamMessage.DroneRemoved::new);
+                new Topic.Removal(StreamMessage.DroneRemoved.class, StreamMessage.DroneRemoved::new));
     }
 
     static Topic<Zone> zones() {
@@ -75,7 +75,7 @@ final class Topics {
                         (who, zone) -> ZoneService.isShownTo(who, zone) ? who.organisation() : null),
                 (zone, who) -> new StreamMessage.ZoneChanged(ZoneFeature.of(zone, who.organisation())),
                 List::of,
-                StreamMessage.ZoneRemoved::new);
+                new Topic.Removal(StreamMessage.ZoneRemoved.class, StreamMessage.ZoneRemoved::new));
     }
 
     static Topic<VirtualDrone> virtualDrones(VirtualDrones virtuals, VirtualDroneViews views) {
@@ -88,7 +88,7 @@ final class Topics {
                         (who, drone) -> VirtualDroneService.isShownTo(who, drone) ? who : null),
                 (drone, who) -> new StreamMessage.VirtualDroneChanged(views.view(drone, who)),
                 virtuals::all,
-                StreamMessage.VirtualDroneRemoved::new);
+                new Topic.Removal(StreamMessage.VirtualDroneRemoved.class, StreamMessage.VirtualDroneRemoved::new));
     }
 
     static Topic<PlanJob> plans(PlanDesk desk) {
@@ -99,7 +99,7 @@ final class Topics {
                 Topic.Audience.of("whoever asked for it, and sees all of its drones", PlanService::isShownTo),
                 (job, who) -> new StreamMessage.PlanChanged(PlanViews.whole(job)),
                 desk::everybodys,
-                StreamMessage.PlanRemoved::new);
+                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new));
     }
 
     static Topic<Picture<RunState>> runs(RunService runs) {

@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import com.fasterxml.jackson.annotation.Nulls;
 import io.swagger.v3.oas.models.OpenAPI;
+import java.util.Map;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.ws.access.RestOperations;
@@ -51,6 +52,7 @@ import org.dronemap.ws.rest.RobotKeyController;
 import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SensingController;
 import org.dronemap.ws.rest.SessionController;
+import org.dronemap.ws.rest.StreamDescriptionHandler;
 import org.dronemap.ws.rest.StreamTicketController;
 import org.dronemap.ws.rest.SystemController;
 import org.dronemap.ws.rest.TelemetryController;
@@ -65,6 +67,7 @@ import org.dronemap.ws.security.RefusedByTomcat;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.stream.StreamCrowd;
+import org.dronemap.ws.stream.StreamDescription;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
 import org.springframework.boot.tomcat.ConfigurableTomcatWebServerFactory;
 import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
@@ -76,6 +79,7 @@ import org.springframework.context.annotation.Import;
 import org.springframework.core.Ordered;
 import org.springframework.web.filter.OncePerRequestFilter;
 import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
+import org.springframework.web.servlet.handler.SimpleUrlHandlerMapping;
 import tools.jackson.databind.DeserializationFeature;
 
 /** Constructs the REST face and the filters before it. */
@@ -229,6 +233,14 @@ public class RestConfiguration {
     @Bean
     DescribedAlternatives describedAlternatives() {
         return ALTERNATIVES;
+    }
+
+    /** Before what answers that there is nothing at an address. */
+    @Bean
+    SimpleUrlHandlerMapping streamDescriptions(StreamDescription description, StreamPort port) {
+        StreamDescriptionHandler handler = new StreamDescriptionHandler(
+                (encrypted, host) -> description.at(encrypted ? "wss" : "ws", host + ":" + port.number()));
+        return new SimpleUrlHandlerMapping(Map.of("/api/asyncapi.json", handler), 1);
     }
 
     @Bean

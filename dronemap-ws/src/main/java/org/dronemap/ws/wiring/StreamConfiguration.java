@@ -3,6 +3,7 @@ package org.dronemap.ws.wiring;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Clock;
+import java.util.List;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.audit.AuditDesk;
@@ -27,8 +28,10 @@ import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.SteeringService;
 import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.stream.StreamCrowd;
+import org.dronemap.ws.stream.StreamDescription;
 import org.dronemap.ws.stream.StreamFace;
 import org.jspecify.annotations.Nullable;
+import org.springdoc.core.customizers.OpenApiCustomizer;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
@@ -104,6 +107,11 @@ public class StreamConfiguration {
         InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.streamPort());
         StreamFace.Port port = new StreamFace.Port(address, door, new BoundedDraft(StreamFace.LARGEST_MESSAGE_BYTES));
         return new StreamFace(house.cloud(), services, port, clock);
+    }
+
+    @Bean
+    StreamDescription streamDescription(StreamFace face, List<OpenApiCustomizer> customizers, JsonReader json) {
+        return new StreamDescription(face, customizers, json, Version.current());
     }
 
     /** Listens before the HTTP port does, so that whoever finds the page finds the stream. */

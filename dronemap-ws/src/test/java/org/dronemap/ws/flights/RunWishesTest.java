@@ -28,6 +28,7 @@ import org.dronemap.ws.lab.RunFlight;
 import org.dronemap.ws.lab.Track;
 import org.dronemap.ws.lab.Zones;
 import org.dronemap.ws.service.PlanRequest;
+import org.dronemap.ws.service.PlanTaskRequest;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.dronemap.ws.service.RunRequest;
@@ -65,15 +66,14 @@ class RunWishesTest {
                 hovers ? tasks() : null);
     }
 
-    private List<PlanRequest.TaskRequest> tasks() {
+    private List<PlanTaskRequest> tasks() {
         Geodetic home = drones.get(0).place(0, 0);
         double ground = drones.get(0).groundAmsl();
         return List.of(
-                new PlanRequest.TaskRequest(
-                        "lookAt", null, null, home.latitudeDegrees(), home.longitudeDegrees(), ground, null),
-                new PlanRequest.TaskRequest("servo", SERVO, PULSE_MICROS, null, null, null, null),
-                new PlanRequest.TaskRequest("photo", null, null, null, null, null, null),
-                new PlanRequest.TaskRequest("readSensors", null, null, null, null, null, 4.0));
+                new PlanTaskRequest.LookAt(home.latitudeDegrees(), home.longitudeDegrees(), ground),
+                new PlanTaskRequest.Servo(SERVO, PULSE_MICROS),
+                new PlanTaskRequest.Photo(),
+                new PlanTaskRequest.ReadSensors(4.0));
     }
 
     /** In two columns; at the first of each column they hover and do tasks, if anywhere. */

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.service.PlanRequest;
+import org.dronemap.ws.service.PlanTaskRequest;
 import org.dronemap.ws.service.PlanView;
 import org.dronemap.ws.service.RunRequest;
 import org.dronemap.ws.service.RunView;
@@ -78,7 +79,7 @@ public final class RunFlight {
 
     /** The same with what is done there. */
     public static PlanRequest.WaypointRequest waypoint(
-            Geodetic place, double amsl, @Nullable Double holdSeconds, @Nullable List<PlanRequest.TaskRequest> tasks) {
+            Geodetic place, double amsl, @Nullable Double holdSeconds, @Nullable List<PlanTaskRequest> tasks) {
         return new PlanRequest.WaypointRequest(
                 null,
                 place.latitudeDegrees(),

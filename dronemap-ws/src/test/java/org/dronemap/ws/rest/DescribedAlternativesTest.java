@@ -22,7 +22,8 @@ class DescribedAlternativesTest {
     @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "form")
     @JsonSubTypes({
         @JsonSubTypes.Type(value = Square.class, name = "square"),
-        @JsonSubTypes.Type(value = Disc.class, name = "disc")
+        @JsonSubTypes.Type(value = Disc.class, name = "disc"),
+        @JsonSubTypes.Type(value = Nothing.class, name = "nothing")
     })
     @Schema(name = "Shape", description = "What is drawn.")
     private sealed interface Shape {
@@ -36,6 +37,14 @@ class DescribedAlternativesTest {
 
     @Schema(name = "DiscShape")
     private record Disc(int radius, @Nullable String label) implements Shape {}
+
+    @Schema(name = "NothingShape")
+    private record Nothing() implements Shape {
+        @Override
+        public @Nullable String label() {
+            return null;
+        }
+    }
 
     @Schema(name = "Drawing")
     private record Drawing(List<Shape> shapes) {}
@@ -67,10 +76,13 @@ class DescribedAlternativesTest {
         assertThat(shape.getDescription()).isEqualTo("What is drawn.");
         assertThat(shape.getOneOf())
                 .extracting(io.swagger.v3.oas.models.media.Schema::get$ref)
-                .containsExactly(AT + "SquareShape", AT + "DiscShape");
+                .containsExactly(AT + "SquareShape", AT + "DiscShape", AT + "NothingShape");
         assertThat(shape.getDiscriminator().getPropertyName()).isEqualTo("form");
         assertThat(shape.getDiscriminator().getMapping())
-                .containsExactly(Map.entry("square", AT + "SquareShape"), Map.entry("disc", AT + "DiscShape"));
+                .containsExactly(
+                        Map.entry("square", AT + "SquareShape"),
+                        Map.entry("disc", AT + "DiscShape"),
+                        Map.entry("nothing", AT + "NothingShape"));
         assertThat(shape.getProperties()).isNull();
     }
 
@@ -84,6 +96,15 @@ class DescribedAlternativesTest {
         assertThat(disc.getRequired()).contains("form");
         assertThat(disc.getAllOf()).isNull();
         assertThat(disc.getDiscriminator()).isNull();
+    }
+
+    @Test
+    void areObjectsAlsoWithoutMembersOfTheirOwn() {
+        io.swagger.v3.oas.models.media.Schema<?> nothing =
+                described(Drawing.class).get("NothingShape");
+
+        assertThat(nothing.getTypes()).containsExactly("object");
+        assertThat(nothing.getProperties().keySet()).containsExactly("form");
     }
 
     private static io.swagger.v3.oas.models.media.Schema<?> member(

@@ -57,9 +57,9 @@ class AlternativesTest {
     void areToldWhereNoneIsNamed(String text) {
         InvalidInput wrong = wrong(text, Shape.class);
 
-        assertThat(wrong.sentence()).isEqualTo("\"form\" is missing; it must be one of square, disc.");
+        assertThat(wrong.sentence()).isEqualTo("\"form\" is missing; it must be square or disc.");
         assertThat(wrong.field()).isEqualTo("form");
-        assertThat(wrong.allowed()).isEqualTo("one of square, disc");
+        assertThat(wrong.allowed()).isEqualTo("square or disc");
     }
 
     @ParameterizedTest
@@ -75,7 +75,7 @@ class AlternativesTest {
         InvalidInput wrong = wrong(text, Drawing.class);
 
         assertThat(wrong.field()).isEqualTo(field);
-        assertThat(wrong.sentence()).isEqualTo("\"" + field + "\" must be one of square, disc, not \"" + said + "\".");
+        assertThat(wrong.sentence()).isEqualTo("\"" + field + "\" must be square or disc, not \"" + said + "\".");
     }
 
     @ParameterizedTest

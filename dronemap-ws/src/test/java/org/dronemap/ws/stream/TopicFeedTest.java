@@ -44,7 +44,7 @@ class TopicFeedTest {
                 Topic.Audience.of("all but some", (who, name) -> !hidden.contains(who.name() + name)),
                 (name, who) -> new StreamMessage.Hello(name, "shown"),
                 () -> things,
-                StreamMessage.PlanRemoved::new);
+                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new));
         return new TopicFeed<>(topic, new JsonReader());
     }
 

@@ -7,10 +7,14 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.Tenant;
+import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.service.Alternatives;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.wiring.StreamPort;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -31,6 +35,19 @@ class StreamWireTest {
     @Test
     void hearsWhatIsApproved() throws ClassNotFoundException {
         Approved.checkFolder("stream/hears", shapes("StreamRequest"));
+    }
+
+    /** The description that programs are written from, to the letter. */
+    @Test
+    void isDescribedAsApproved() {
+        TestHouse house = SharedServer.get();
+        Http.Answer answer = new Http(house, "").get("/api/asyncapi.json");
+        assertThat(answer.status()).isEqualTo(200);
+        String served = answer.raw()
+                .body()
+                .replace("127.0.0.1:" + house.bean(StreamPort.class).number(), "dronemap.example:8081");
+
+        Approved.check("asyncapi.json", PrettyJson.of(PrettyJson.sorted(PrettyJson.tree(served))));
     }
 
     private Map<String, String> shapes(String sealed) throws ClassNotFoundException {
