@@ -171,7 +171,7 @@ class Crowd:
 def by_soap(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:
     """Each one's stage."""
     service = soap(server, key, "FollowerService")
-    return {follow: service.getFollow(follow).state for follow in follows}
+    return {follow: service.getFollow(followId=follow).state for follow in follows}
 
 
 def by_stream(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:

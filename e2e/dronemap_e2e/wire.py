@@ -6,6 +6,7 @@ What the server answers is in the files too, and is what the test that replays t
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
 
 from playwright.sync_api import sync_playwright
 
@@ -19,6 +20,10 @@ from .waiting import wait_for
 from .wire_clients import NEAR, Curl, called, php, zeep_client
 from .wire_page import use_page
 from .wire_relay import Relay
+
+
+CONTROLLER = "MAVLinkControllerService"
+POINT = {"type": "waypoint"} | NEAR
 
 
 def _by_curl(relay: Relay, curl: Curl) -> tuple[str, str]:
@@ -37,35 +42,43 @@ def _by_curl(relay: Relay, curl: Curl) -> tuple[str, str]:
     return first, second
 
 
-def _by_zeep(relay: Relay, key: str, folder: Path, drone: str) -> None:
-    service = zeep_client(relay, key, "1.1", "MAVLinkControllerService", folder)
-    called(service, "getDronesList")
-    called(service, "getDrone", drone)
-    called(service, "getDrone", wire_curl.NOBODY)
-    called(service, "setMode", drone, "NOSUCHMODE")
-    called(service, "setHome", drone, 47.3977, 8.5456, 488.0)
-    called(service, "takePicture", drone)
-    called(service, "setRelay", drone, 4, "toggle")
-    called(service, "setRelay", drone, 400, "toggle")
-    called(service, "getParameters", drone, "NOSUCH")
-    called(service, "uploadMission", drone, [NEAR, NEAR | {"holdSeconds": 2}])
-    called(service, "takeControl", drone)
-    called(service, "giveControlBack", drone)
-    plan = called(service, "planMission", [drone], [NEAR], None, None, 0.1)
+def _by_zeep(relay: Relay, key: str, drone: str) -> None:
+    def client(service: str, version: str = "1.1") -> Any:
+        return zeep_client(relay, key, version, service)
+
+    controller = client(CONTROLLER)
+    called(controller, "getDronesList")
+    called(controller, "getDrone", droneId=drone)
+    called(controller, "getDrone", droneId=wire_curl.NOBODY)
+    called(controller, "setMode", droneId=drone, mode="NOSUCHMODE")
+    called(controller, "setHome", droneId=drone, latitude=47.3977, longitude=8.5456, altitude=488.0)
+    called(controller, "takePicture", droneId=drone)
+    called(controller, "setRelay", droneId=drone, relay=4, setting="toggle")
+    called(controller, "setRelay", droneId=drone, relay=400, setting="toggle")
+    called(controller, "listParameters", droneId=drone, search="NOSUCH")
+    items = {"item": [POINT, POINT | {"holdSeconds": 2}]}
+    called(controller, "uploadMission", droneId=drone, items=items)
+    called(controller, "takeControl", droneId=drone)
+    called(controller, "releaseControl", droneId=drone)
+    planning = client("PlanningService")
+    visits = {"item": [NEAR]}
+    plan = called(planning, "makePlan", drones={"item": [drone]}, waypoints=visits, seconds=0.1)
     if plan is not None:
-        called(service, "cancelPlan", plan.planId)
-    called(service, "createVirtualDrone", "An errand", None, None, [], [NEAR])
-    called(service, "getFlightsList", wire_curl.NOBODY, None, None, None)
-    called(zeep_client(relay, None, "1.1", "MAVLinkControllerService", folder), "getDronesList")
-    follower = zeep_client(relay, key, "1.1", "FollowerService", folder)
-    follow = called(follower, "followRequest", drone, 47.398, 8.5456, None, 5, "Ann")
+        called(planning, "removePlan", planId=plan.id)
+    called(client("VirtualDroneService"), "addVirtualDrone", name="An errand", items={"item": [POINT]})
+    called(client("RecordService"), "listFlights", drone=wire_curl.NOBODY)
+    called(client("FleetService"), "listFleets")
+    called(zeep_client(relay, None, "1.1", CONTROLLER), "getDronesList")
+    follower = client("FollowerService")
+    place = {"latitude": 47.398, "longitude": 8.5456}
+    follow = called(follower, "followRequest", drone=drone, minutes=5, name="Ann", **place)
     if follow is not None:
-        called(follower, "getFollow", follow.followId)
-        called(follower, "cancelFollowRequest", follow.followId)
-    newer = zeep_client(relay, key, "1.2", "MAVLinkControllerService", folder)
+        called(follower, "getFollow", followId=follow.id)
+        called(follower, "cancelFollowRequest", followId=follow.id)
+    newer = client(CONTROLLER, "1.2")
     called(newer, "getDronesList")
-    called(newer, "getDrone", drone)
-    called(newer, "arm", wire_curl.NOBODY)
+    called(newer, "getDrone", droneId=drone)
+    called(newer, "arm", droneId=wire_curl.NOBODY)
 
 
 def record(folder: Path) -> int:
@@ -83,7 +96,7 @@ def record(folder: Path) -> int:
             wait_for("all is known", lambda: all(known(api, number) for number in (1, 2)), 150)
             curl = Curl(relay, key)
             first, second = _by_curl(relay, curl)
-            _by_zeep(relay, key, work, first)
+            _by_zeep(relay, key, first)
             php(relay, key, "1.1", first)
             php(relay, key, "1.2", first)
             with sync_playwright() as playwright:

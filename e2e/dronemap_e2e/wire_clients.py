@@ -69,28 +69,24 @@ class Curl:
         wait_for(f"{path} is {value}", looked, 60)
 
 
-def zeep_client(relay: Relay, key: str | None, version: str, service: str, folder: Path) -> Any:
-    """`version`: of SOAP. The services describe 1.1 alone, so for 1.2 the description says so."""
+def zeep_client(relay: Relay, key: str | None, version: str, service: str) -> Any:
+    """`version`: of SOAP."""
     relay.client = f"zeep {version}"
-    wsdl = requests.get(f"{relay.address}/services/{service}?wsdl", timeout=20).text
-    if version == "1.2":
-        wsdl = wsdl.replace(
-            "http://schemas.xmlsoap.org/wsdl/soap/", "http://schemas.xmlsoap.org/wsdl/soap12/"
-        )
-    described = folder / f"{service}-{version}.wsdl"
-    described.write_text(wsdl)
     session = requests.Session()
+    transport: Any = zeep.transports.Transport(session=session)  # type: ignore[no-untyped-call]
+    client: Any = zeep.Client(  # type: ignore[no-untyped-call]
+        f"{relay.address}/services/{service}?wsdl", transport=transport
+    )
     if key:
         session.headers["Authorization"] = f"Bearer {key}"
-    transport: Any = zeep.transports.Transport(session=session)  # type: ignore[no-untyped-call]
-    client: Any = zeep.Client(str(described), transport=transport)  # type: ignore[no-untyped-call]
-    return client.service
+    ports = client.wsdl.services[service].ports
+    return client.bind(service, next(name for name in ports if name.endswith("12") == (version == "1.2")))
 
 
-def called(service: Any, operation: str, *arguments: object, **named: object) -> Any:
+def called(service: Any, operation: str, **arguments: object) -> Any:
     """Its answer; None where it is a fault, which is as good a thing to keep."""
     try:
-        return getattr(service, operation)(*arguments, **named)
+        return getattr(service, operation)(**arguments)
     except (zeep.exceptions.Fault, zeep.exceptions.TransportError):
         return None
 

@@ -23,7 +23,7 @@ def test_every_face_leaves_one_record_that_a_receipt_vouches_for(
     refused = Api(server.address, viewer).call("POST", f"/drones/{drone}/commands", {"type": "arm"})
     assert refused.status_code == 403
     assert Api(server.address, operator).do(drone, type="readHome")
-    assert soap(server, operator).takePicture(drone)["result"]
+    assert soap(server, operator).takePicture(droneId=drone).outcome.result
     _say(server, operator, {"type": "command", "drone": drone, "command": {"type": "readParameters"}})
     given_back = Api(server.address, operator).call("DELETE", f"/drones/{drone}/control")
     assert given_back.status_code in (200, 409), given_back.text

@@ -75,22 +75,32 @@ def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> No
     """End to end because zeep makes its calls of the service's own WSDL."""
     points = triangle(copter["home"], altitude=10)
     service = soap(server, server.local_key())
-    listed = [d.id for d in service.getDronesList()]
+    listed = [d.id for d in service.getDronesList().drones.item]
     assert copter["id"] in listed
 
     def act(kind: str, **body: Any) -> Json:
         drone = copter["id"]
-        outcome = {
-            "arm": lambda: service.arm(drone),
-            "takeOff": lambda: service.takeoff(drone, TAKE_OFF_METERS),
+        command = {
+            "arm": lambda: service.arm(droneId=drone),
+            "takeOff": lambda: service.takeoff(droneId=drone, altitude=TAKE_OFF_METERS),
             "uploadMission": lambda: service.uploadMission(
-                drone,
-                [{"latitude": p.latitude, "longitude": p.longitude, "altitude": p.altitude} for p in points],
+                droneId=drone,
+                items={
+                    "item": [
+                        {
+                            "type": "waypoint",
+                            "latitude": p.latitude,
+                            "longitude": p.longitude,
+                            "altitude": p.altitude,
+                        }
+                        for p in points
+                    ]
+                },
             ),
-            "startMission": lambda: service.startMission(drone),
-            "returnToLaunch": lambda: service.returnToLaunch(drone),
+            "startMission": lambda: service.startMission(droneId=drone),
+            "returnToLaunch": lambda: service.returnToLaunch(droneId=drone),
         }[kind]()
-        assert outcome.result == "succeeded", outcome
+        assert command.outcome.result == "succeeded", command
         return {}
 
     fly(api, copter["id"], act, points)

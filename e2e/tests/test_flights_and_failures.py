@@ -60,12 +60,12 @@ def test_a_database_that_is_away_costs_counted_telemetry_only_and_no_command(alo
     begin, dropped = time.time(), api.get("/history")["dropped"]
     far = triangle(api.drone(drone)["home"], side=30)[1]
     go_to = {"type": "goTo", "latitude": far.latitude, "longitude": far.longitude, "altitude": 12}
-    service = soap(aloft.server, aloft.server.local_key())
+    service = soap(aloft.server, aloft.server.local_key(), "RecordService")
     before = api.command(drone, go_to)
     with database_away(aloft.server.data), ThreadPoolExecutor() as at_once:
         wait_for("it is said", lambda: api.get("/health")["history"] == "down", 10)
         flight = at_once.submit(api.call, "GET", f"/flights/{aloft.flight['id']}")
-        flights = at_once.submit(service.getFlightsList, droneId=drone)
+        flights = at_once.submit(service.listFlights, drone=drone)
         # Nothing is sent that is not written down first; and it is said at once.
         command = at_once.submit(
             Api(aloft.server.address, api.key).call, "POST", f"/drones/{drone}/commands", go_to

@@ -134,23 +134,26 @@ def test_a_soap_client_of_another_maker_has_a_phone_followed(server: Server, cop
     latitude, longitude = home["latitude"] + 20 / METRES_PER_DEGREE, home["longitude"]
 
     allocated = service.followRequest(
-        droneId=copter["id"],
+        drone=copter["id"],
         latitude=latitude,
         longitude=longitude,
         place={"side": "fixed", "bearing": 180, "distance": 5, "height": 5},
     )
-    assert (allocated.state, allocated.droneId) == ("allocated", copter["id"]), allocated
+    assert (allocated.state, allocated.drone) == ("allocated", copter["id"]), allocated
     with pytest.raises(zeep.exceptions.Fault, match="has not been started"):
-        service.stopTracking(allocated.followId)
-    assert service.startTracking(allocated.followId).state == "starting"
+        service.stopTracking(followId=allocated.id)
+    assert service.startTracking(followId=allocated.id).state == "starting"
 
     def comes() -> Any:
-        seen = service.sendNewGPSLocation(allocated.followId, latitude, longitude, 4.0)
-        return seen if seen.state == "tracking" and seen.distance < 15 else None
+        now = datetime.now(UTC)
+        position = {"at": now, "latitude": latitude, "longitude": longitude, "accuracy": 4.0}
+        service.sendNewGPSLocation(followId=allocated.id, sent=now, positions={"item": [position]})
+        seen = service.getFollow(followId=allocated.id)
+        return seen if seen.state == "tracking" and seen.now.distance < 15 else None
 
     wait_for("the drone has come", comes, 40)
-    assert service.disableTracking(allocated.followId).state == "paused"
-    assert service.enableTracking(allocated.followId).state == "starting"
+    assert service.disableTracking(followId=allocated.id).state == "paused"
+    assert service.enableTracking(followId=allocated.id).state == "starting"
     wait_for("it follows again", comes, 10)
-    assert service.stopTracking(allocated.followId).state == "returning"
-    assert service.getFollow(allocated.followId).state in ("returning", "over")
+    assert service.stopTracking(followId=allocated.id).state == "returning"
+    assert service.getFollow(followId=allocated.id).state in ("returning", "over")

@@ -118,10 +118,10 @@ def send_it_somewhere(server: Server, api: Api, robot: Robot) -> None:
     wait_for("the way is given up", lambda: robot.machine.told("cancel"))
 
     service = soap(server, server.local_key())
-    assert service.goToLocal(robot.drone, 0, 1).result == "succeeded"
+    assert service.goToLocal(droneId=robot.drone, x=0, y=1).outcome.result == "succeeded"
     assert (robot.machine.told("goal")[-1]["x"], robot.machine.told("goal")[-1]["y"]) == (0, 1)
-    assert service.readMap(robot.drone).result == "succeeded"
-    assert service.emergencyStop(robot.drone).result == "succeeded"
+    assert service.readMap(droneId=robot.drone).outcome.result == "succeeded"
+    assert service.emergencyStop(droneId=robot.drone).outcome.result == "succeeded"
     wait_for("this way, too", lambda: len(robot.machine.told("cancel")) == 2)
 
 

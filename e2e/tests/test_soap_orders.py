@@ -45,32 +45,41 @@ def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
     link.close()
 
 
-def fault(service: Any, operation: str, *arguments: object) -> zeep.exceptions.Fault:
+def fault(service: Any, operation: str, **arguments: object) -> zeep.exceptions.Fault:
     with pytest.raises(zeep.exceptions.Fault) as raised:
-        getattr(service, operation)(*arguments)
+        getattr(service, operation)(**arguments)
     return raised.value
+
+
+def result(command: Any) -> str:
+    ended: str = command.outcome.result
+    return ended
 
 
 def test_zeep_gives_orders_and_reads_answers_and_faults(server: Server, api: Api, bench: Bench) -> None:
     """End to end because zeep makes calls, and reads answers and faults, by the service's own WSDL."""
     service = soap(server, server.local_key())
-    assert service.setHome(bench.drone, 47.4013, 8.5502, 502.0).result == "succeeded"
+    assert result(
+        service.setHome(
+            droneId=bench.drone, latitude=47.4013, longitude=8.5502, altitude=502.0, altitudeReference="amsl"
+        )
+    ) == "succeeded"
     assert bench.station.home() == (474_013_000, 85_502_000, 502_000)
-    assert service.takePicture(bench.drone).result == "succeeded"
-    assert service.setRelay(bench.drone, 4, "toggle").result == "succeeded"
+    assert result(service.takePicture(droneId=bench.drone)) == "succeeded"
+    assert result(service.setRelay(droneId=bench.drone, relay=4, setting="toggle")) == "succeeded"
     assert bench.payload() == "pictures 1 relays on: 4"
-    assert service.readParameters(bench.drone).result == "succeeded"
-    assert service.setParameter(bench.drone, "RTL_ALT", 33.0).result == "succeeded"
-    found = service.getParameters(bench.drone, "RTL_ALT")
+    assert result(service.readParameters(droneId=bench.drone)) == "succeeded"
+    assert result(service.setParameter(droneId=bench.drone, name="RTL_ALT", value=33.0)) == "succeeded"
+    found = service.listParameters(droneId=bench.drone, search="RTL_ALT").parameters.item
     assert [(p.name, p.value) for p in found] == [("RTL_ALT", 33.0)]
     assert bench.station.parameters()["RTL_ALT"][0] == 33.0
 
     bad = {"type": "goTo", "latitude": 95, "longitude": 8, "altitude": 20}
     by_rest = api.call("POST", f"/drones/{bench.drone}/commands", bad).json()["detail"]
-    latitude = fault(service, "goto", bench.drone, 95, 8, 20)
+    latitude = fault(service, "goto", droneId=bench.drone, latitude=95, longitude=8, altitude=20)
     assert latitude.message == by_rest
     assert latitude.code.endswith(":Client")
-    assert "nosuchdrone" in fault(service, "arm", "nosuchdrone").message
+    assert "nosuchdrone" in fault(service, "arm", droneId="nosuchdrone").message
     for key, words in (("wrong", "key"), (api.new_key("soap viewer", "viewer"), "operator")):
-        assert words in fault(soap(server, key), "arm", bench.drone).message
+        assert words in fault(soap(server, key), "arm", droneId=bench.drone).message
     assert api.drone(bench.drone)["armed"] is False

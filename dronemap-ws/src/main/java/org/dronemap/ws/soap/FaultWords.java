@@ -1,5 +1,6 @@
 package org.dronemap.ws.soap;
 
+import java.util.regex.Pattern;
 import javax.xml.stream.XMLStreamException;
 import org.apache.cxf.binding.soap.SoapFault;
 import org.apache.cxf.interceptor.Fault;
@@ -18,6 +19,11 @@ import org.slf4j.LoggerFactory;
 /** Says what is wrong with messages that never became a call in the words that the other faces have for it. */
 final class FaultWords extends AbstractPhaseInterceptor<Message> {
     private static final Logger LOG = LoggerFactory.getLogger(FaultWords.class);
+
+    /** How the parser tells of its own bounds. */
+    private static final Pattern BOUND = Pattern.compile("limit \\(\\d+\\)");
+
+    private static final String BEYOND = "This XML has more elements, or deeper ones, than are allowed here.";
 
     private final SoapCalls calls;
 
@@ -49,10 +55,12 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
                 return Problem.of(rejection);
             }
             if (cause instanceof DepthExceededStaxException) {
-                return unreadableXml("This XML has more elements, or deeper ones, than are allowed here.");
+                return unreadableXml(BEYOND);
             }
-            if (cause instanceof XMLStreamException) {
-                return unreadableXml("This is not well-formed XML.");
+            if (cause instanceof XMLStreamException broken) {
+                boolean bound =
+                        BOUND.matcher(String.valueOf(broken.getMessage())).find();
+                return unreadableXml(bound ? BEYOND : "This is not well-formed XML.");
             }
         }
         boolean ofTheCaller = thrown instanceof Fault fault && !Fault.FAULT_CODE_SERVER.equals(fault.getFaultCode());

@@ -16,6 +16,7 @@ public final class SoapEndpoint {
         bus.setProperty("org.apache.cxf.stax.maxElementCount", 20_000L);
         bus.setProperty("org.apache.cxf.stax.maxChildElements", 5_000);
         bus.setProperty("org.apache.cxf.stax.maxElementDepth", 30);
+        bus.setProperty("org.apache.cxf.stax.maxAttributeCount", 50);
         bus.setProperty("org.apache.cxf.stax.maxAttributeSize", 4_096);
         bus.setProperty("org.apache.cxf.stax.maxTextLength", 1_048_576L);
         bus.setProperty("org.apache.cxf.stax.maxXMLCharacters", 1_048_576L);
@@ -28,7 +29,8 @@ public final class SoapEndpoint {
                 // The payload of a call, as a tree.
                 "source-preferred-format",
                 "dom"));
-        endpoint.getInInterceptors().addAll(List.of(new RefusedBodies(), new NoDoctype(), new UnderstoodHeaders()));
+        endpoint.getInInterceptors()
+                .addAll(List.of(new AnnouncedVersion(), new RefusedBodies(), new NoDoctype(), new UnderstoodHeaders()));
         endpoint.getOutFaultInterceptors().add(new FaultWords(calls));
         endpoint.publish("/" + name);
         return endpoint;

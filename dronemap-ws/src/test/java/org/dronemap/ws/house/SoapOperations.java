@@ -35,6 +35,7 @@ public final class SoapOperations {
     private final Set<String> doubled = new TreeSet<>();
 
     private final Map<String, String> ofRest;
+    private final Set<String> services = new TreeSet<>();
 
     /**
      * One operation.
@@ -55,7 +56,6 @@ public final class SoapOperations {
 
     public SoapOperations(TestHouse house) {
         Http http = new Http(house, "");
-        Set<String> services = new TreeSet<>();
         Matcher found = SERVICE.matcher(http.get("/services").raw().body());
         while (found.find()) {
             services.add(found.group());
@@ -148,7 +148,7 @@ public final class SoapOperations {
 
     /** The addresses of all services. */
     public Set<String> services() {
-        return described.values().stream().map(Operation::service).collect(Collectors.toCollection(TreeSet::new));
+        return services;
     }
 
     /** Names that clients could take for another service's. */
