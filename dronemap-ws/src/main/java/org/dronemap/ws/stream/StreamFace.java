@@ -37,7 +37,7 @@ import org.java_websocket.WebSocketServerFactory;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.framing.CloseFrame;
 
-/** The WebSocket face as a whole. One pump thread carries to the clients what {@link StreamNews} has heard. */
+/** The WebSocket face as a whole. One pump thread carries to the clients what {@link Topics} declares. */
 public final class StreamFace implements AutoCloseable {
     public static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
 
@@ -47,6 +47,8 @@ public final class StreamFace implements AutoCloseable {
     private final CloudManager cloud;
     private final StreamServer server;
     private final StreamRequests requests;
+    private final CloudNews cloudNews = new CloudNews();
+    private final List<Topic<?>> topics;
     private final StreamNews news;
     private final StreamPhones phones;
     private final Clock clock;
@@ -93,10 +95,10 @@ public final class StreamFace implements AutoCloseable {
         this.cloud = cloud;
         this.clock = clock;
         this.beat = new StreamBeat(services.json(), clock, System.nanoTime());
+        this.topics = Topics.all(cloud, cloudNews, services.pictures());
         this.news = new StreamNews(
-                cloud,
+                topics,
                 services.entrance().grants(),
-                services.pictures(),
                 services.json(),
                 services.entrance().bounds().crowd(),
                 pump::wake);
@@ -117,7 +119,8 @@ public final class StreamFace implements AutoCloseable {
         server.start();
         int port = awaitListening();
         cloud.controls().watchedBy(this::isThere);
-        news.listen(cloud);
+        news.listen();
+        cloud.addListener(cloudNews);
         pump.start();
         return port;
     }
@@ -153,6 +156,7 @@ public final class StreamFace implements AutoCloseable {
     }
 
     private Pump.Pause round(long now) {
+        cloudNews.round(now);
         Pump.Pause pause = news.publish(now);
         phones.round(now);
         Optional<String> sign = beat.due(now);
@@ -181,13 +185,13 @@ public final class StreamFace implements AutoCloseable {
         return client.pump(now, server.reminder());
     }
 
-    /** Hears what is to be told to clients. */
+    /** Hears what is to be told of drones. */
     public CloudListener news() {
-        return news;
+        return cloudNews;
     }
 
     List<Topic<?>> topics() {
-        return news.topics();
+        return topics;
     }
 
     /** How many clients are connected. */
@@ -197,7 +201,7 @@ public final class StreamFace implements AutoCloseable {
 
     @Override
     public void close() {
-        cloud.removeListener(news);
+        cloud.removeListener(cloudNews);
         pump.close();
         server.end();
     }

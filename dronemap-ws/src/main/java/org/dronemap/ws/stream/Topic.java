@@ -2,6 +2,7 @@ package org.dronemap.ws.stream;
 
 import java.util.Collection;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
@@ -17,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param picture what one of them is told
  * @param atFirst those that a client is told of when it has come in
  * @param removal what is said of one that is gone or out of sight; null: nothing
+ * @param source has a feed hear of each change, from any thread
  * @param <T> a thing as it is at one moment
  */
 record Topic<T>(
@@ -26,7 +28,8 @@ record Topic<T>(
         Audience<T> audience,
         BiFunction<T, Principal, StreamMessage> picture,
         Supplier<? extends Collection<T>> atFirst,
-        @Nullable Removal removal) {
+        @Nullable Removal removal,
+        Consumer<TopicFeed<T>> source) {
 
     /** What is said of a thing that is gone, by its id. */
     record Removal(Class<? extends StreamMessage> message, Function<String, StreamMessage> of) {}

@@ -24,6 +24,8 @@ final class TopicFeed<T> {
 
     private final Topic<T> topic;
     private final JsonReader json;
+    private final Collection<StreamClient> clients;
+    private final Runnable wake;
     private final ConcurrentHashMap<Subject, News<T>> changed = new ConcurrentHashMap<>();
     private final Queue<Subject> removed = new ConcurrentLinkedQueue<>();
     // Owned by the pump: by how many pictures a second clients want at most.
@@ -36,25 +38,28 @@ final class TopicFeed<T> {
         }
     }
 
-    TopicFeed(Topic<T> topic, JsonReader json) {
+    /** {@code clients}: as they come and go; {@code wake} asks for a round of the pump. */
+    TopicFeed(Topic<T> topic, JsonReader json, Collection<StreamClient> clients, Runnable wake) {
         this.topic = topic;
         this.json = json;
+        this.clients = clients;
+        this.wake = wake;
     }
 
-    Topic<T> topic() {
-        return topic;
+    void listen() {
+        topic.source().accept(this);
     }
 
     /** Something that must arrive. */
-    void tell(Collection<StreamClient> clients, T now) {
-        tell(clients, null, now);
+    void tell(T now) {
+        tell(null, now);
     }
 
     /**
      * The same, of a thing that had another form before or is none any more: whoever saw that and does not see this is told
      * that it is gone.
      */
-    void tell(Collection<StreamClient> clients, @Nullable T former, @Nullable T now) {
+    void tell(@Nullable T former, @Nullable T now) {
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : clients) {
             Principal who = client.principal().orElse(null);
@@ -79,19 +84,22 @@ final class TopicFeed<T> {
     /** Its newest state is told at its next turn. */
     void changed(Subject subject, Supplier<Optional<T>> thing) {
         changed.merge(subject, new News<>(thing, false), News::before);
+        wake.run();
     }
 
     /** Its newest state is told now. */
     void changedAtOnce(Subject subject, Supplier<Optional<T>> thing) {
         changed.put(subject, new News<>(thing, true));
+        wake.run();
     }
 
     void removed(Subject subject) {
         removed.add(subject);
+        wake.run();
     }
 
     /** In the pump's own order, so that no picture follows the farewell. */
-    void tellRemoved(Collection<StreamClient> clients) {
+    void tellRemoved() {
         for (Subject gone = removed.poll(); gone != null; gone = removed.poll()) {
             Subject subject = gone;
             changed.remove(subject);
@@ -114,12 +122,12 @@ final class TopicFeed<T> {
      * Shows clients what they see and were not shown so, and takes from them what they see no longer. What is not taken back
      * is shown again.
      */
-    void settle(Collection<StreamClient> clients) {
-        if (clients.isEmpty()) {
+    void settle(Collection<StreamClient> some) {
+        if (some.isEmpty()) {
             return;
         }
         for (T thing : topic.atFirst().get()) {
-            for (StreamClient client : clients) {
+            for (StreamClient client : some) {
                 client.principal().ifPresent(who -> settle(client, who, thing));
             }
         }
@@ -139,7 +147,7 @@ final class TopicFeed<T> {
     }
 
     /** Hands out what is due, and says when to come again: not too often, so that much news costs no more than some. */
-    Pump.Pause publish(Collection<StreamClient> clients, long nowNanos) {
+    Pump.Pause publish(long nowNanos) {
         Map<Integer, Collection<StreamClient>> groups = topic.rate().groups(clients);
         turns.keySet().retainAll(groups.keySet());
         groups.keySet().forEach(rate -> turns.computeIfAbsent(rate, Turns::new));
@@ -170,10 +178,10 @@ final class TopicFeed<T> {
         }
     }
 
-    private void show(Collection<StreamClient> clients, T thing) {
+    private void show(Collection<StreamClient> some, T thing) {
         Subject subject = topic.subject().apply(thing);
         Map<Object, String> written = new HashMap<>();
-        for (StreamClient client : clients) {
+        for (StreamClient client : some) {
             Principal who = client.principal().orElse(null);
             Object sight = who == null ? null : sight(client, who, thing);
             if (who == null || sight == null) {

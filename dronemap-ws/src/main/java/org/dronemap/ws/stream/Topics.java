@@ -1,6 +1,9 @@
 package org.dronemap.ws.stream;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.cognitive.operation.run.RunState;
@@ -11,18 +14,19 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.conduct.Operations.Picture;
 import org.dronemap.core.conduct.VirtualDrones;
+import org.dronemap.core.conduct.VirtualListener;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.lease.Control;
-import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBook;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.FollowService;
 import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.PlanJob;
+import org.dronemap.ws.service.PlanListener;
 import org.dronemap.ws.service.PlanService;
 import org.dronemap.ws.service.PlanViews;
 import org.dronemap.ws.service.RunService;
@@ -33,7 +37,7 @@ import org.dronemap.ws.service.ZoneFeature;
 import org.dronemap.ws.service.ZoneService;
 import org.jspecify.annotations.Nullable;
 
-/** All topics of the stream: a new one is declared here, and {@link StreamNews} says when its things change. */
+/** All topics of the stream. */
 final class Topics {
     private static final Rate.EveryChange EVERY_CHANGE = new Rate.EveryChange();
     private static final Rate.Newest FOUR_A_SECOND = new Rate.Newest(4);
@@ -42,10 +46,21 @@ final class Topics {
     /** Those to whom a drone that they see looks alike. */
     private record DroneSight(Role role, Set<Permission> permissions) {}
 
-    /** What has happened to who has a drone. */
-    record ControlNews(DroneId drone, Control now, ControlChange change) {}
-
     private Topics() {}
+
+    /** In the order in which a client that has come in is told of them. */
+    static List<Topic<?>> all(CloudManager cloud, CloudNews news, StreamFace.Pictures pictures) {
+        return List.of(
+                zones(cloud.zones()),
+                virtualDrones(pictures.virtuals(), pictures.virtualViews(), news),
+                plans(pictures.plans()),
+                runs(pictures.runs()),
+                follows(pictures.follows()),
+                followsNow(pictures.follows(), news),
+                commands(news),
+                controls(news),
+                drones(cloud, pictures.drones(), news));
+    }
 
     /** What somebody sees of a drone is the same as long as this is. Null: nothing. */
     static @Nullable Object sightOf(Principal who, DroneId drone) {
@@ -53,7 +68,7 @@ final class Topics {
         return permissions.isEmpty() ? null : new DroneSight(who.role(), permissions);
     }
 
-    static Topic<DroneState> drones(CloudManager cloud, DroneViews views) {
+    private static Topic<DroneState> drones(CloudManager cloud, DroneViews views, CloudNews news) {
         return new Topic<>(
                 StreamMessage.Drone.class,
                 new Rate.NewestAsAsked(),
@@ -61,10 +76,14 @@ final class Topics {
                 new Topic.Audience<>("whoever sees the drone", (who, drone) -> sightOf(who, drone.id())),
                 (drone, who) -> new StreamMessage.Drone(views.view(drone, who)),
                 cloud::drones,
-                new Topic.Removal(StreamMessage.DroneRemoved.class, StreamMessage.DroneRemoved::new));
+                new Topic.Removal(StreamMessage.DroneRemoved.class, StreamMessage.DroneRemoved::new),
+                feed -> {
+                    news.onChange(drone -> feed.changed(Subject.drone(drone.id()), () -> Optional.of(drone)));
+                    news.onRemoval(id -> feed.removed(Subject.drone(id)));
+                });
     }
 
-    static Topic<Zone> zones() {
+    private static Topic<Zone> zones(ZoneBook book) {
         return new Topic<>(
                 StreamMessage.ZoneChanged.class,
                 EVERY_CHANGE,
@@ -75,10 +94,19 @@ final class Topics {
                         (who, zone) -> ZoneService.isShownTo(who, zone) ? who.organisation() : null),
                 (zone, who) -> new StreamMessage.ZoneChanged(ZoneFeature.of(zone, who.organisation())),
                 List::of,
-                new Topic.Removal(StreamMessage.ZoneRemoved.class, StreamMessage.ZoneRemoved::new));
+                new Topic.Removal(StreamMessage.ZoneRemoved.class, StreamMessage.ZoneRemoved::new),
+                feed -> book.onChange(change -> tell(feed, change)));
     }
 
-    static Topic<VirtualDrone> virtualDrones(VirtualDrones virtuals, VirtualDroneViews views) {
+    /** Former forms go together with the new ones. */
+    private static void tell(TopicFeed<Zone> feed, ZoneBook.Change change) {
+        Map<String, Zone> put = new LinkedHashMap<>();
+        change.put().forEach(zone -> put.put(zone.id(), zone));
+        change.former().forEach(former -> feed.tell(former, put.remove(former.id())));
+        put.values().forEach(feed::tell);
+    }
+
+    private static Topic<VirtualDrone> virtualDrones(VirtualDrones virtuals, VirtualDroneViews views, CloudNews news) {
         return new Topic<>(
                 StreamMessage.VirtualDroneChanged.class,
                 TWICE_A_SECOND,
@@ -88,10 +116,38 @@ final class Topics {
                         (who, drone) -> VirtualDroneService.isShownTo(who, drone) ? who : null),
                 (drone, who) -> new StreamMessage.VirtualDroneChanged(views.view(drone, who)),
                 virtuals::all,
-                new Topic.Removal(StreamMessage.VirtualDroneRemoved.class, StreamMessage.VirtualDroneRemoved::new));
+                new Topic.Removal(StreamMessage.VirtualDroneRemoved.class, StreamMessage.VirtualDroneRemoved::new),
+                feed -> {
+                    virtuals.addListener(new VirtualNews(virtuals, feed));
+                    news.onMoves(drones -> virtuals.all().stream()
+                            .filter(drone -> drone.boundTo() != null && drones.contains(drone.boundTo()))
+                            .forEach(drone ->
+                                    feed.changed(Subject.virtualDrone(drone), () -> virtuals.find(drone.id()))));
+                });
     }
 
-    static Topic<PlanJob> plans(PlanDesk desk) {
+    /** Its missions go on: that is told at once. */
+    private record VirtualNews(VirtualDrones virtuals, TopicFeed<VirtualDrone> feed) implements VirtualListener {
+        @Override
+        public void changed(VirtualDrone drone) {
+            tell(drone);
+            if (drone.isWaiting() || !drone.isUnderWay()) {
+                // Those behind it in the queue may have moved up.
+                virtuals.all().stream().filter(VirtualDrone::isWaiting).forEach(this::tell);
+            }
+        }
+
+        private void tell(VirtualDrone drone) {
+            feed.changedAtOnce(Subject.virtualDrone(drone), () -> virtuals.find(drone.id()));
+        }
+
+        @Override
+        public void removed(VirtualDrone drone) {
+            feed.removed(Subject.virtualDrone(drone));
+        }
+    }
+
+    private static Topic<PlanJob> plans(PlanDesk desk) {
         return new Topic<>(
                 StreamMessage.PlanChanged.class,
                 FOUR_A_SECOND,
@@ -99,10 +155,23 @@ final class Topics {
                 Topic.Audience.of("whoever asked for it, and sees all of its drones", PlanService::isShownTo),
                 (job, who) -> new StreamMessage.PlanChanged(PlanViews.whole(job)),
                 desk::everybodys,
-                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new));
+                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new),
+                feed -> desk.addListener(new PlanNews(desk, feed)));
     }
 
-    static Topic<Picture<RunState>> runs(RunService runs) {
+    private record PlanNews(PlanDesk desk, TopicFeed<PlanJob> feed) implements PlanListener {
+        @Override
+        public void changed(PlanJob job) {
+            feed.changed(Subject.plan(job), () -> desk.find(job.id()));
+        }
+
+        @Override
+        public void removed(PlanJob job) {
+            feed.removed(Subject.plan(job));
+        }
+    }
+
+    private static Topic<Picture<RunState>> runs(RunService runs) {
         return new Topic<>(
                 StreamMessage.RunChanged.class,
                 FOUR_A_SECOND,
@@ -110,10 +179,12 @@ final class Topics {
                 Topic.Audience.of("the organisation, whoever sees all drones of the run", RunService::isShownTo),
                 (run, who) -> new StreamMessage.RunChanged(RunViews.view(run)),
                 runs::underWay,
-                null);
+                null,
+                feed -> runs.addListener(
+                        (operation, why) -> feed.changed(Subject.run(operation), () -> runs.picture(operation))));
     }
 
-    static Topic<Picture<FollowState>> follows(FollowService follows) {
+    private static Topic<Picture<FollowState>> follows(FollowService follows) {
         return new Topic<>(
                 StreamMessage.FollowChanged.class,
                 FOUR_A_SECOND,
@@ -121,10 +192,12 @@ final class Topics {
                 Topic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
                 (follow, who) -> new StreamMessage.FollowChanged(follows.view(follow)),
                 follows::underWay,
-                null);
+                null,
+                feed -> follows.addListener(
+                        (operation, why) -> feed.changed(Subject.follow(operation), () -> follows.picture(operation))));
     }
 
-    static Topic<Picture<FollowState>> followsNow(FollowService follows) {
+    private static Topic<Picture<FollowState>> followsNow(FollowService follows, CloudNews news) {
         return new Topic<>(
                 StreamMessage.FollowNow.class,
                 FOUR_A_SECOND,
@@ -133,10 +206,14 @@ final class Topics {
                 (follow, who) -> new StreamMessage.FollowNow(
                         follow.saved().id().value(), follows.view(follow).now()),
                 List::of,
-                null);
+                null,
+                feed -> news.onMoves(drones -> follows.underWay().stream()
+                        .filter(follow -> drones.contains(follow.state().drone()))
+                        .forEach(
+                                follow -> feed.changed(Subject.followNow(follow.saved()), () -> Optional.of(follow)))));
     }
 
-    static Topic<CommandRecord> commands() {
+    private static Topic<CommandRecord> commands(CloudNews news) {
         return new Topic<>(
                 StreamMessage.Command.class,
                 EVERY_CHANGE,
@@ -144,18 +221,20 @@ final class Topics {
                 Topic.Audience.of("whoever sees the drone", (who, command) -> who.sees(command.drone())),
                 (command, who) -> new StreamMessage.Command(CommandView.of(command)),
                 List::of,
-                null);
+                null,
+                feed -> news.onCommand(feed::tell));
     }
 
-    static Topic<ControlNews> controls() {
+    private static Topic<CloudNews.ControlNews> controls(CloudNews news) {
         return new Topic<>(
                 StreamMessage.Control.class,
                 EVERY_CHANGE,
-                news -> Subject.drone(news.drone()),
-                Topic.Audience.of("whoever sees the drone", (who, news) -> who.sees(news.drone())),
-                (news, who) -> new StreamMessage.Control(
-                        news.drone().value(), ControlView.of(news.now()), ControlView.ChangeView.of(news.change())),
+                told -> Subject.drone(told.drone()),
+                Topic.Audience.of("whoever sees the drone", (who, told) -> who.sees(told.drone())),
+                (told, who) -> new StreamMessage.Control(
+                        told.drone().value(), ControlView.of(told.now()), ControlView.ChangeView.of(told.change())),
                 List::of,
-                null);
+                null,
+                feed -> news.onControl(feed::tell));
     }
 }

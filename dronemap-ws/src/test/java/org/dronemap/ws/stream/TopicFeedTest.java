@@ -44,8 +44,9 @@ class TopicFeedTest {
                 Topic.Audience.of("all but some", (who, name) -> !hidden.contains(who.name() + name)),
                 (name, who) -> new StreamMessage.Hello(name, "shown"),
                 () -> things,
-                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new));
-        return new TopicFeed<>(topic, new JsonReader());
+                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new),
+                feed -> {});
+        return new TopicFeed<>(topic, new JsonReader(), clients, () -> {});
     }
 
     private static List<String> heard(StreamClient client) {
@@ -59,13 +60,13 @@ class TopicFeedTest {
         TopicFeed<String> feed = feed(new Rate.Newest(4));
         feed.changed(A, () -> Optional.of("a1"));
         feed.changed(A, () -> Optional.of("a2"));
-        feed.publish(clients, 0);
+        feed.publish(0);
         assertThat(heard(anna)).containsExactly("a2");
 
         feed.changed(A, () -> Optional.of("a3"));
-        feed.publish(clients, 249 * MILLI);
+        feed.publish(249 * MILLI);
         assertThat(heard(anna)).isEmpty();
-        feed.publish(clients, 250 * MILLI);
+        feed.publish(250 * MILLI);
         assertThat(heard(anna)).containsExactly("a3");
     }
 
@@ -73,10 +74,10 @@ class TopicFeedTest {
     void tellsAtOnceWhatCannotWait() {
         TopicFeed<String> feed = feed(new Rate.Newest(4));
         feed.changed(A, () -> Optional.of("a1"));
-        feed.publish(clients, 0);
+        feed.publish(0);
         feed.changedAtOnce(A, () -> Optional.of("a2"));
         feed.changed(A, () -> Optional.of("a3"));
-        feed.publish(clients, MILLI);
+        feed.publish(MILLI);
         assertThat(heard(anna)).containsExactly("a3");
     }
 
@@ -85,11 +86,11 @@ class TopicFeedTest {
         TopicFeed<String> feed = feed(new Rate.Newest(4));
         hidden.add("berta1");
         feed.changed(A, () -> Optional.of("a1"));
-        feed.publish(clients, 0);
+        feed.publish(0);
         feed.changed(A, () -> Optional.of("a1"));
         feed.removed(A);
-        feed.tellRemoved(clients);
-        feed.publish(clients, 1_000 * MILLI);
+        feed.tellRemoved();
+        feed.publish(1_000 * MILLI);
 
         assertThat(heard(anna)).as("no picture follows it").containsExactly("a");
         assertThat(heard(bert)).isEmpty();
@@ -113,9 +114,9 @@ class TopicFeedTest {
     void tellsEachChangeInOrderAndWhoSeesTheNewFormNoMoreThatItIsGone() {
         TopicFeed<String> feed = feed(new Rate.EveryChange());
         hidden.add("berta2");
-        feed.tell(clients, "a1");
-        feed.tell(clients, "a1", "a2");
-        feed.tell(clients, "a2", null);
+        feed.tell("a1");
+        feed.tell("a1", "a2");
+        feed.tell("a2", null);
 
         assertThat(heard(anna)).containsExactly("a1", "a2", "a");
         assertThat(heard(bert)).containsExactly("a1", "a");
