@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
@@ -14,6 +15,8 @@ import java.util.Optional;
  * @param records by what that member says, in the order in which they are named to clients
  */
 public record Alternatives(String member, Map<String, Class<?>> records) {
+    private static final int MOST_IN_A_SENTENCE = 9;
+
     /** Those of a sealed type; empty: what is written as that type is of one form. */
     public static Optional<Alternatives> of(Class<?> type) {
         JsonTypeInfo told = type.getDeclaredAnnotation(JsonTypeInfo.class);
@@ -42,5 +45,14 @@ public record Alternatives(String member, Map<String, Class<?>> records) {
                 .map(Map.Entry::getKey)
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException(record + " has no name among " + records.keySet()));
+    }
+
+    /** What the member may say, in words for people. */
+    public String allowed() {
+        List<String> names = List.copyOf(records.keySet());
+        int last = names.size() - 1;
+        return names.size() > MOST_IN_A_SENTENCE || last == 0
+                ? "one of " + String.join(", ", names)
+                : String.join(", ", names.subList(0, last)) + " or " + names.get(last);
     }
 }
