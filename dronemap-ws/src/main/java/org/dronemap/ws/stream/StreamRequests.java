@@ -1,10 +1,8 @@
 package org.dronemap.ws.stream;
 
 import com.fasterxml.jackson.annotation.JsonIgnoreProperties;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.audit.Activity;
@@ -14,6 +12,7 @@ import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.AccessProblem;
+import org.dronemap.ws.service.Alternatives;
 import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandRequest;
@@ -42,7 +41,8 @@ import org.slf4j.LoggerFactory;
 /** Answers what clients of the stream say. Any thread. */
 final class StreamRequests {
     private static final Logger LOG = LoggerFactory.getLogger(StreamRequests.class);
-    private static final String TYPES = types();
+    private static final Alternatives TYPES =
+            Alternatives.of(StreamRequest.class).orElseThrow();
 
     private final Authentication authentication;
     private final Budgets budgets;
@@ -189,20 +189,12 @@ final class StreamRequests {
         return Problem.internal();
     }
 
-    private static String types() {
-        String all = Arrays.stream(StreamRequestKind.values())
-                .map(StreamRequestKind::word)
-                .collect(Collectors.joining(", "));
-        return all.replaceFirst(", (\\w+)$", " or $1");
-    }
-
     private static void requireType(@Nullable String type) {
         if (type == null) {
-            throw InvalidInput.missing("type", TYPES);
+            throw InvalidInput.missing(TYPES.member(), TYPES.allowed());
         }
-        if (Arrays.stream(StreamRequestKind.values())
-                .noneMatch(kind -> kind.word().equals(type))) {
-            throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "type", TYPES, "\"" + type + "\"");
+        if (!TYPES.records().containsKey(type)) {
+            throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, TYPES.member(), TYPES.allowed(), "\"" + type + "\"");
         }
     }
 

@@ -220,6 +220,14 @@ public class RestConfiguration {
         return new WebClientPages();
     }
 
+    /** Before what answers that there is nothing at an address. */
+    @Bean
+    SimpleUrlHandlerMapping streamDescriptions(StreamDescription description, StreamPort port) {
+        StreamDescriptionHandler handler = new StreamDescriptionHandler(
+                (encrypted, host) -> description.at(encrypted ? "wss" : "ws", host + ":" + port.number()));
+        return new SimpleUrlHandlerMapping(Map.of("/api/asyncapi.json", handler), 1);
+    }
+
     @Bean
     OpenAPI apiDescription() {
         return ApiDescription.of(Version.current());
@@ -233,14 +241,6 @@ public class RestConfiguration {
     @Bean
     DescribedAlternatives describedAlternatives() {
         return ALTERNATIVES;
-    }
-
-    /** Before what answers that there is nothing at an address. */
-    @Bean
-    SimpleUrlHandlerMapping streamDescriptions(StreamDescription description, StreamPort port) {
-        StreamDescriptionHandler handler = new StreamDescriptionHandler(
-                (encrypted, host) -> description.at(encrypted ? "wss" : "ws", host + ":" + port.number()));
-        return new SimpleUrlHandlerMapping(Map.of("/api/asyncapi.json", handler), 1);
     }
 
     @Bean

@@ -116,7 +116,9 @@ public class StreamConfiguration {
 
     /** Listens before the HTTP port does, so that whoever finds the page finds the stream. */
     @Bean
-    StreamPort streamPort(StreamFace face, Settings settings) {
+    StreamPort streamPort(StreamFace face, RestOperations operations, Settings settings) {
+        // Whoever comes first is judged by them, on another thread than the one that starts the server.
+        operations.all();
         try {
             return new StreamPort(face.start());
         } catch (IOException e) {
