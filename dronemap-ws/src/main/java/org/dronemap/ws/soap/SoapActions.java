@@ -34,7 +34,7 @@ public final class SoapActions {
                 if (id == null) {
                     throw refused;
                 }
-                return SoapOutcome.of(id, "refused", "gate", refused.sentence());
+                return SoapOutcome.refused(id, refused);
             }
         });
     }

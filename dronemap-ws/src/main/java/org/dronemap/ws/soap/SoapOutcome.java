@@ -7,6 +7,7 @@ import jakarta.xml.bind.annotation.XmlType;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.Rejection;
 import org.jspecify.annotations.Nullable;
 
 /** How a command ended, or {@code underWay}. */
@@ -14,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 @XmlType(
         name = "commandOutcome",
         namespace = Namespace.URI,
-        propOrder = {"commandId", "result", "by", "reason", "warning"})
+        propOrder = {"commandId", "result", "by", "reason", "code", "warning"})
 public class SoapOutcome {
     @XmlElement(required = true)
     private String commandId = "";
@@ -24,23 +25,36 @@ public class SoapOutcome {
 
     private @Nullable String by;
     private @Nullable String reason;
+    private @Nullable String code;
     private List<String> warning = new ArrayList<>();
 
     static SoapOutcome of(CommandView command) {
         CommandView.OutcomeView outcome = command.outcome();
-        SoapOutcome soap = outcome == null
-                ? of(command.id(), "underWay", null, "It has not ended yet; ask for it by getCommand.")
-                : of(command.id(), outcome.result(), outcome.by(), outcome.reason());
+        SoapOutcome soap = of(
+                command.id(),
+                outcome == null
+                        ? new CommandView.OutcomeView(
+                                "underWay", null, "It has not ended yet; ask for it by getCommand.", null)
+                        : outcome);
         soap.warning.addAll(command.warnings());
         return soap;
     }
 
-    static SoapOutcome of(String commandId, String result, @Nullable String by, @Nullable String reason) {
+    /** Of a command that was not carried out. */
+    static SoapOutcome refused(String commandId, Rejection why) {
+        return of(
+                commandId,
+                new CommandView.OutcomeView(
+                        "refused", "gate", why.sentence(), why.code().word()));
+    }
+
+    private static SoapOutcome of(String commandId, CommandView.OutcomeView outcome) {
         SoapOutcome soap = new SoapOutcome();
         soap.commandId = commandId;
-        soap.result = result;
-        soap.by = by;
-        soap.reason = reason;
+        soap.result = outcome.result();
+        soap.by = outcome.by();
+        soap.reason = outcome.reason();
+        soap.code = outcome.code();
         return soap;
     }
 
@@ -54,6 +68,10 @@ public class SoapOutcome {
 
     public @Nullable String getBy() {
         return by;
+    }
+
+    public @Nullable String getCode() {
+        return code;
     }
 
     public List<String> getWarning() {
