@@ -220,7 +220,7 @@ export class MockDrone {
       default:
         this.#changeMode(request.type);
     }
-    return { result: 'succeeded', by: 'vehicle', reason: null };
+    return { result: 'succeeded', by: 'vehicle', reason: null, code: null };
   }
 
   #changeMode(type: CommandRequest['type']): void {
@@ -244,12 +244,17 @@ export class MockDrone {
   #arm(): Command['outcome'] {
     if (this.beginning.name.endsWith('3')) {
       this.say('critical', 'PreArm: GPS 1: not healthy');
-      return { result: 'refused', by: 'vehicle', reason: 'PreArm: GPS 1: not healthy' };
+      return {
+        result: 'refused',
+        by: 'vehicle',
+        reason: 'PreArm: GPS 1: not healthy',
+        code: 'vehicle-failed',
+      };
     }
     this.armed = true;
     this.mode = 'GUIDED';
     this.goal = null;
     this.say('info', 'Arming motors');
-    return { result: 'succeeded', by: 'vehicle', reason: null };
+    return { result: 'succeeded', by: 'vehicle', reason: null, code: null };
   }
 }

@@ -92,7 +92,8 @@ function command(drone: MockDrone, request: CommandRequest & { id?: string }): C
   const why = drone.why(request.type);
   if (why !== null) {
     const finishedAt = new Date().toISOString();
-    put({ phase: 'done', outcome: { result: 'refused', by: 'gate', reason: why }, finishedAt });
+    const outcome = { result: 'refused', by: 'gate', reason: why, code: 'command-refused' } as const;
+    put({ phase: 'done', outcome, finishedAt });
     throw new Refusal(409, why, { commandId: record.id });
   }
   put({});

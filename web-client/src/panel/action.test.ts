@@ -25,7 +25,12 @@ describe('controls', () => {
   });
 
   it('show the refusal of the vehicle in its own words', () => {
-    const outcome = { result: 'refused', by: 'vehicle', reason: 'PreArm: GPS not ready' } as const;
+    const outcome = {
+      result: 'refused',
+      by: 'vehicle',
+      reason: 'PreArm: GPS not ready',
+      code: 'vehicle-failed',
+    } as const;
     expect(wordsFor(attempt({ outcome }))).toEqual({
       tone: 'bad',
       words: 'Refused by the vehicle. PreArm: GPS not ready',
@@ -38,14 +43,18 @@ describe('controls', () => {
   });
 
   it('say that a flight has begun, not that it has ended', () => {
-    const outcome = { result: 'succeeded', by: 'vehicle', reason: null } as const;
+    const outcome = { result: 'succeeded', by: 'vehicle', reason: null, code: null } as const;
     expect(wordsFor(attempt({ type: 'returnToLaunch', outcome })).words).toBe('Done: it is under way');
     expect(wordsFor(attempt({ type: 'arm', outcome })).words).toBe('Done');
   });
 
   it('never call a command without known outcome a success', () => {
     expect(wordsFor(attempt({ outcome: null })).tone).toBe('bad');
-    expect(wordsFor(attempt({ outcome: { result: 'timedOut', by: null, reason: null } })).tone).toBe('bad');
+    expect(
+      wordsFor(
+        attempt({ outcome: { result: 'timedOut', by: null, reason: null, code: 'command-timed-out' } }),
+      ).tone,
+    ).toBe('bad');
   });
 });
 

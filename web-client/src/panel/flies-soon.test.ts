@@ -105,7 +105,7 @@ describe('arming in a mode that refuses it', () => {
           id: request.id,
           type: request.type,
           phase: 'done',
-          outcome: { result: outcome, by: 'vehicle', reason: 'It will not.' },
+          outcome: { result: outcome, by: 'vehicle', reason: 'It will not.', code: null },
         }),
       );
     });

@@ -124,7 +124,9 @@ export class Commands {
     this.#put({
       ...attempt,
       phase: 'done',
-      outcome: refusedByGate ? { result: 'refused', by: 'gate', reason: thrown.message } : null,
+      outcome: refusedByGate
+        ? { result: 'refused', by: 'gate', reason: thrown.message, code: thrown.code }
+        : null,
       problem: refusedByGate ? null : sentenceFor(thrown),
     });
   }

@@ -18,7 +18,11 @@ function following(port: Partial<Port>, onSuccess = vi.fn()): Commands {
 }
 
 const done = (change: Partial<Command> = {}): Command =>
-  aCommand({ phase: 'done', outcome: { result: 'succeeded', by: 'vehicle', reason: null }, ...change });
+  aCommand({
+    phase: 'done',
+    outcome: { result: 'succeeded', by: 'vehicle', reason: null, code: null },
+    ...change,
+  });
 
 describe('commands', () => {
   it('follows a press from sent over accepted to done', async () => {
@@ -46,13 +50,13 @@ describe('commands', () => {
   });
 
   it('shows the sentence of the gate as a refusal', async () => {
-    const refusal = new Problem({ status: 409, detail: 'Arm first.', commandId: 'c1' });
+    const refusal = new Problem({ status: 409, detail: 'Arm first.', code: 'not-armed', commandId: 'c1' });
     const commands = following({ sendCommand: () => Promise.reject(refusal) });
     const attempt = await commands.send('d1', { type: 'takeOff', altitude: 20 });
     expect(attempt).toMatchObject({
       phase: 'done',
       problem: null,
-      outcome: { result: 'refused', by: 'gate', reason: 'Arm first.' },
+      outcome: { result: 'refused', by: 'gate', reason: 'Arm first.', code: 'not-armed' },
     });
   });
 

@@ -11,6 +11,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.time.SteppedTime;
@@ -127,7 +128,8 @@ class VehicleAnswersTest {
             DroneState drone = cloud.awaitDrone(state -> state.armed() != null);
 
             assertThat(cloud.command(drone.id(), new Command.Arm()))
-                    .isEqualTo(new Outcome.Refused("vehicle", "PreArm: the parrot is asleep 8251"));
+                    .isEqualTo(new Outcome.Refused(
+                            "vehicle", "PreArm: the parrot is asleep 8251", OutcomeCode.VEHICLE_FAILED));
             assertThat(vehicle.commands(PlayedVehicle.ARM)).hasSize(1);
         }
     }

@@ -7,6 +7,7 @@ import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.Tenant;
@@ -31,7 +32,8 @@ class BroadcastTest {
     void open() {
         willing = tenant.vehicle();
         unwilling = tenant.vehicle();
-        unwilling.ends(command -> new Outcome.Refused("vehicle", "PreArm: compass 7 not healthy"));
+        unwilling.ends(command ->
+                new Outcome.Refused("vehicle", "PreArm: compass 7 not healthy", OutcomeCode.VEHICLE_REFUSED));
         silent = tenant.vehicle();
         silent.ends(command -> new Outcome.TimedOut("No answer from the vehicle within 8 s (9 tries)."));
         operator = tenant.http(Role.OPERATOR);

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
@@ -145,7 +146,7 @@ class CommandsTest {
     @Test
     void bringsTheVehiclesOwnSentenceToAllFaces() {
         String sentence = "PreArm: compass 7 not healthy";
-        vehicle.ends(command -> new Outcome.Refused("vehicle", sentence));
+        vehicle.ends(command -> new Outcome.Refused("vehicle", sentence, OutcomeCode.VEHICLE_REFUSED));
         try (StreamListener stream = StreamListener.withKey(house, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             Http.Answer rest = operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");

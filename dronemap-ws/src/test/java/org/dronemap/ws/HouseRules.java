@@ -21,6 +21,7 @@ import com.tngtech.archunit.lang.SimpleConditionEvent;
 import java.lang.reflect.RecordComponent;
 import java.util.List;
 import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.history.TelemetryColumn;
 import org.dronemap.core.stored.Stored;
 import org.dronemap.proxy.endpoint.BoundedDraft;
@@ -212,8 +213,12 @@ final class HouseRules {
             .as("each handler says who may call it");
 
     static final ArchRule EACH_CODE_OF_A_PROBLEM_IS_TOLD = fields().that()
-            .areDeclaredInClassesThat()
-            .implement(ProblemCode.class)
+            .areDeclaredInClassesThat(new DescribedPredicate<JavaClass>("are catalogues of codes") {
+                @Override
+                public boolean test(JavaClass type) {
+                    return type.isAssignableTo(ProblemCode.class) || type.isEquivalentTo(OutcomeCode.class);
+                }
+            })
             .should(new ArchCondition<JavaField>("be told by something else than the catalogue") {
                 @Override
                 public void check(JavaField field, ConditionEvents events) {

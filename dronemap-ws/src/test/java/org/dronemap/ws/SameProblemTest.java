@@ -95,6 +95,45 @@ class SameProblemTest {
         assertThat(told.parameters()).containsEntry("field", "string items[0].type");
     }
 
+    /** SOAP tells what the gate refuses as the outcome of the command, which the others look up. */
+    @Test
+    void isToldOfWhatTheGateRefuses() {
+        String key = tenant.key(Role.OPERATOR);
+        Http http = new Http(tenant.server(), key);
+        String command = "{\"type\":\"setMode\",\"mode\":\"SPIRAL\"}";
+
+        JsonNode rest = http.post("/api/v1/drones/" + vehicle.id() + "/commands", command)
+                .json();
+        String soap = answer(http, vehicle.id(), "<w:setMode>%s<mode>SPIRAL</mode></w:setMode>");
+
+        assertThat(told(rest).code()).isEqualTo("mode-unknown");
+        assertThat(told(rest).parameters()).isEqualTo(Map.of("drone", "string " + vehicle.id()));
+        assertThat(onTheStream(key, vehicle.id(), command)).isEqualTo(told(rest));
+        assertThat(only(CODE, soap)).isEqualTo("mode-unknown");
+        assertThat(soap).contains("<reason>" + told(rest).sentence() + "</reason>");
+        JsonNode kept = http.get("/api/v1/commands/" + rest.path("commandId").asString())
+                .json()
+                .path("outcome");
+        assertThat(kept.path("code").asString()).isEqualTo("mode-unknown");
+    }
+
+    @Test
+    void isToldOfControlThatAnotherUserHas() {
+        Http holder = tenant.http(Role.OPERATOR);
+        assertThat(holder.post("/api/v1/drones/" + vehicle.id() + "/control/take", "{}")
+                        .status())
+                .isEqualTo(200);
+        String key = tenant.key(Role.OPERATOR);
+
+        Told rest = overRest(new Http(tenant.server(), key), vehicle.id(), "{\"type\":\"arm\"}");
+
+        assertThat(rest.code()).isEqualTo("control-held");
+        assertThat(rest.parameters()).containsOnlyKeys("drone", "holder", "heldSince");
+        assertThat(onTheStream(key, vehicle.id(), "{\"type\":\"arm\"}")).isEqualTo(rest);
+        assertThat(answer(new Http(tenant.server(), key), vehicle.id(), "<w:arm>%s</w:arm>"))
+                .contains("<code>control-held</code>");
+    }
+
     private Told toldByAll(Role role, String drone, String command, String operation) {
         String key = tenant.key(role);
         Told rest = overRest(new Http(tenant.server(), key), drone, command);
@@ -107,16 +146,20 @@ class SameProblemTest {
         return told(http.post("/api/v1/drones/" + drone + "/commands", command).json());
     }
 
-    private static Told overSoap(Http http, String drone, String operation) {
+    private static String answer(Http http, String drone, String operation) {
         String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
                 + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body>"
                 + operation.formatted("<droneId>" + drone + "</droneId>") + "</s:Body></s:Envelope>";
-        String fault = http.send(
+        return http.send(
                         "/services/MAVLinkControllerService",
                         request -> request.header("Content-Type", "text/xml")
                                 .POST(HttpRequest.BodyPublishers.ofString(envelope)))
                 .raw()
                 .body();
+    }
+
+    private static Told overSoap(Http http, String drone, String operation) {
+        String fault = answer(http, drone, operation);
         Map<String, String> parameters = new TreeMap<>();
         PARAMETER.matcher(fault).results().forEach(found -> put(parameters, found));
         return new Told(only(CODE, fault), only(SENTENCE, fault), parameters);

@@ -14,6 +14,8 @@ import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -96,7 +98,7 @@ public final class CommandGate {
             return same.get();
         }
         CommandRecord record = intent(source, drone, id, command, asked);
-        Optional<String> why = whyNot(source.principal(), managed.drone().state(), command);
+        Optional<Refusal> why = whyNot(source.principal(), managed.drone().state(), command);
         if (why.isPresent()) {
             return refuse(record, why.get());
         }
@@ -154,7 +156,7 @@ public final class CommandGate {
     }
 
     /** Why this principal cannot give that command now; empty when it can. */
-    public Optional<String> whyNot(Principal principal, DroneState drone, Command command) {
+    public Optional<Refusal> whyNot(Principal principal, DroneState drone, Command command) {
         return OwnFaults.judging(
                 command.summary(),
                 () -> RoleRules.whyNot(principal, drone, command.needs())
@@ -163,10 +165,11 @@ public final class CommandGate {
     }
 
     /** Why the zones, or the bounds of a key, speak against it. */
-    Optional<String> whyNotThere(Principal principal, DroneState drone, Command command) {
+    Optional<Refusal> whyNotThere(Principal principal, DroneState drone, Command command) {
         return zones.whyNot(principal.name(), drone, command, clock.instant())
-                .or(() ->
-                        ZoneRules.whyNot(principal.scope().bounds(), "the bounds of this access key", drone, command));
+                .map(why -> new Refusal(OutcomeCode.ZONE_FORBIDS, why))
+                .or(() -> ZoneRules.whyNot(principal.scope().bounds(), "the bounds of this access key", drone, command)
+                        .map(why -> new Refusal(OutcomeCode.KEY_BOUNDS_FORBID, why)));
     }
 
     public Optional<CommandRecord> find(CommandId id) {
@@ -210,7 +213,7 @@ public final class CommandGate {
                 CommandDigest.of(source.principal().account(), asked));
     }
 
-    private CommandRecord refuse(CommandRecord record, String why) {
+    private CommandRecord refuse(CommandRecord record, Refusal why) {
         CommandRecord refused = record.ended(new Outcome.Refused(GATE, why), clock.instant());
         if (!store.begin(refused)) {
             return store.command(record.id()).orElse(refused);

@@ -5,6 +5,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
@@ -20,7 +22,13 @@ import org.jspecify.annotations.Nullable;
 
 /** What the state of a drone allows; the same sentences serve the gate and every page that greys a button. */
 public final class CommandRules {
-    private static final String ALREADY_ARMED = "It is already armed.";
+    private static final Refusal ALREADY_ARMED = new Refusal(OutcomeCode.ALREADY_ARMED, "It is already armed.");
+    private static final Refusal NOT_ARMED = new Refusal(OutcomeCode.NOT_ARMED, "It is not armed.");
+    private static final Refusal ARM_FIRST = new Refusal(OutcomeCode.NOT_ARMED, "Arm first.");
+    private static final Refusal LAND_FIRST = new Refusal(OutcomeCode.DRONE_AIRBORNE, "It is in the air; land first.");
+    private static final Refusal IN_THE_AIR = new Refusal(OutcomeCode.DRONE_AIRBORNE, "It is already in the air.");
+    private static final Refusal TAKE_OFF_FIRST = new Refusal(OutcomeCode.NOT_AIRBORNE, "Take off first.");
+    private static final Refusal UPLOAD_FIRST = new Refusal(OutcomeCode.MISSION_MISSING, "Upload a mission first.");
 
     private static final int MODES_NAMED = 2;
     /** In one command. */
@@ -29,25 +37,29 @@ public final class CommandRules {
     private CommandRules() {}
 
     /** Why a command of this kind cannot be given now; empty when it can. */
-    public static Optional<String> whyNot(DroneState drone, Capability capability) {
+    public static Optional<Refusal> whyNot(DroneState drone, Capability capability) {
         if (drone.replay()) {
-            return Optional.of("This is a recording; it cannot be commanded.");
+            return because(OutcomeCode.DRONE_IS_A_RECORDING, "This is a recording; it cannot be commanded.");
         }
         if (drone.link().state() == LinkState.LOST) {
-            return Optional.of("There is no contact with the drone; a command would not reach it.");
+            return because(
+                    OutcomeCode.CONTACT_LOST, "There is no contact with the drone; a command would not reach it.");
         }
         if (!drone.capabilities().known()) {
-            return Optional.of("It is not known yet what this vehicle can do; try again in a moment.");
+            return because(
+                    OutcomeCode.CAPABILITIES_UNKNOWN,
+                    "It is not known yet what this vehicle can do; try again in a moment.");
         }
         if (!drone.capabilities().commands().contains(capability)) {
-            return Optional.of(
+            return because(
+                    OutcomeCode.CAPABILITY_MISSING,
                     "This vehicle (" + drone.identification().vehicle() + ") cannot " + capability.phrase() + ".");
         }
         return Optional.ofNullable(stateForbids(drone, capability));
     }
 
     /** The same, looking into the command as well. */
-    public static Optional<String> whyNot(DroneState drone, Command command) {
+    public static Optional<Refusal> whyNot(DroneState drone, Command command) {
         if (isStopInTheAir(drone, command)) {
             // Deliberate: the one way to stop motors in the air.
             return whyNot(drone, Capability.ARM).filter(why -> !why.equals(ALREADY_ARMED));
@@ -59,7 +71,7 @@ public final class CommandRules {
         return command instanceof Command.Disarm disarm && disarm.force() && drone.airborne();
     }
 
-    private static Optional<String> contentForbids(DroneState drone, Command command) {
+    private static Optional<Refusal> contentForbids(DroneState drone, Command command) {
         return switch (command.kind()) {
             case SET_MODE -> modeForbids(drone, ((Command.SetMode) command).mode());
             case GO_TO -> tooFar(drone, ((Command.GoTo) command).point());
@@ -97,17 +109,19 @@ public final class CommandRules {
     }
 
     /** Why it cannot be steered so now; empty when it can. */
-    public static Optional<String> whyNot(DroneState drone, Setpoint setpoint) {
+    public static Optional<Refusal> whyNot(DroneState drone, Setpoint setpoint) {
         return whyNot(drone, setpoint.needs())
                 .or(() -> contentForbids(drone, setpoint))
                 .or(() -> modeForbids(drone, setpoint.kind().steering()));
     }
 
-    private static Optional<String> contentForbids(DroneState drone, Setpoint setpoint) {
+    private static Optional<Refusal> contentForbids(DroneState drone, Setpoint setpoint) {
         return switch (setpoint.kind()) {
             case VELOCITY ->
                 turnsUnknown(drone, (Setpoint.Velocity) setpoint)
-                        ? Optional.of("Where it looks is not known; steer it by its own forward and right.")
+                        ? because(
+                                OutcomeCode.HEADING_UNKNOWN,
+                                "Where it looks is not known; steer it by its own forward and right.")
                         : Optional.empty();
             case TRACK -> tooFar(drone, ((Setpoint.Track) setpoint).point());
             case STICKS -> Optional.empty();
@@ -115,23 +129,25 @@ public final class CommandRules {
     }
 
     /** Where no mode says what the vehicle goes by, it is steered in any. */
-    private static Optional<String> modeForbids(DroneState drone, Steering wanted) {
+    private static Optional<Refusal> modeForbids(DroneState drone, Steering wanted) {
         Capabilities can = drone.capabilities();
         if (!can.steering().containsValue(wanted) || can.steering(drone.mode()).equals(Optional.of(wanted))) {
             return Optional.empty();
         }
         Optional<String> usual = can.mode(wanted);
-        return Optional.of("In " + drone.mode() + " it is not to be steered so; change its mode to "
-                + can.modes().stream()
-                        .filter(mode -> can.steering().get(mode) == wanted)
-                        .sorted(Comparator.comparing(mode -> !usual.equals(Optional.of(mode))))
-                        .limit(MODES_NAMED)
-                        .collect(Collectors.joining(" or "))
-                + " first.");
+        return because(
+                OutcomeCode.MODE_NOT_STEERABLE,
+                "In " + drone.mode() + " it is not to be steered so; change its mode to "
+                        + can.modes().stream()
+                                .filter(mode -> can.steering().get(mode) == wanted)
+                                .sorted(Comparator.comparing(mode -> !usual.equals(Optional.of(mode))))
+                                .limit(MODES_NAMED)
+                                .collect(Collectors.joining(" or "))
+                        + " first.");
     }
 
     /** A place beyond all that drones fly at one go is a slip: of a digit, of a sign, or of a program that sends zeros. */
-    private static Optional<String> tooFar(DroneState drone, Geodetic point) {
+    private static Optional<Refusal> tooFar(DroneState drone, Geodetic point) {
         Geodetic here = drone.position() == null ? null : drone.position().point();
         if (here == null) {
             return Optional.empty();
@@ -139,12 +155,14 @@ public final class CommandRules {
         double meters = Geodesy.distanceMeters(here, point);
         return meters <= FARTHEST_METERS
                 ? Optional.empty()
-                : Optional.of(String.format(
-                        Locale.ROOT,
-                        "%s is %.0f km from where it is; it is sent at most %.0f km far.",
-                        point.words(),
-                        meters / 1_000,
-                        FARTHEST_METERS / 1_000));
+                : because(
+                        OutcomeCode.PLACE_TOO_FAR,
+                        String.format(
+                                Locale.ROOT,
+                                "%s is %.0f km from where it is; it is sent at most %.0f km far.",
+                                point.words(),
+                                meters / 1_000,
+                                FARTHEST_METERS / 1_000));
     }
 
     private static boolean turnsUnknown(DroneState drone, Setpoint.Velocity velocity) {
@@ -154,20 +172,19 @@ public final class CommandRules {
         return counted && (motion == null || motion.headingDegrees() == null) && !velocity.isStill();
     }
 
-    private static @Nullable String stateForbids(DroneState drone, Capability capability) {
+    private static @Nullable Refusal stateForbids(DroneState drone, Capability capability) {
         // What has no motors to arm is always ready.
         boolean arms = drone.capabilities().commands().contains(Capability.ARM);
         boolean armed = !arms || Boolean.TRUE.equals(drone.armed());
         return switch (capability) {
             case ARM -> armed ? ALREADY_ARMED : null;
-            case DISARM -> armed ? (drone.airborne() ? "It is in the air; land first." : null) : "It is not armed.";
-            case TAKE_OFF -> armed ? (drone.airborne() ? "It is already in the air." : null) : "Arm first.";
-            case LAND, RETURN_TO_LAUNCH, HOLD, PAUSE_MISSION -> armed ? null : "It is not armed.";
-            case STICKS -> armed ? null : "Arm first.";
+            case DISARM -> armed ? (drone.airborne() ? LAND_FIRST : null) : NOT_ARMED;
+            case TAKE_OFF -> armed ? (drone.airborne() ? IN_THE_AIR : null) : ARM_FIRST;
+            case LAND, RETURN_TO_LAUNCH, HOLD, PAUSE_MISSION -> armed ? null : NOT_ARMED;
+            case STICKS -> armed ? null : ARM_FIRST;
             case GO_TO, GO_TO_LOCAL, TURN, VELOCITY, TRACK ->
-                armed ? (needsAir(drone) && !drone.airborne() ? "Take off first." : null) : "Arm first.";
-            case START_MISSION ->
-                hasMission(drone.mission()) ? (armed ? null : "Arm first.") : "Upload a mission first.";
+                armed ? (needsAir(drone) && !drone.airborne() ? TAKE_OFF_FIRST : null) : ARM_FIRST;
+            case START_MISSION -> hasMission(drone.mission()) ? (armed ? null : ARM_FIRST) : UPLOAD_FIRST;
             case SET_MODE,
                     UPLOAD_MISSION,
                     CLEAR_MISSION,
@@ -202,11 +219,17 @@ public final class CommandRules {
         return mission.items() != null && !mission.items().isEmpty();
     }
 
-    private static Optional<String> modeForbids(DroneState drone, String mode) {
+    private static Optional<Refusal> modeForbids(DroneState drone, String mode) {
         if (drone.capabilities().modes().contains(mode)) {
             return Optional.empty();
         }
-        return Optional.of("This vehicle has no mode " + mode + "; it knows "
-                + String.join(", ", drone.capabilities().modes()) + ".");
+        return because(
+                OutcomeCode.MODE_UNKNOWN,
+                "This vehicle has no mode " + mode + "; it knows "
+                        + String.join(", ", drone.capabilities().modes()) + ".");
+    }
+
+    private static Optional<Refusal> because(OutcomeCode code, String sentence) {
+        return Optional.of(new Refusal(code, sentence));
     }
 }

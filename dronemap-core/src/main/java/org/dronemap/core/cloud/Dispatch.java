@@ -10,6 +10,8 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.time.Time;
@@ -17,6 +19,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Carries out what was let through and written, each command to its one outcome. On the drones' lanes. */
 final class Dispatch {
+    private static final Refusal NO_LINK = new Refusal(OutcomeCode.LINK_MISSING, "There is no link to the drone.");
+
     private final AllUnderway underway;
     private final Judge judge;
     private final Journal journal;
@@ -27,7 +31,7 @@ final class Dispatch {
 
     /** Why the zones, or the bounds of a key, speak against a command. */
     interface Judge {
-        Optional<String> whyNotThere(Principal principal, DroneState drone, Command command);
+        Optional<Refusal> whyNotThere(Principal principal, DroneState drone, Command command);
     }
 
     Dispatch(
@@ -73,7 +77,7 @@ final class Dispatch {
         if (channel == null) {
             return;
         }
-        String busy = makeRoom(entry, channel);
+        Refusal busy = makeRoom(entry, channel);
         if (busy != null) {
             end(entry, new Outcome.Refused(CommandGate.GATE, busy));
             return;
@@ -118,12 +122,12 @@ final class Dispatch {
     private @Nullable VehicleChannel channel(Underway entry) {
         DroneState now = entry.drone().drone().state();
         Command command = entry.open().command();
-        Optional<String> why = OwnFaults.judging(
+        Optional<Refusal> why = OwnFaults.judging(
                 command.summary(),
                 () -> CommandRules.whyNot(now, command).or(() -> judge.whyNotThere(entry.principal(), now, command)));
         Optional<VehicleChannel> channel = entry.drone().channel();
         if (why.isPresent() || channel.isEmpty()) {
-            end(entry, new Outcome.Refused(CommandGate.GATE, why.orElse("There is no link to the drone.")));
+            end(entry, new Outcome.Refused(CommandGate.GATE, why.orElse(NO_LINK)));
             return null;
         }
         return channel.get();
@@ -153,14 +157,18 @@ final class Dispatch {
     }
 
     /** Newer flight commands replace older ones; of all others the first one goes on. */
-    private @Nullable String makeRoom(Underway entry, VehicleChannel channel) {
+    private @Nullable Refusal makeRoom(Underway entry, VehicleChannel channel) {
         Contention contention = entry.open().command().kind().contention();
         for (Underway other : underway.before(entry)) {
             if (!contention.newerWins()) {
                 return contention == Contention.TRANSFER
-                        ? "Another mission transfer with this drone is under way; wait for its end."
-                        : "Wait for the end of what is under way: "
-                                + other.open().record().summary() + ".";
+                        ? new Refusal(
+                                OutcomeCode.TRANSFER_UNDER_WAY,
+                                "Another mission transfer with this drone is under way; wait for its end.")
+                        : new Refusal(
+                                OutcomeCode.COMMAND_UNDER_WAY,
+                                "Wait for the end of what is under way: "
+                                        + other.open().record().summary() + ".");
             }
             channel.cancel(other.open().record().id());
             end(

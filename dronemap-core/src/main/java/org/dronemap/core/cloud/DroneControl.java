@@ -9,6 +9,8 @@ import java.util.function.LongSupplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
@@ -141,14 +143,16 @@ final class DroneControl {
         LeaseAnswer answer = apply(new LeaseEvent.Command(source.principal().name(), source.epoch()))
                 .step()
                 .answer();
-        return answer instanceof LeaseAnswer.Denied denied ? new Passage.Closed(denied.why()) : fenced();
+        return answer instanceof LeaseAnswer.Denied denied ? held(denied.why()) : fenced();
+    }
+
+    private static Passage held(String sentence) {
+        return new Passage.Closed(new Refusal(OutcomeCode.CONTROL_HELD, sentence));
     }
 
     private Passage enter(Holder.Operation operation) {
         Tenure tenure = control.tenure();
-        return tenure != null && tenure.holder().isOperation(operation.id())
-                ? fenced()
-                : new Passage.Closed(control.sentence());
+        return tenure != null && tenure.holder().isOperation(operation.id()) ? fenced() : held(control.sentence());
     }
 
     /** For what a rule of safety commands; empty when somebody has control, other than by this epoch. */

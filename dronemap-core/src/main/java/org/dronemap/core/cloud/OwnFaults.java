@@ -2,19 +2,22 @@ package org.dronemap.core.cloud;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** What the cloud itself fails at, such as a case that it does not handle: refused alone, and logged as what it is. */
 final class OwnFaults {
     private static final Logger LOG = LoggerFactory.getLogger(OwnFaults.class);
-    private static final String WHY =
-            "The cloud does not know how to do this: a fault of its own, which is logged for its makers.";
+    private static final Refusal WHY = new Refusal(
+            OutcomeCode.SERVER_FAULT,
+            "The cloud does not know how to do this: a fault of its own, which is logged for its makers.");
 
     private OwnFaults() {}
 
     /** What {@code judge} says, or why not when it fails. */
-    static Optional<String> judging(String what, Supplier<Optional<String>> judge) {
+    static Optional<Refusal> judging(String what, Supplier<Optional<Refusal>> judge) {
         try {
             return judge.get();
         } catch (RuntimeException | LinkageError e) {
@@ -23,14 +26,14 @@ final class OwnFaults {
     }
 
     /** Why {@code work} was not done; empty when it was. */
-    static Optional<String> doing(String what, Runnable work) {
+    static Optional<Refusal> doing(String what, Runnable work) {
         return judging(what, () -> {
             work.run();
             return Optional.empty();
         });
     }
 
-    private static Optional<String> fault(String what, Throwable e) {
+    private static Optional<Refusal> fault(String what, Throwable e) {
         LOG.error("A fault of ours: what was asked for ({}) is refused", what, e);
         return Optional.of(WHY);
     }

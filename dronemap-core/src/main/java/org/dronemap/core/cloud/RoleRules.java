@@ -4,30 +4,41 @@ import java.util.Optional;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 
 /** Who may give which kinds of commands; the same sentences serve the gate and every page that greys a button. */
 public final class RoleRules {
-    private static final String MAY_NOT_COMMAND =
-            "Your role may look, not command; ask an administrator for the operator role.";
-    private static final String MAY_ONLY_PLAN =
-            "Your role may plan, not fly; ask an administrator for the operator role.";
-    private static final String ONLY_ON_THE_GROUND =
-            "A planner may change what a drone carries only while it is known to be disarmed.";
+    private static final Refusal MAY_NOT_COMMAND = new Refusal(
+            OutcomeCode.ROLE_MAY_NOT_COMMAND,
+            "Your role may look, not command; ask an administrator for the operator role.");
+    private static final Refusal MAY_ONLY_PLAN = new Refusal(
+            OutcomeCode.ROLE_MAY_NOT_COMMAND,
+            "Your role may plan, not fly; ask an administrator for the operator role.");
+    private static final Refusal ONLY_ON_THE_GROUND = new Refusal(
+            OutcomeCode.NOT_DISARMED_FOR_PLANNER,
+            "A planner may change what a drone carries only while it is known to be disarmed.");
 
-    private static final String OTHER_DRONES = "This access key is for other drones.";
-    private static final String NOT_GRANTED_AT_ALL = "This drone is not among those that you were granted.";
-    private static final String MAY_NOT_PLAN_WITH_IT =
-            "You were not granted to change missions, fences or rally points of this drone.";
-    private static final String MAY_NOT_COMMAND_IT = "You were not granted to command this drone.";
-    private static final String KEY_MAY_NOT_PLAN = "This access key may not change missions, fences or rally points.";
-    private static final String KEY_MAY_NOT_COMMAND = "This access key may not command.";
+    private static final Refusal OTHER_DRONES =
+            new Refusal(OutcomeCode.DRONE_NOT_OF_KEY, "This access key is for other drones.");
+    private static final Refusal NOT_GRANTED_AT_ALL =
+            new Refusal(OutcomeCode.COMMAND_NOT_GRANTED, "This drone is not among those that you were granted.");
+    private static final Refusal MAY_NOT_PLAN_WITH_IT = new Refusal(
+            OutcomeCode.COMMAND_NOT_GRANTED,
+            "You were not granted to change missions, fences or rally points of this drone.");
+    private static final Refusal MAY_NOT_COMMAND_IT =
+            new Refusal(OutcomeCode.COMMAND_NOT_GRANTED, "You were not granted to command this drone.");
+    private static final Refusal KEY_MAY_NOT_PLAN = new Refusal(
+            OutcomeCode.KEY_MAY_NOT_COMMAND, "This access key may not change missions, fences or rally points.");
+    private static final Refusal KEY_MAY_NOT_COMMAND =
+            new Refusal(OutcomeCode.KEY_MAY_NOT_COMMAND, "This access key may not command.");
 
     private RoleRules() {}
 
     /** Why this one may not give a command of this kind to that drone now; empty when it may. */
-    public static Optional<String> whyNot(Principal principal, DroneState drone, Capability capability) {
+    public static Optional<Refusal> whyNot(Principal principal, DroneState drone, Capability capability) {
         if (!principal.sees(drone.id())) {
             return Optional.of(principal.scope().covers(drone.id()) ? NOT_GRANTED_AT_ALL : OTHER_DRONES);
         }
@@ -72,7 +83,7 @@ public final class RoleRules {
         };
     }
 
-    private static String lacking(Principal principal, boolean planning) {
+    private static Refusal lacking(Principal principal, boolean planning) {
         if (principal.role().includes(planning ? Role.PLANNER : Role.OPERATOR)) {
             if (principal.scope().permissions().contains(planning ? Permission.PLAN : Permission.COMMAND)) {
                 return planning ? MAY_NOT_PLAN_WITH_IT : MAY_NOT_COMMAND_IT;

@@ -3,6 +3,8 @@ package org.dronemap.core.cloud;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -32,30 +34,32 @@ public final class SetpointGate {
      *
      * @throws UnknownDroneException when there is no such drone
      */
-    public Optional<String> steer(CommandGate.Source source, DroneId drone, Setpoint setpoint) {
+    public Optional<Refusal> steer(CommandGate.Source source, DroneId drone, Setpoint setpoint) {
         ManagedDrone managed = find(drone);
-        Optional<String> why = whyNot(source.principal(), managed.drone().state(), setpoint)
+        Optional<Refusal> why = whyNot(source.principal(), managed.drone().state(), setpoint)
                 .or(() -> enter(managed, source, setpoint));
-        why.ifPresent(sentence -> managed.helm().refused(source, setpoint, new Outcome.Refused(GATE, sentence)));
+        why.ifPresent(refusal -> managed.helm().refused(source, setpoint, new Outcome.Refused(GATE, refusal)));
         return why;
     }
 
-    private Optional<String> enter(ManagedDrone managed, CommandGate.Source source, Setpoint setpoint) {
+    private Optional<Refusal> enter(ManagedDrone managed, CommandGate.Source source, Setpoint setpoint) {
         Passage passage = managed.control().enter(source);
         if (passage instanceof Passage.Closed closed) {
             return Optional.of(closed.why());
         }
         Optional<String> busy = commands.manoeuvre(managed);
         if (busy.isPresent()) {
-            return Optional.of("Steer when what is under way has ended: " + busy.get() + ".");
+            return Optional.of(new Refusal(
+                    OutcomeCode.COMMAND_UNDER_WAY, "Steer when what is under way has ended: " + busy.get() + "."));
         }
         return managed.helm().take(new Helm.Word(source, (Passage.Open) passage, setpoint, time.nanos()))
                 ? Optional.empty()
-                : Optional.of("The server is overloaded; nothing was sent.");
+                : Optional.of(
+                        new Refusal(OutcomeCode.SERVER_OVERLOADED, "The server is overloaded; nothing was sent."));
     }
 
     /** Why this principal cannot steer that drone so now; empty when it can. */
-    public Optional<String> whyNot(Principal principal, DroneState drone, Setpoint setpoint) {
+    public Optional<Refusal> whyNot(Principal principal, DroneState drone, Setpoint setpoint) {
         return RoleRules.whyNot(principal, drone, setpoint.needs())
                 .or(() -> CommandRules.whyNot(drone, setpoint))
                 .or(() -> Routes.ahead(drone, setpoint)

@@ -37,6 +37,18 @@ public sealed interface Outcome {
     @Nullable
     String reason();
 
+    /** The same as a word for programs; null when it did. */
+    default @Nullable OutcomeCode code() {
+        return switch (kind()) {
+            case SUCCEEDED -> null;
+            case REFUSED -> OutcomeCode.COMMAND_REFUSED;
+            case FAILED -> OutcomeCode.COMMAND_FAILED;
+            case TIMED_OUT -> OutcomeCode.COMMAND_TIMED_OUT;
+            case SUPERSEDED -> OutcomeCode.COMMAND_SUPERSEDED;
+            case UNKNOWN -> OutcomeCode.OUTCOME_UNKNOWN;
+        };
+    }
+
     /** Carried out, and seen to be. */
     @Stored(as = "Succeeded")
     record Succeeded() implements Outcome {
@@ -51,9 +63,28 @@ public sealed interface Outcome {
         }
     }
 
-    /** Somebody said no before it had an effect; {@code by} is "gate" or "vehicle". */
-    @Stored(as = "Refused", names = "by reason")
-    record Refused(@Override String by, @Override String reason) implements Outcome {
+    /**
+     * Somebody said no before it had an effect; {@code by} is "gate" or "vehicle".
+     *
+     * @param cause null: an earlier version wrote it down
+     */
+    @Stored(as = "Refused", names = "by reason code", later = "code")
+    record Refused(
+            @Override String by,
+            @Override String reason,
+            @Nullable OutcomeCode cause) implements Outcome {
+        public Refused(String by, Refusal why) {
+            this(by, why.sentence(), why.code());
+        }
+
+        @Override
+        public OutcomeCode code() {
+            if (cause != null) {
+                return cause;
+            }
+            return by.equals("vehicle") ? OutcomeCode.VEHICLE_REFUSED : OutcomeCode.COMMAND_REFUSED;
+        }
+
         @Override
         public Kind kind() {
             return Kind.REFUSED;

@@ -11,6 +11,7 @@ import org.dronemap.core.cloud.UnknownDroneException;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -68,7 +69,7 @@ final class DroneCrew {
 
     /** What the gate would say. */
     Optional<String> refusal(Holder.Operation by, DroneState drone, Command command) {
-        return cloud.gate().whyNot(principal(by), drone, command);
+        return cloud.gate().whyNot(principal(by), drone, command).map(Refusal::sentence);
     }
 
     void command(Holder.Operation by, DroneId drone, CommandId id, Command command) {
@@ -88,7 +89,7 @@ final class DroneCrew {
 
     private Optional<String> steered(Holder.Operation by, DroneId drone, Setpoint setpoint) {
         try {
-            return cloud.setpoints().steer(source(by), drone, setpoint);
+            return cloud.setpoints().steer(source(by), drone, setpoint).map(Refusal::sentence);
         } catch (UnknownDroneException removed) {
             return Optional.of("There is no such drone any more.");
         }

@@ -9,6 +9,8 @@ import org.dronemap.core.cloud.UnknownDroneException;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.SavedOperation;
@@ -21,8 +23,10 @@ final class Hands {
     /** The gate, which hears of more, gives up after 90 s without a sign; a transfer that goes on may take as long as it does. */
     private static final Duration LONGEST_WITHOUT_NEWS = Duration.ofMinutes(3);
 
-    private static final Outcome NEVER_SENT =
-            new Outcome.Refused("gate", "It was not sent: the server stopped, or could not write it down, before.");
+    private static final Outcome NEVER_SENT = new Outcome.Refused(
+            "gate",
+            new Refusal(
+                    OutcomeCode.NOT_SENT, "It was not sent: the server stopped, or could not write it down, before."));
 
     private final DroneCrew crew;
     private final Holder.Operation holder;

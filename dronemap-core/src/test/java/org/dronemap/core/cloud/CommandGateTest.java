@@ -3,6 +3,7 @@ package org.dronemap.core.cloud;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
+import static org.dronemap.core.cloud.Fixtures.refused;
 
 import java.time.Duration;
 import java.util.List;
@@ -19,6 +20,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -112,8 +114,9 @@ class CommandGateTest {
         CommandRecord refused = gate.submit(VIEWER, link.id(), id("viewer-01"), new Command.Arm());
 
         assertThat(refused.outcome())
-                .isEqualTo(new Outcome.Refused(
-                        "gate", "Your role may look, not command; ask an administrator for the operator role."));
+                .isEqualTo(refused(
+                        OutcomeCode.ROLE_MAY_NOT_COMMAND,
+                        "Your role may look, not command; ask an administrator for the operator role."));
         assertNothingSent();
     }
 
@@ -121,7 +124,7 @@ class CommandGateTest {
     void saysWhatIsMissingBeforeTakeOff() {
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("takeoff-1"), new Command.TakeOff(20));
 
-        assertThat(refused.outcome()).isEqualTo(new Outcome.Refused("gate", "Arm first."));
+        assertThat(refused.outcome()).isEqualTo(refused(OutcomeCode.NOT_ARMED, "Arm first."));
         assertThat(store.records.get(refused.id()).outcome()).isEqualTo(refused.outcome());
         assertNothingSent();
     }
@@ -135,8 +138,9 @@ class CommandGateTest {
         assertThat(gate.end(second.id()))
                 .succeedsWithin(5, TimeUnit.SECONDS)
                 .satisfies(refused -> assertThat(refused.outcome())
-                        .isEqualTo(
-                                new Outcome.Refused("gate", "Wait for the end of what is under way: take a picture.")));
+                        .isEqualTo(refused(
+                                OutcomeCode.COMMAND_UNDER_WAY,
+                                "Wait for the end of what is under way: take a picture.")));
         await().until(() -> vehicle.performed.size() == 2);
         report(first).ended(new Outcome.Succeeded());
     }
@@ -161,16 +165,17 @@ class CommandGateTest {
 
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("cannot-01"), new Command.Arm());
 
-        assertThat(refused.outcome()).isEqualTo(new Outcome.Refused("gate", "This vehicle (ArduCopter) cannot arm."));
+        assertThat(refused.outcome())
+                .isEqualTo(refused(OutcomeCode.CAPABILITY_MISSING, "This vehicle (ArduCopter) cannot arm."));
         assertNothingSent();
     }
 
     @Test
     void refusesAModeThatTheVehicleDoesNotHave() {
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("mode-0001"), new Command.SetMode("WARP"));
-
         assertThat(refused.outcome())
-                .isEqualTo(new Outcome.Refused("gate", "This vehicle has no mode WARP; it knows GUIDED, LOITER."));
+                .isEqualTo(
+                        refused(OutcomeCode.MODE_UNKNOWN, "This vehicle has no mode WARP; it knows GUIDED, LOITER."));
     }
 
     @Test
@@ -181,8 +186,9 @@ class CommandGateTest {
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("early-001"), new Command.Arm());
 
         assertThat(refused.outcome())
-                .isEqualTo(new Outcome.Refused(
-                        "gate", "It is not known yet what this vehicle can do; try again in a moment."));
+                .isEqualTo(refused(
+                        OutcomeCode.CAPABILITIES_UNKNOWN,
+                        "It is not known yet what this vehicle can do; try again in a moment."));
     }
 
     @Test
@@ -194,7 +200,7 @@ class CommandGateTest {
         CommandRecord refused = gate.submit(OPERATOR, recording.id(), id("replay-01"), new Command.Arm());
 
         assertThat(refused.outcome())
-                .isEqualTo(new Outcome.Refused("gate", "This is a recording; it cannot be commanded."));
+                .isEqualTo(refused(OutcomeCode.DRONE_IS_A_RECORDING, "This is a recording; it cannot be commanded."));
         assertNothingSent();
     }
 

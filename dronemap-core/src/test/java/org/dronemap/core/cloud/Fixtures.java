@@ -16,6 +16,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.PutBack;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.Setpoint;
@@ -38,6 +39,10 @@ public final class Fixtures {
     public static final Capabilities ALL = new Capabilities(Set.of(Capability.values()), List.of("GUIDED", "LOITER"));
 
     private Fixtures() {}
+
+    static Outcome refused(OutcomeCode code, String sentence) {
+        return new Outcome.Refused(CommandGate.GATE, sentence, code);
+    }
 
     public static Identification copter(@Nullable String uid) {
         return new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", uid);

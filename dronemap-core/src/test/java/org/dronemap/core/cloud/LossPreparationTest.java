@@ -6,6 +6,7 @@ import java.time.Duration;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.CloudLossState;
@@ -121,7 +122,7 @@ class LossPreparationTest extends LossUse {
 
         assertThat(vehicle.cancelled).hasSize(1);
         assertThat(commands.records.get(arm.id()).outcome())
-                .isEqualTo(new Outcome.Refused("gate", "It is already armed."));
+                .isEqualTo(new Outcome.Refused("gate", "It is already armed.", OutcomeCode.ALREADY_ARMED));
     }
 
     @Test

@@ -10,6 +10,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -24,7 +25,9 @@ class OwnFaultsTest {
     private static final CommandGate.Source OPERATOR =
             new CommandGate.Source(new Principal("ann", Role.OPERATOR), "rest");
     private static final Outcome OUR_FAULT = new Outcome.Refused(
-            "gate", "The cloud does not know how to do this: a fault of its own, which is logged for its makers.");
+            "gate",
+            "The cloud does not know how to do this: a fault of its own, which is logged for its makers.",
+            OutcomeCode.SERVER_FAULT);
 
     private final Lanes lanes = new Lanes(new SystemTime(), 1);
     private final Journal journal = new Journal(new SystemTime());

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
@@ -36,7 +37,7 @@ import org.junit.jupiter.api.Test;
 class ReturnWatchTest extends GuidedFlight {
     private static final Command RETURN = new Command.ReturnToLaunch();
     private static final Command LAND = new Command.Land();
-    private static final Outcome REFUSED = new Outcome.Refused("vehicle", "no");
+    private static final Outcome REFUSED = new Outcome.Refused("vehicle", "no", OutcomeCode.VEHICLE_REFUSED);
     /** 1.1 km away. */
     private static final Geodetic FAR = new Geodetic(HERE.latitudeDegrees() + 0.01, HERE.longitudeDegrees());
     /** 55 m away. */

@@ -17,6 +17,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.command.Setpoint.Frame;
@@ -346,7 +347,7 @@ class SetpointGateTest {
     }
 
     private Optional<String> steer(CommandGate.Source source, Setpoint setpoint) {
-        return setpoints.steer(source, link.id(), setpoint);
+        return setpoints.steer(source, link.id(), setpoint).map(Refusal::sentence);
     }
 
     private void hear(DroneEvent event) {

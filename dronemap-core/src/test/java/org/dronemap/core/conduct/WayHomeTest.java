@@ -18,6 +18,7 @@ import org.dronemap.core.cloud.LinkSession;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
@@ -113,7 +114,7 @@ class WayHomeTest {
     void callsItAgainUntilItIsOnItsWay() {
         assertThat(isSeenTo()).isFalse();
         assertThat(vehicle.performed).containsExactly(RETURN);
-        answers(new Outcome.Refused("vehicle", "no"));
+        answers(new Outcome.Refused("vehicle", "no", OutcomeCode.VEHICLE_REFUSED));
 
         time.advance(Duration.ofSeconds(4));
         assertThat(isSeenTo()).isFalse();
@@ -132,7 +133,7 @@ class WayHomeTest {
         can(Capability.RETURN_TO_LAUNCH);
         assertThat(isSeenTo()).isFalse();
         assertThat(vehicle.performed).containsExactly(new Command.Land());
-        answers(new Outcome.Refused("vehicle", "no"));
+        answers(new Outcome.Refused("vehicle", "no", OutcomeCode.VEHICLE_REFUSED));
 
         can(Capability.RETURN_TO_LAUNCH, Capability.LAND);
         time.advance(Duration.ofSeconds(6));

@@ -13,6 +13,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.time.SystemTime;
@@ -127,7 +128,8 @@ class HistoryTest {
         CommandRecord sent = command("alice", "rest", drone.now());
         history.commandChanged(sent);
         history.commandChanged(sent.ended(
-                new Outcome.Refused("vehicle", "PreArm: no"), drone.now().plusSeconds(3)));
+                new Outcome.Refused("vehicle", "PreArm: no", OutcomeCode.VEHICLE_REFUSED),
+                drone.now().plusSeconds(3)));
 
         written();
         assertThat(telemetry.events)
@@ -185,8 +187,8 @@ class HistoryTest {
     void namesNobodyForAFlightThatWasBegunByHand() {
         show(drone.armed(false));
         history.commandChanged(command("zones", "safety", drone.now()));
-        history.commandChanged(
-                command("bob", "rest", drone.now()).ended(new Outcome.Refused("gate", "not now"), drone.now()));
+        history.commandChanged(command("bob", "rest", drone.now())
+                .ended(new Outcome.Refused("gate", "not now", OutcomeCode.COMMAND_REFUSED), drone.now()));
         show(drone.after(1).armed(true));
         show(drone.after(9).armed(false));
 

@@ -8,6 +8,7 @@ import java.util.List;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
@@ -64,7 +65,7 @@ class RunMachineTest {
         sent(null);
         assertThat(sent(new Outcome.TimedOut("no answer"))).isInstanceOf(Command.UploadMission.class);
         assertThat(sent(new Outcome.TimedOut("no answer"))).isInstanceOf(Command.UploadMission.class);
-        Step last = step(new Outcome.Refused("vehicle", "no room"));
+        Step last = step(new Outcome.Refused("vehicle", "no room", OutcomeCode.VEHICLE_REFUSED));
 
         assertThat(last.release()).isEqualTo(Step.Release.FREE);
         assertThat(run.stage()).isEqualTo(Stage.QUEUED);

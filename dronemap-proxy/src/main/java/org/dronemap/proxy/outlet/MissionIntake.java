@@ -12,6 +12,7 @@ import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.cloud.RoleRules;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -207,7 +208,9 @@ final class MissionIntake {
         if (principal == null || state == null) {
             return Optional.of("There is no such drone.");
         }
-        return RoleRules.whyNot(principal, state, capability).or(() -> CommandRules.whyNot(state, capability));
+        return RoleRules.whyNot(principal, state, capability)
+                .or(() -> CommandRules.whyNot(state, capability))
+                .map(Refusal::sentence);
     }
 
     private static Capability capability(int kind) {

@@ -13,6 +13,8 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
@@ -65,7 +67,11 @@ final class Orders implements CloudListener, AutoCloseable {
             thread.execute(() -> submit(principal, drone, id, command));
         } catch (RejectedExecutionException e) {
             LOG.warn("The outlet had no room for a command of {}", principal.name());
-            end(id, new Outcome.Refused("gate", "The server is overloaded; nothing was sent."));
+            end(
+                    id,
+                    new Outcome.Refused(
+                            "gate",
+                            new Refusal(OutcomeCode.SERVER_OVERLOADED, "The server is overloaded; nothing was sent.")));
         }
     }
 

@@ -10,6 +10,7 @@ import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.UnknownDroneException;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -108,9 +109,9 @@ final class SteeringCounter {
             return;
         }
         try {
-            Optional<String> why = cloud.setpoints().steer(source(principal), asked.drone(), setpoint);
+            Optional<Refusal> why = cloud.setpoints().steer(source(principal), asked.drone(), setpoint);
             // Programs with a joystick say its middle all the time, whatever the drone does.
-            why.filter(sentence -> !setpoint.isStill()).ifPresent(sentence -> explain(asked, sentence, now));
+            why.filter(refusal -> !setpoint.isStill()).ifPresent(refusal -> explain(asked, refusal.sentence(), now));
         } catch (UnknownDroneException removedMeanwhile) {
             explain(asked, "This drone was removed.", now);
         }

@@ -12,6 +12,8 @@ import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -192,12 +194,17 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     @Override
     public void perform(Mandate mandate, Command command, Report report) {
         if (over) {
-            report.ended(new Outcome.Refused("cloud", "The robot has no link to the cloud."));
+            report.ended(new Outcome.Refused(
+                    "cloud", new Refusal(OutcomeCode.LINK_MISSING, "The robot has no link to the cloud.")));
             return;
         }
         Optional<Aim> aim = Aim.of(command);
         if (aim.isEmpty()) {
-            report.ended(new Outcome.Refused("vehicle", "These robots cannot be told to " + command.summary() + "."));
+            report.ended(new Outcome.Refused(
+                    "vehicle",
+                    new Refusal(
+                            OutcomeCode.CAPABILITY_MISSING,
+                            "These robots cannot be told to " + command.summary() + ".")));
             return;
         }
         tape.working(true);

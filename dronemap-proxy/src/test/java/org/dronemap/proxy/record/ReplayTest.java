@@ -20,6 +20,7 @@ import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.TextMessage;
@@ -104,7 +105,8 @@ class ReplayTest {
                                 new CommandId(UUID.randomUUID().toString()),
                                 new Command.Land())
                         .outcome())
-                .isEqualTo(new Outcome.Refused("gate", "This is a recording; it cannot be commanded."));
+                .isEqualTo(new Outcome.Refused(
+                        "gate", "This is a recording; it cannot be commanded.", OutcomeCode.DRONE_IS_A_RECORDING));
     }
 
     /** More at the same moment than a session has room for. */

@@ -13,6 +13,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.time.SystemTime;
@@ -81,7 +82,7 @@ abstract class RobotTrial {
 
     /** As whoever commands, too. */
     Optional<String> steer(DroneState drone, Setpoint setpoint) {
-        return house.cloud().setpoints().steer(PILOT, drone.id(), setpoint);
+        return house.cloud().setpoints().steer(PILOT, drone.id(), setpoint).map(Refusal::sentence);
     }
 
     /** The next twist that is no stop. */

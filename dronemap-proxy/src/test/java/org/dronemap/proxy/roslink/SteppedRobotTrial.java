@@ -17,6 +17,7 @@ import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.time.SteppedTime;
@@ -76,7 +77,7 @@ abstract class SteppedRobotTrial {
     }
 
     Optional<String> steer(DroneState drone, Setpoint setpoint) {
-        return house.cloud().setpoints().steer(PILOT, drone.id(), setpoint);
+        return house.cloud().setpoints().steer(PILOT, drone.id(), setpoint).map(Refusal::sentence);
     }
 
     /** The next order of that kind, which has to come. */

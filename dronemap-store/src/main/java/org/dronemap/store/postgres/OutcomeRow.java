@@ -2,18 +2,21 @@ package org.dronemap.store.postgres;
 
 import java.sql.SQLException;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.jspecify.annotations.Nullable;
 
-/** An outcome as its three columns. */
+/** An outcome as its four columns. */
 record OutcomeRow(
         @Nullable String result,
         @Nullable String by,
-        @Nullable String reason) {
+        @Nullable String reason,
+        @Nullable OutcomeCode code) {
     static OutcomeRow of(@Nullable Outcome outcome) {
         if (outcome == null) {
-            return new OutcomeRow(null, null, null);
+            return new OutcomeRow(null, null, null, null);
         }
-        return new OutcomeRow(result(outcome), outcome.by(), outcome.reason());
+        OutcomeCode code = outcome instanceof Outcome.Refused refused ? refused.cause() : null;
+        return new OutcomeRow(result(outcome), outcome.by(), outcome.reason(), code);
     }
 
     private static String result(Outcome outcome) {
@@ -34,7 +37,11 @@ record OutcomeRow(
         }
         return switch (result) {
             case "SUCCEEDED" -> new Outcome.Succeeded();
-            case "REFUSED" -> new Outcome.Refused(row.text("outcome_by"), row.text("outcome_reason"));
+            case "REFUSED" ->
+                new Outcome.Refused(
+                        row.text("outcome_by"),
+                        row.text("outcome_reason"),
+                        row.nameOrNull("outcome_code", OutcomeCode.class));
             case "FAILED" -> new Outcome.Failed(row.text("outcome_reason"));
             case "TIMED_OUT" -> new Outcome.TimedOut(row.text("outcome_reason"));
             case "SUPERSEDED" -> new Outcome.Superseded(row.text("outcome_reason"));

@@ -28,8 +28,9 @@ public final class PostgresCommandStore implements CommandStore {
         return sql.update(
                         """
                         INSERT INTO command (id, drone_id, asked_by, face, type, summary, asked_at, phase,
-                            progress_done, progress_total, outcome, outcome_by, outcome_reason, finished_at, epoch, content)
-                        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
+                            progress_done, progress_total, outcome, outcome_by, outcome_reason, outcome_code, finished_at,
+                            epoch, content)
+                        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
                         ON CONFLICT (id) DO NOTHING""",
                         command.id().value(),
                         command.drone().value(),
@@ -44,6 +45,7 @@ public final class PostgresCommandStore implements CommandStore {
                         outcome.result(),
                         outcome.by(),
                         outcome.reason(),
+                        outcome.code(),
                         command.finishedAt(),
                         command.epoch(),
                         command.content())
@@ -57,7 +59,7 @@ public final class PostgresCommandStore implements CommandStore {
         int written = sql.update(
                 """
                 UPDATE command SET phase = ?, progress_done = ?, progress_total = ?,
-                    outcome = ?, outcome_by = ?, outcome_reason = ?, finished_at = ?
+                    outcome = ?, outcome_by = ?, outcome_reason = ?, outcome_code = ?, finished_at = ?
                 WHERE id = ? AND phase <> 'DONE'""",
                 command.phase(),
                 progress == null ? null : progress.done(),
@@ -65,6 +67,7 @@ public final class PostgresCommandStore implements CommandStore {
                 outcome.result(),
                 outcome.by(),
                 outcome.reason(),
+                outcome.code(),
                 command.finishedAt(),
                 command.id().value());
         if (written == 0) {
@@ -98,8 +101,8 @@ public final class PostgresCommandStore implements CommandStore {
     public int endUnfinished(Outcome outcome, Instant at) {
         OutcomeRow row = OutcomeRow.of(outcome);
         return sql.update("""
-                UPDATE command SET phase = 'DONE', outcome = ?, outcome_by = ?, outcome_reason = ?, finished_at = ?
-                WHERE phase <> 'DONE'""", row.result(), row.by(), row.reason(), at);
+                UPDATE command SET phase = 'DONE', outcome = ?, outcome_by = ?, outcome_reason = ?, outcome_code = ?, finished_at = ?
+                WHERE phase <> 'DONE'""", row.result(), row.by(), row.reason(), row.code(), at);
     }
 
     private static CommandRecord command(Row row) throws SQLException {

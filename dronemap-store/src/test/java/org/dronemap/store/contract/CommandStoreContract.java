@@ -10,6 +10,7 @@ import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.store.StoreException;
 import org.junit.jupiter.api.BeforeEach;
@@ -51,7 +52,7 @@ public abstract class CommandStoreContract {
     void keepsEveryKindOfOutcome() {
         List<Outcome> outcomes = List.of(
                 new Outcome.Succeeded(),
-                new Outcome.Refused("vehicle", "PreArm: GPS not ready — \"wait\"; 100%"),
+                new Outcome.Refused("vehicle", "PreArm: GPS not ready — \"wait\"; 100%", OutcomeCode.VEHICLE_REFUSED),
                 new Outcome.Failed("it fell back to LOITER"),
                 new Outcome.TimedOut("no answer within 3 s"),
                 new Outcome.Superseded("a newer mode change"),
@@ -67,8 +68,8 @@ public abstract class CommandStoreContract {
 
     @Test
     void keepsACommandThatWasRefusedAtOnce() {
-        CommandRecord refused =
-                sent("command-1", COPTER, ASKED).ended(new Outcome.Refused("gate", "Arm first."), ASKED);
+        CommandRecord refused = sent("command-1", COPTER, ASKED)
+                .ended(new Outcome.Refused("gate", "Arm first.", OutcomeCode.COMMAND_REFUSED), ASKED);
         assertThat(store.begin(refused)).isTrue();
         assertThat(store.command(refused.id())).contains(refused);
     }

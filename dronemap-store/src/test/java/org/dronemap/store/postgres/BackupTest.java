@@ -32,6 +32,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
@@ -85,7 +86,7 @@ class BackupTest {
             AT,
             CommandPhase.DONE,
             null,
-            new Outcome.Refused("vehicle", "PreArm: \\N is not null, \\. is no end"),
+            new Outcome.Refused("vehicle", "PreArm: \\N is not null, \\. is no end", OutcomeCode.VEHICLE_REFUSED),
             AT,
             17L);
     private static final User ALICE = new User("alice", Role.ADMINISTRATOR, AccountState.ACTIVE, "salt$hash", false);

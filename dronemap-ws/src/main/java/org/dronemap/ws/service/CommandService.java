@@ -15,10 +15,10 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.lease.Control;
 import org.dronemap.core.mission.MissionDoubts;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
@@ -106,10 +106,11 @@ public final class CommandService {
         CommandRecord record = ask(source, drone, id, asked);
         requireSame(record, source.principal(), drone, asked);
         if (record.outcome() instanceof Outcome.Refused refused && refused.by().equals("gate")) {
-            Control control = cloud.controls().control(drone.id());
-            throw refused.reason().contains(control.sentence())
-                    ? Rejection.held(refused.reason(), id.value(), control)
-                    : Rejection.refused(refused.reason(), id.value());
+            throw Rejection.refused(
+                    new Refusal(refused.code(), refused.reason()),
+                    drone.id(),
+                    id.value(),
+                    cloud.controls().control(drone.id()));
         }
         return CommandView.of(record);
     }

@@ -8,6 +8,7 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.jspecify.annotations.Nullable;
 
 /** A command as clients see it. */
@@ -39,7 +40,10 @@ public record CommandView(
             @Schema(allowableValues = {"gate", "vehicle"}) @Nullable
             String by,
 
-            @Nullable String reason) {}
+            @Nullable String reason,
+
+            @Schema(description = "Why, for programs; docs/problems.md lists them") @Nullable
+            String code) {}
 
     /** Steps done of steps in all. */
     @Schema(name = "CommandProgressView")
@@ -72,6 +76,8 @@ public record CommandView(
 
     /** The one naming of outcomes for all faces. */
     public static OutcomeView outcomeView(Outcome outcome) {
-        return new OutcomeView(outcome.kind().word(), outcome.by(), outcome.reason());
+        OutcomeCode code = outcome.code();
+        return new OutcomeView(
+                outcome.kind().word(), outcome.by(), outcome.reason(), code == null ? null : code.word());
     }
 }

@@ -9,6 +9,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.UnknownDroneException;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.LeaseAnswer;
@@ -58,13 +59,13 @@ public final class ControlService {
         DroneState drone = drone(principal, droneId, action);
         if (drone.replay()) {
             throw Rejection.of(
-                    DroneProblem.DRONE_IS_A_RECORDING,
+                    new CommandProblem(OutcomeCode.DRONE_IS_A_RECORDING),
                     "This is a recording; it cannot be commanded.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }
         LeaseStep step = apply(drone.id(), event(principal.name(), action, with, drone.id()));
         if (step.answer() instanceof LeaseAnswer.Denied denied) {
-            throw Rejection.held(denied.why(), null, step.control());
+            throw Rejection.held(denied.why(), drone.id(), step.control());
         }
         return new Answer(ControlView.of(step.control()), step.answer() instanceof LeaseAnswer.Waiting);
     }

@@ -2,41 +2,17 @@ package org.dronemap.ws.service;
 
 /** What speaks against it in a drone, its links, or what is known and kept of it. */
 public enum DroneProblem implements ProblemCode {
-    COMMAND_REFUSED(ProblemEntry.of(
-                    "command-refused",
-                    RejectionKind.CONFLICT,
-                    "The gate did not let the command or setpoint through.",
-                    "It is not armed.")
-            .maybe(ProblemParameter.COMMAND)),
     COMMAND_ID_TAKEN(ProblemEntry.of(
                     "command-id-taken",
                     RejectionKind.CONFLICT,
                     "Another command has this id.",
                     "The id c-12345678 belongs to another command already; take a new one.")
             .with(ProblemParameter.COMMAND)),
-    CONTROL_HELD(ProblemEntry.of(
-                    "control-held",
-                    RejectionKind.CONFLICT,
-                    "Somebody else has control of the drone, or it does not change hands so.",
-                    "mia has control; ask for it.")
-            .maybe(ProblemParameter.COMMAND, ProblemParameter.HOLDER, ProblemParameter.HELD_SINCE)),
-    DRONE_IS_A_RECORDING(ProblemEntry.of(
-                    "drone-is-a-recording",
-                    RejectionKind.CONFLICT,
-                    "The drone is played from a recording.",
-                    "This is a recording; it cannot be commanded.")
-            .with(ProblemParameter.DRONE)),
     DRONE_IN_CONTACT(ProblemEntry.of(
                     "drone-in-contact",
                     RejectionKind.CONFLICT,
                     "Only a drone that is lost can be removed.",
                     "The drone is in contact; it would come back at once.")
-            .with(ProblemParameter.DRONE)),
-    DRONE_AIRBORNE(ProblemEntry.of(
-                    "drone-airborne",
-                    RejectionKind.CONFLICT,
-                    "The drone is in the air.",
-                    "“Kestrel” is in the air; plan again when it is on the ground.")
             .with(ProblemParameter.DRONE)),
     DRONE_NOT_AT_REST(ProblemEntry.of(
                     "drone-not-at-rest",
@@ -55,18 +31,6 @@ public enum DroneProblem implements ProblemCode {
                     RejectionKind.CONFLICT,
                     "The drone may be chosen for virtual drones at any moment.",
                     "It may serve virtual drones; take it out of the warehouse first.")
-            .with(ProblemParameter.DRONE)),
-    COMMAND_UNDER_WAY(ProblemEntry.of(
-                    "command-under-way",
-                    RejectionKind.CONFLICT,
-                    "A command to the drone has not ended yet.",
-                    "A command to it is under way; wait for its end.")
-            .with(ProblemParameter.DRONE)),
-    HOME_UNKNOWN(ProblemEntry.of(
-                    "home-unknown",
-                    RejectionKind.CONFLICT,
-                    "Where the drone's home is, is not known.",
-                    "Where the home of “Kestrel” is, is not known.")
             .with(ProblemParameter.DRONE)),
     POSITION_UNKNOWN(ProblemEntry.of(
                     "position-unknown",

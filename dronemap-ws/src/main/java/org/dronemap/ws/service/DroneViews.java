@@ -12,6 +12,7 @@ import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.cloud.ControlDesk;
 import org.dronemap.core.cloud.RoleRules;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.CloudLossState;
@@ -230,17 +231,23 @@ public final class DroneViews {
     private static Map<String, DroneView.ActionView> actions(DroneState state, Principal principal) {
         Map<String, DroneView.ActionView> actions = new LinkedHashMap<>();
         for (Capability capability : Capability.values()) {
-            Optional<String> why =
+            Optional<Refusal> why =
                     RoleRules.whyNot(principal, state, capability).or(() -> CommandRules.whyNot(state, capability));
             String mode = capability == Capability.ARM
                     ? state.capabilities().armingMode(state.mode()).orElse(null)
                     : null;
-            actions.put(WireNames.camel(capability), new DroneView.ActionView(why.isEmpty(), why.orElse(null), mode));
+            actions.put(
+                    WireNames.camel(capability),
+                    new DroneView.ActionView(
+                            why.isEmpty(), why.map(Refusal::sentence).orElse(null), mode));
         }
         Command motorsOff = new Command.Disarm(true);
-        Optional<String> why =
+        Optional<Refusal> why =
                 RoleRules.whyNot(principal, state, motorsOff.needs()).or(() -> CommandRules.whyNot(state, motorsOff));
-        actions.put(FORCE_DISARM, new DroneView.ActionView(why.isEmpty(), why.orElse(null), null));
+        actions.put(
+                FORCE_DISARM,
+                new DroneView.ActionView(
+                        why.isEmpty(), why.map(Refusal::sentence).orElse(null), null));
         return actions;
     }
 

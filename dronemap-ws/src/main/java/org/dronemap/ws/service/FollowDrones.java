@@ -11,6 +11,8 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
@@ -84,7 +86,7 @@ final class FollowDrones {
         Home home = drone.home();
         if (home == null) {
             throw Rejection.of(
-                    DroneProblem.HOME_UNKNOWN,
+                    new CommandProblem(OutcomeCode.HOME_UNKNOWN),
                     "Where the home of " + drone.name() + " is, is not known any more.",
                     ProblemParameter.DRONE.is(id.value()));
         }
@@ -97,7 +99,9 @@ final class FollowDrones {
             return Optional.of(control.sentence());
         }
         // Whether zones let it go there and back.
-        return cloud.gate().whyNot(principal, drone, new Command.UploadMission(share.mission()));
+        return cloud.gate()
+                .whyNot(principal, drone, new Command.UploadMission(share.mission()))
+                .map(Refusal::sentence);
     }
 
     /** It stands in the air and waits for what it is told, and nobody has control of it. */

@@ -11,6 +11,7 @@ import org.dronemap.core.access.Gift;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -169,7 +170,7 @@ public final class GiftService {
     private void requireAtRest(DroneState drone) {
         if (drone.replay()) {
             throw Rejection.of(
-                    DroneProblem.DRONE_IS_A_RECORDING,
+                    new CommandProblem(OutcomeCode.DRONE_IS_A_RECORDING),
                     "This is a recording, which goes along with its drone.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }
@@ -188,7 +189,7 @@ public final class GiftService {
         }
         if (cloud.gate().commandsOf(drone.id(), NEWEST).stream().anyMatch(command -> command.outcome() == null)) {
             throw Rejection.of(
-                    DroneProblem.COMMAND_UNDER_WAY,
+                    new CommandProblem(OutcomeCode.COMMAND_UNDER_WAY),
                     "A command to it is under way; wait for its end.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }

@@ -13,6 +13,7 @@ import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.time.Time;
@@ -161,7 +162,7 @@ public final class LinkSecurityService {
         DroneState state = drones.state(principal, id, Role.ADMINISTRATOR);
         if (state.replay()) {
             throw Rejection.of(
-                    DroneProblem.DRONE_IS_A_RECORDING,
+                    new CommandProblem(OutcomeCode.DRONE_IS_A_RECORDING),
                     "This drone comes from a recording; it has no link to secure.",
                     ProblemParameter.DRONE.is(state.id().value()));
         }

@@ -60,7 +60,9 @@ final class Nameless {
                 command.summary(),
                 command.at(),
                 command.phase(),
-                outcome == null ? null : new CommandView.OutcomeView(outcome.result(), outcome.by(), null),
+                outcome == null
+                        ? null
+                        : new CommandView.OutcomeView(outcome.result(), outcome.by(), null, outcome.code()),
                 command.finishedAt(),
                 command.progress(),
                 command.epoch(),

@@ -9,6 +9,7 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Skill;
 import org.dronemap.cognitive.problem.Start;
 import org.dronemap.cognitive.problem.Supply;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
@@ -32,7 +33,8 @@ final class PlanCrafts {
         VehicleKind kind = drone.identification().kind();
         Home home = drone.home();
         if (home == null) {
-            throw missing(DroneProblem.HOME_UNKNOWN, drone, "Where the home of %s is, is not known.");
+            throw missing(
+                    new CommandProblem(OutcomeCode.HOME_UNKNOWN), drone, "Where the home of %s is, is not known.");
         }
         Place stand = stand(drone, home);
         Performance performance = Performance.of(kind, drone.identification().autopilot());
@@ -50,7 +52,9 @@ final class PlanCrafts {
     private static void ready(DroneState drone) {
         if (drone.replay()) {
             throw missing(
-                    DroneProblem.DRONE_IS_A_RECORDING, drone, "%s comes from a recording; it cannot be planned with.");
+                    new CommandProblem(OutcomeCode.DRONE_IS_A_RECORDING),
+                    drone,
+                    "%s comes from a recording; it cannot be planned with.");
         }
         if (drone.link().state() != LinkState.LIVE) {
             throw missing(DroneProblem.CONTACT_NOT_GOOD, drone, "There is no good contact with %s.");
@@ -64,7 +68,9 @@ final class PlanCrafts {
         }
         if (drone.airborne()) {
             throw missing(
-                    DroneProblem.DRONE_AIRBORNE, drone, "%s is in the air; plans are made for drones on the ground.");
+                    new CommandProblem(OutcomeCode.DRONE_AIRBORNE),
+                    drone,
+                    "%s is in the air; plans are made for drones on the ground.");
         }
     }
 
@@ -129,7 +135,7 @@ final class PlanCrafts {
         return Math.max(0, Math.min(1, loss));
     }
 
-    private static Rejection missing(DroneProblem code, DroneState drone, String sentence) {
+    private static Rejection missing(ProblemCode code, DroneState drone, String sentence) {
         return Rejection.of(
                 code,
                 sentence.replace("%s", "“" + drone.name() + "”"),

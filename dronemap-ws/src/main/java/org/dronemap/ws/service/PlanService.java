@@ -10,6 +10,7 @@ import org.dronemap.cognitive.engine.Planned;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodesy;
@@ -168,7 +169,7 @@ public final class PlanService {
     private static void requireUnmoved(PlanJob job, DroneState now) {
         if (now.airborne()) {
             throw Rejection.of(
-                    DroneProblem.DRONE_AIRBORNE,
+                    new CommandProblem(OutcomeCode.DRONE_AIRBORNE),
                     "“" + now.name() + "” is in the air; plan again when it is on the ground.",
                     ProblemParameter.DRONE.is(now.id().value()));
         }

@@ -9,6 +9,7 @@ import java.util.stream.Stream;
  */
 public sealed interface ProblemCode
         permits AccessProblem,
+                CommandProblem,
                 DroneProblem,
                 OperationProblem,
                 RequestProblem,
@@ -28,15 +29,16 @@ public sealed interface ProblemCode
 
     /** All of them, by subject. */
     static List<ProblemCode> all() {
-        return Stream.<ProblemCode[]>of(
-                        RequestProblem.values(),
-                        ValueProblem.values(),
-                        UnknownProblem.values(),
-                        AccessProblem.values(),
-                        DroneProblem.values(),
-                        OperationProblem.values(),
-                        ServerProblem.values())
-                .flatMap(Stream::of)
+        return Stream.of(
+                        List.of(RequestProblem.values()),
+                        List.of(ValueProblem.values()),
+                        List.of(UnknownProblem.values()),
+                        List.of(AccessProblem.values()),
+                        CommandProblem.values(),
+                        List.of(DroneProblem.values()),
+                        List.of(OperationProblem.values()),
+                        List.of(ServerProblem.values()))
+                .<ProblemCode>flatMap(List::stream)
                 .toList();
     }
 }

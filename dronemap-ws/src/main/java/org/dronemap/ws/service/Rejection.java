@@ -4,6 +4,9 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.Tenure;
 import org.jspecify.annotations.Nullable;
@@ -58,10 +61,24 @@ public class Rejection extends RuntimeException {
                         + " restored. Sign in again.");
     }
 
-    /** Somebody else has control; {@code commandId} of the refused command, null where it was none. */
-    public static Rejection held(String sentence, @Nullable String commandId, Control control) {
-        Tenure tenure = control.tenure();
-        List<ProblemParameter.Given> parameters = ofCommand(commandId);
+    /** Somebody else has control. */
+    public static Rejection held(String sentence, DroneId drone, Control control) {
+        return refused(new Refusal(OutcomeCode.CONTROL_HELD, sentence), drone, null, control);
+    }
+
+    /**
+     * A command, or a setpoint, that the gate refused.
+     *
+     * @param commandId whose record can be looked up; null: of a setpoint
+     * @param control who has control now, which is told where that is why
+     */
+    public static Rejection refused(Refusal why, DroneId drone, @Nullable String commandId, Control control) {
+        List<ProblemParameter.Given> parameters = new ArrayList<>();
+        parameters.add(ProblemParameter.DRONE.is(drone.value()));
+        if (commandId != null) {
+            parameters.add(ProblemParameter.COMMAND.is(commandId));
+        }
+        Tenure tenure = why.code() == OutcomeCode.CONTROL_HELD ? control.tenure() : null;
         if (tenure != null) {
             String holder = ControlView.name(tenure.holder());
             if (holder != null) {
@@ -69,16 +86,7 @@ public class Rejection extends RuntimeException {
             }
             parameters.add(ProblemParameter.HELD_SINCE.is(since(tenure).toString()));
         }
-        return new Rejection(DroneProblem.CONTROL_HELD, sentence, parameters, commandId, tenure);
-    }
-
-    /** A command, or a setpoint without an id, that the gate refused; a command's record can be looked up. */
-    public static Rejection refused(String sentence, @Nullable String commandId) {
-        return new Rejection(DroneProblem.COMMAND_REFUSED, sentence, ofCommand(commandId), commandId, null);
-    }
-
-    private static List<ProblemParameter.Given> ofCommand(@Nullable String id) {
-        return id == null ? new ArrayList<>() : new ArrayList<>(List.of(ProblemParameter.COMMAND.is(id)));
+        return new Rejection(new CommandProblem(why.code()), why.sentence(), parameters, commandId, tenure);
     }
 
     private static Instant since(Tenure tenure) {

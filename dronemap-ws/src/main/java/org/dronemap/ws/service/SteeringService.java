@@ -6,9 +6,9 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.UnknownDroneException;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.lease.Control;
 
 /** Use cases around steering; the one way from any face to the gate for setpoints. Any thread; nothing here waits. */
 public final class SteeringService {
@@ -27,17 +27,14 @@ public final class SteeringService {
         budgets.take(Work.REQUEST, principal.name());
         DroneId id = drones.state(principal, drone, Role.OPERATOR).id();
         Setpoint setpoint = request.setpoint();
-        Optional<String> why;
+        Optional<Refusal> why;
         try {
             why = cloud.setpoints().steer(new CommandGate.Source(principal, face, request.epoch()), id, setpoint);
         } catch (UnknownDroneException removedMeanwhile) {
             throw Rejection.unknown(UnknownProblem.DRONE, drone);
         }
         if (why.isPresent()) {
-            Control control = cloud.controls().control(id);
-            throw why.get().contains(control.sentence())
-                    ? Rejection.held(why.get(), null, control)
-                    : Rejection.refused(why.get(), null);
+            throw Rejection.refused(why.get(), id, null, cloud.controls().control(id));
         }
     }
 

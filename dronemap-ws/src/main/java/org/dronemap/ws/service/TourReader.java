@@ -17,6 +17,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.cognitive.problem.Wind;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.mission.Mission;
@@ -91,7 +92,7 @@ final class TourReader {
         Home home = drone.home();
         if (home == null) {
             throw Rejection.of(
-                    DroneProblem.HOME_UNKNOWN,
+                    new CommandProblem(OutcomeCode.HOME_UNKNOWN),
                     "Where the home of “" + drone.name() + "” is, is not known.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }

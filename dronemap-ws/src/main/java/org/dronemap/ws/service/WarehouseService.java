@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.conduct.Prospect;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneState;
@@ -84,7 +85,7 @@ public final class WarehouseService {
         }
         if (drone.replay()) {
             throw Rejection.of(
-                    DroneProblem.DRONE_IS_A_RECORDING,
+                    new CommandProblem(OutcomeCode.DRONE_IS_A_RECORDING),
                     "This is a recording; it cannot fly.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }

@@ -37,7 +37,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class OnBoardParametersTest {
     private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleKit#autopilots";
     private static final int COUNT = 1_000;
-    private static final CommandView.OutcomeView SUCCEEDED = new CommandView.OutcomeView("succeeded", null, null);
+    private static final CommandView.OutcomeView SUCCEEDED = new CommandView.OutcomeView("succeeded", null, null, null);
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ann = lab.pilot("ann", Role.OPERATOR);
@@ -108,7 +108,8 @@ class OnBoardParametersTest {
         CommandView ended = ann.end(put(drone, "SPARE_0003", 20));
 
         assertThat(ended.outcome())
-                .isEqualTo(new CommandView.OutcomeView("failed", null, "The vehicle holds SPARE_0003 = 21, not 20."));
+                .isEqualTo(new CommandView.OutcomeView(
+                        "failed", null, "The vehicle holds SPARE_0003 = 21, not 20.", "command-failed"));
         assertThat(shown(drone, "SPARE_0003").parameters())
                 .extracting(ParametersView.ParameterView::value)
                 .containsExactly(21.0);

@@ -83,7 +83,7 @@ class PeerAnswersTest {
 
         CommandView.OutcomeView outcome = outcome(peer, arm());
 
-        assertThat(outcome).isEqualTo(new CommandView.OutcomeView("refused", "vehicle", sentence));
+        assertThat(outcome).isEqualTo(new CommandView.OutcomeView("refused", "vehicle", sentence, "vehicle-failed"));
         assertThat(peer.state().messages()).anyMatch(message -> message.text().equals(sentence));
     }
 

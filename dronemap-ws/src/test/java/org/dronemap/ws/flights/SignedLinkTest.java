@@ -177,7 +177,7 @@ class SignedLinkTest {
         assertThat(rotated.key()).isNotNull();
         assertThat(rotated.key().inUse()).isTrue();
         assertThat(rotated.key().fingerprint()).isNotEqualTo(fingerprint);
-        assertThat(ended.outcome()).isEqualTo(new CommandView.OutcomeView("succeeded", null, null));
+        assertThat(ended.outcome()).isEqualTo(new CommandView.OutcomeView("succeeded", null, null, null));
         assertThat(peer.isArmed()).isFalse();
         lab.until("it goes on streaming", Duration.ofSeconds(5), () -> peer.sent() > sentBefore + 300);
         peer.setSilent(true);

@@ -159,7 +159,7 @@ class TravellingVehiclesTest {
             if (outcome == null) {
                 return;
             }
-            assertThat(outcome).isEqualTo(new CommandView.OutcomeView("succeeded", null, null));
+            assertThat(outcome).isEqualTo(new CommandView.OutcomeView("succeeded", null, null, null));
             assertThat(traveller.peer.isArmed()).isEqualTo(given.type().equals("arm"));
             traveller.commanded++;
         }

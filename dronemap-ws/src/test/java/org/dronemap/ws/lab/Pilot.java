@@ -210,7 +210,9 @@ public final class Pilot {
                 .commands()
                 .command(principal(), Objects.requireNonNull(refused.commandId()))
                 .outcome();
-        if (!new CommandView.OutcomeView("refused", "gate", refused.sentence()).equals(outcome)) {
+        if (!new CommandView.OutcomeView(
+                        "refused", "gate", refused.sentence(), refused.code().word())
+                .equals(outcome)) {
             throw new AssertionError(refused.sentence() + ": " + outcome);
         }
         return refused.sentence();

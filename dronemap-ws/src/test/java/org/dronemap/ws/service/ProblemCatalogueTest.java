@@ -24,6 +24,10 @@ class ProblemCatalogueTest {
     private static final String BEGIN = "<!-- written from the catalogue: begin -->\n";
     private static final String END = "<!-- written from the catalogue: end -->\n";
     private static final int WORDS_IN_A_ROW = 3;
+    private static final String OUTCOMES = "Commands";
+    private static final String OF_OUTCOMES = "These are also the `code` of the outcome of a command, in each face: a"
+            + " refusal by the cloud is told at once as a problem over REST and on the stream, and as an outcome over"
+            + " SOAP; what comes later, such as a refusal by the vehicle, is told as an outcome alone.\n\n";
 
     @Test
     void isWhatThePageSays() throws IOException {
@@ -92,7 +96,7 @@ class ProblemCatalogueTest {
     /** All that our programs say, but for the catalogue. */
     private static String literals() throws IOException {
         try (Stream<Path> files = Files.walk(Path.of(".."), 12)) {
-            return files.filter(file -> file.toString().matches(".*/src/main/java/.*(?<!Problem)\\.java"))
+            return files.filter(file -> file.toString().matches(".*/src/main/java/.*(?<!Problem|/OutcomeCode)\\.java"))
                     .map(ProblemCatalogueTest::text)
                     .map(text -> text.replaceAll("\"\\s*\\+\\s*\"", ""))
                     .collect(Collectors.joining("\n"));
@@ -111,17 +115,17 @@ class ProblemCatalogueTest {
     void refusesParametersThatAreNotDeclared() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Rejection.of(
-                        DroneProblem.DRONE_AIRBORNE,
+                        DroneProblem.LOG_FETCHED,
                         "It flies.",
                         ProblemParameter.DRONE.is("d1"),
                         ProblemParameter.MOST.is(1)))
-                .withMessageContaining("drone-airborne");
+                .withMessageContaining("log-fetched");
     }
 
     @Test
     void refusesToLeaveOutParametersThatAreDeclared() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> Rejection.of(DroneProblem.DRONE_AIRBORNE, "It flies."))
+                .isThrownBy(() -> Rejection.of(DroneProblem.LOG_FETCHED, "It flies."))
                 .withMessageContaining("DRONE");
     }
 
@@ -129,7 +133,7 @@ class ProblemCatalogueTest {
     void refusesTheSameParameterTwice() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Rejection.of(
-                        DroneProblem.DRONE_AIRBORNE,
+                        DroneProblem.LOG_FETCHED,
                         "It flies.",
                         ProblemParameter.DRONE.is("d1"),
                         ProblemParameter.DRONE.is("d2")));
@@ -160,8 +164,9 @@ class ProblemCatalogueTest {
     private static String tables() {
         return subjects().entrySet().stream()
                         .map(subject -> "## " + subject.getKey() + "\n\n"
+                                + (subject.getKey().equals(OUTCOMES) ? OF_OUTCOMES : "")
                                 + "| code | status | parameters | meaning, and an example |\n| --- | --- | --- | --- |\n"
-                                + Arrays.stream(subject.getValue())
+                                + subject.getValue().stream()
                                         .map(ProblemCatalogueTest::row)
                                         .collect(Collectors.joining()))
                         .collect(Collectors.joining("\n"))
@@ -172,27 +177,35 @@ class ProblemCatalogueTest {
                         .collect(Collectors.joining());
     }
 
-    private static Map<String, ProblemCode[]> subjects() {
-        Map<String, ProblemCode[]> subjects = new LinkedHashMap<>();
-        subjects.put("Requests as such", RequestProblem.values());
-        subjects.put("Values", ValueProblem.values());
-        subjects.put("What there is none of", UnknownProblem.values());
-        subjects.put("Accounts and rights", AccessProblem.values());
-        subjects.put("Drones", DroneProblem.values());
-        subjects.put("Plans and operations", OperationProblem.values());
-        subjects.put("The server", ServerProblem.values());
-        assertThat(subjects.values().stream().flatMap(Stream::of)).containsExactlyElementsOf(ProblemCode.all());
+    private static Map<String, List<? extends ProblemCode>> subjects() {
+        Map<String, List<? extends ProblemCode>> subjects = new LinkedHashMap<>();
+        subjects.put("Requests as such", List.of(RequestProblem.values()));
+        subjects.put("Values", List.of(ValueProblem.values()));
+        subjects.put("What there is none of", List.of(UnknownProblem.values()));
+        subjects.put("Accounts and rights", List.of(AccessProblem.values()));
+        subjects.put(OUTCOMES, CommandProblem.values());
+        subjects.put("Drones", List.of(DroneProblem.values()));
+        subjects.put("Plans and operations", List.of(OperationProblem.values()));
+        subjects.put("The server", List.of(ServerProblem.values()));
+        assertThat(subjects.values().stream().<ProblemCode>flatMap(List::stream))
+                .containsExactlyElementsOf(ProblemCode.all());
         return subjects;
     }
 
     private static String row(ProblemCode code) {
         ProblemEntry entry = code.entry();
-        String parameters = Stream.concat(
+        boolean isProblem =
+                !(code instanceof CommandProblem told) || told.outcome().isOfTheGate();
+        return "| `" + code.word() + "` | "
+                + (isProblem ? code.kind().status() + " " + code.kind().code() : "outcome") + " | "
+                + (isProblem ? parameters(entry) : "") + " | " + entry.meaning() + " *"
+                + entry.example().replace("|", "\\|") + "* |\n";
+    }
+
+    private static String parameters(ProblemEntry entry) {
+        return Stream.concat(
                         entry.parameters().stream().map(one -> "`" + one.word() + "`"),
                         entry.optional().stream().map(one -> "`" + one.word() + "`?"))
                 .collect(Collectors.joining(", "));
-        return "| `" + code.word() + "` | " + code.kind().status() + " "
-                + code.kind().code() + " | " + parameters + " | " + entry.meaning() + " *"
-                + entry.example().replace("|", "\\|") + "* |\n";
     }
 }

@@ -16,6 +16,7 @@ import java.util.function.Predicate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
@@ -169,7 +170,11 @@ final class TestFleet {
         later(now.plusMillis(long_ ? 900 : 300), false, () -> {
             TestVehicle vehicle = vehicles.get(give.drone());
             if (long_ && vehicle.transfer != null) {
-                ended(give.drone(), give.id(), new Outcome.Refused("gate", "Wait for its end."), Duration.ZERO);
+                ended(
+                        give.drone(),
+                        give.id(),
+                        new Outcome.Refused("gate", "Wait for its end.", OutcomeCode.COMMAND_REFUSED),
+                        Duration.ZERO);
             } else if (vehicle.cut || lost) {
                 ended(give.drone(), give.id(), new Outcome.TimedOut("No answer."), Duration.ofSeconds(5));
             } else {
@@ -177,7 +182,9 @@ final class TestFleet {
                 ended(
                         give.drone(),
                         give.id(),
-                        fault == null ? new Outcome.Succeeded() : new Outcome.Refused("vehicle", fault),
+                        fault == null
+                                ? new Outcome.Succeeded()
+                                : new Outcome.Refused("vehicle", fault, OutcomeCode.VEHICLE_REFUSED),
                         Duration.ZERO);
             }
         });

@@ -247,7 +247,7 @@ public final class CommandExchange implements Exchange {
         }
         String reason = reasons.of(refusedNanos, MavResult.words(refusal), nowNanos);
         if (reason != null) {
-            outcome = new Outcome.Refused("vehicle", reason);
+            outcome = new Outcome.Refused("vehicle", MavResult.refusal(refusal, reason));
         }
     }
 

@@ -1,5 +1,8 @@
 package org.dronemap.proxy.mavlink.procedure;
 
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
+
 /** MAV_RESULT in words. */
 final class MavResult {
     static final int ACCEPTED = 0;
@@ -10,6 +13,21 @@ final class MavResult {
 
     static boolean isUnknown(int result) {
         return result == UNSUPPORTED || result == 7 || result == 9;
+    }
+
+    /** What a refusal by that result is called, with this sentence. */
+    static Refusal refusal(int result, String sentence) {
+        return new Refusal(
+                switch (result) {
+                    case 1 -> OutcomeCode.VEHICLE_BUSY;
+                    case 2 -> OutcomeCode.VEHICLE_DENIED;
+                    case UNSUPPORTED, 7, 8 -> OutcomeCode.VEHICLE_DOES_NOT_KNOW;
+                    case 4 -> OutcomeCode.VEHICLE_FAILED;
+                    case 6 -> OutcomeCode.VEHICLE_CANCELLED;
+                    case 9 -> OutcomeCode.POSITIONS_NOT_TAKEN;
+                    default -> OutcomeCode.VEHICLE_REFUSED;
+                },
+                sentence);
     }
 
     static String words(int result) {

@@ -36,7 +36,7 @@ public final class MissionClear implements Exchange {
             if (ack.missionType() == kind.number() && Target.isForUs(ack.targetSystem())) {
                 outcome = ack.type() == MissionResult.ACCEPTED
                         ? new Outcome.Succeeded()
-                        : new Outcome.Refused("vehicle", MissionResult.words(ack.type()));
+                        : new Outcome.Refused("vehicle", MissionResult.refusal(ack.type()));
             }
         }
     }

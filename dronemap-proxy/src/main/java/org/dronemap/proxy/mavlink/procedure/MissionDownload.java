@@ -253,7 +253,7 @@ public final class MissionDownload implements Exchange {
                 patience.answered();
             }
             if (count < 0 && refusals >= REFUSALS && !mayPass) {
-                outcome = new Outcome.Refused("vehicle", MissionResult.words(ack.type()));
+                outcome = new Outcome.Refused("vehicle", MissionResult.refusal(ack.type()));
             } else if (count >= 0) {
                 count = -1;
                 refusals = 0;

@@ -1,5 +1,8 @@
 package org.dronemap.proxy.mavlink.procedure;
 
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
+
 /** MAV_MISSION_RESULT in words. */
 final class MissionResult {
     static final int ACCEPTED = 0;
@@ -18,6 +21,26 @@ final class MissionResult {
     /** What may be cured by waiting. */
     static boolean isBusy(int result) {
         return result == ERROR || result == DENIED;
+    }
+
+    static Refusal refusal(int result) {
+        return refusal(result, words(result));
+    }
+
+    /** What a refusal by that result is called, with this sentence. */
+    static Refusal refusal(int result, String sentence) {
+        return new Refusal(
+                switch (result) {
+                    case 2 -> OutcomeCode.POSITIONS_NOT_TAKEN;
+                    case 3 -> OutcomeCode.MISSION_ITEM_NOT_KNOWN;
+                    case 4 -> OutcomeCode.MISSION_TOO_LONG;
+                    case 5, 6, 7, 8, 9, 10, 11, 12 -> OutcomeCode.MISSION_VALUE_NOT_TAKEN;
+                    case INVALID_SEQUENCE -> OutcomeCode.MISSION_OUT_OF_ORDER;
+                    case DENIED -> OutcomeCode.VEHICLE_DENIED;
+                    case CANCELLED -> OutcomeCode.VEHICLE_CANCELLED;
+                    default -> OutcomeCode.VEHICLE_REFUSED;
+                },
+                sentence);
     }
 
     static String words(int result) {

@@ -121,7 +121,9 @@ public final class MissionUpload implements Exchange {
         }
         if (refusal != 0) {
             if (reason != null || nowNanos - refusedNanos >= REASON_NANOS) {
-                outcome = new Outcome.Refused("vehicle", reason != null ? reason : MissionResult.words(refusal));
+                outcome = new Outcome.Refused(
+                        "vehicle",
+                        MissionResult.refusal(refusal, reason != null ? reason : MissionResult.words(refusal)));
             }
         } else if (nowNanos - lastSentNanos >= pauseNanos()) {
             again(nowNanos);

@@ -8,6 +8,7 @@ import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.PutBack;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
@@ -210,7 +211,7 @@ final class ArduPilot implements Autopilot {
     private Exchange mode(Cockpit cockpit, String name, Observer observer) {
         return table.number(name)
                 .map(number -> Maneuvers.mode(cockpit, name, number, 0f, observer))
-                .orElseGet(() -> Maneuvers.refuse("This vehicle has no mode " + name + "."));
+                .orElseGet(() -> Maneuvers.refuse(OutcomeCode.MODE_UNKNOWN, "This vehicle has no mode " + name + "."));
     }
 
     /** BRAKE needs no pilot's throttle; where it is not to be had, the mode that every vehicle of the kind knows. */

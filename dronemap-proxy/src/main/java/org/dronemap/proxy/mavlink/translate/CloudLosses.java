@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.OwnersKeeper;
 import org.dronemap.core.command.PutBack;
 import org.dronemap.core.command.SetCloudLoss;
@@ -35,7 +36,8 @@ final class CloudLosses {
 
     static Exchange comeHome(Cockpit cockpit, VehicleKind kind, Setting setting) {
         if (kind != VehicleKind.MULTICOPTER && kind != VehicleKind.HELICOPTER) {
-            return Maneuvers.refuse("What this vehicle does when the cloud falls silent cannot be set.");
+            return Maneuvers.refuse(
+                    OutcomeCode.NOT_SETTABLE, "What this vehicle does when the cloud falls silent cannot be set.");
         }
         return new ParameterChange(
                 cockpit.target(),
@@ -48,7 +50,8 @@ final class CloudLosses {
     /** Reads, has the owner's values kept, writes and reads back. {@code policy}: null where there is nothing to set. */
     static Exchange set(Cockpit cockpit, SetCloudLoss command, @Nullable LossPolicy policy) {
         if (policy == null) {
-            return Maneuvers.refuse("What this vehicle does without the cloud cannot be set.");
+            return Maneuvers.refuse(
+                    OutcomeCode.NOT_SETTABLE, "What this vehicle does without the cloud cannot be set.");
         }
         ParameterReading reading =
                 new ParameterReading(cockpit.target(), cockpit.parameters().codec(), policy.names());

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -57,7 +58,9 @@ final class HomePlans {
         if (altitude.reference() == Altitude.Reference.AMSL) {
             return said(cockpit, place(point, altitude.meters()));
         }
-        return before == null ? Maneuvers.refuse(NO_HOME) : said(cockpit, place(point, before + altitude.meters()));
+        return before == null
+                ? Maneuvers.refuse(OutcomeCode.HOME_UNKNOWN, NO_HOME)
+                : said(cockpit, place(point, before + altitude.meters()));
     }
 
     private static Place place(Geodetic point, double altitudeMeters) {

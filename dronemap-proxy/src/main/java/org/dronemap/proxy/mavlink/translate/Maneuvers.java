@@ -4,6 +4,8 @@ import java.time.Duration;
 import java.util.function.Predicate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Alternative;
@@ -136,10 +138,10 @@ final class Maneuvers {
 
     /** The gate lets nothing through that the autopilot does not declare; whatever comes all the same is not carried out. */
     static Exchange cannot(Command command) {
-        return refuse("This autopilot has no way to " + command.summary() + ".");
+        return refuse(OutcomeCode.CAPABILITY_MISSING, "This autopilot has no way to " + command.summary() + ".");
     }
 
-    static Exchange refuse(String why) {
-        return new Conclusion(() -> new Outcome.Refused("gate", why));
+    static Exchange refuse(OutcomeCode code, String why) {
+        return new Conclusion(() -> new Outcome.Refused("gate", new Refusal(code, why)));
     }
 }

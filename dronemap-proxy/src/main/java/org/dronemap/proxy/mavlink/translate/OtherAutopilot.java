@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.FlightPhase;
@@ -72,7 +74,10 @@ final class OtherAutopilot implements Autopilot {
     @Override
     public Exchange plan(Command command, Cockpit cockpit) {
         return new Conclusion(() -> new Outcome.Refused(
-                "gate", "The ways of this autopilot (" + family() + ") are not known here; nothing was sent."));
+                "gate",
+                new Refusal(
+                        OutcomeCode.AUTOPILOT_UNKNOWN,
+                        "The ways of this autopilot (" + family() + ") are not known here; nothing was sent.")));
     }
 
     @Override

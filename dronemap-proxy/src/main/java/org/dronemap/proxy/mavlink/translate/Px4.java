@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.PutBack;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
@@ -241,14 +242,14 @@ final class Px4 implements Autopilot {
     private static Exchange mode(Cockpit cockpit, String name) {
         Mode mode = MODES.get(name);
         return mode == null
-                ? Maneuvers.refuse("This vehicle has no mode " + name + ".")
+                ? Maneuvers.refuse(OutcomeCode.MODE_UNKNOWN, "This vehicle has no mode " + name + ".")
                 : Maneuvers.mode(cockpit, name, mode.main(), mode.sub(), cockpit.observer());
     }
 
     private static Exchange takeOff(Cockpit cockpit, Command.TakeOff command) {
         Double home = cockpit.status().homeAltitudeAmslMeters();
         if (home == null) {
-            return Maneuvers.refuse(NO_HOME);
+            return Maneuvers.refuse(OutcomeCode.HOME_UNKNOWN, NO_HOME);
         }
         float altitude = (float) (home + command.altitudeMeters());
         float[] parameters = {-1f, 0f, 0f, Float.NaN, Float.NaN, Float.NaN, altitude};
@@ -267,7 +268,7 @@ final class Px4 implements Autopilot {
         Double home = cockpit.status().homeAltitudeAmslMeters();
         boolean relative = command.altitude().reference() == Altitude.Reference.HOME;
         if (relative && home == null) {
-            return Maneuvers.refuse(NO_HOME);
+            return Maneuvers.refuse(OutcomeCode.HOME_UNKNOWN, NO_HOME);
         }
         double altitude = command.altitude().meters() + (relative && home != null ? home : 0);
         CommandInt message = new CommandInt(

@@ -2,6 +2,7 @@ package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.VehicleKind;
@@ -56,7 +57,7 @@ final class ReturnHeights {
 
     static Exchange set(Cockpit cockpit, SetReturnHeight command, VehicleKind kind, Setting setting) {
         if (kind != VehicleKind.MULTICOPTER && kind != VehicleKind.HELICOPTER) {
-            return Maneuvers.refuse("How high this vehicle flies home cannot be set.");
+            return Maneuvers.refuse(OutcomeCode.NOT_SETTABLE, "How high this vehicle flies home cannot be set.");
         }
         ParameterReading reading =
                 new ParameterReading(cockpit.target(), cockpit.parameters().codec(), List.of(setting.words()));

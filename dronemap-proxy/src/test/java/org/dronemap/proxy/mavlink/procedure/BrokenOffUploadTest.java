@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.junit.jupiter.api.Test;
@@ -66,6 +67,7 @@ class BrokenOffUploadTest {
         wire.peer((w, message) -> w.answer(new MissionAck(255, 190, MissionResult.DENIED, 0)));
 
         assertThat(wire.runWhole(MissionDownload.whole(wire.target(), MissionKind.MISSION)))
-                .isEqualTo(new Outcome.Refused("vehicle", "The vehicle takes and gives no mission now."));
+                .isEqualTo(new Outcome.Refused(
+                        "vehicle", "The vehicle takes and gives no mission now.", OutcomeCode.VEHICLE_DENIED));
     }
 }

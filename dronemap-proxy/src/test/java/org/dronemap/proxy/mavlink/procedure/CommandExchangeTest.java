@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandCancel;
@@ -148,7 +149,8 @@ class CommandExchangeTest {
         wire.run(exchange, 0.5);
         exchange.said(Severity.CRITICAL, "PreArm: GPS not ready", wire.now());
 
-        assertThat(wire.run(exchange, 1)).isEqualTo(new Outcome.Refused("vehicle", "PreArm: GPS not ready"));
+        assertThat(wire.run(exchange, 1))
+                .isEqualTo(new Outcome.Refused("vehicle", "PreArm: GPS not ready", OutcomeCode.VEHICLE_FAILED));
     }
 
     @Test
@@ -160,7 +162,8 @@ class CommandExchangeTest {
         exchange.said(Severity.CRITICAL, "Arm: compass not healthy", wire.now());
         exchange.heard(wire.frame(ack(4)), wire.now());
 
-        assertThat(wire.run(exchange, 2)).isEqualTo(new Outcome.Refused("vehicle", "Arm: compass not healthy"));
+        assertThat(wire.run(exchange, 2))
+                .isEqualTo(new Outcome.Refused("vehicle", "Arm: compass not healthy", OutcomeCode.VEHICLE_FAILED));
     }
 
     @Test
@@ -168,7 +171,8 @@ class CommandExchangeTest {
         wire.peer((w, message) -> w.answer(ack(2)));
 
         assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED)))
-                .isEqualTo(new Outcome.Refused("vehicle", "The vehicle denied it and gave no reason."));
+                .isEqualTo(new Outcome.Refused(
+                        "vehicle", "The vehicle denied it and gave no reason.", OutcomeCode.VEHICLE_DENIED));
     }
 
     @Test

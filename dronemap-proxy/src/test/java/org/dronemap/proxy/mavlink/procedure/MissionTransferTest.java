@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
@@ -142,7 +143,8 @@ class MissionTransferTest {
         wire.peer((w, message) -> w.answer(new MissionAck(255, 190, 4, 0)));
 
         assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
-                .isEqualTo(new Outcome.Refused("vehicle", "The vehicle has no room for so many mission items."));
+                .isEqualTo(new Outcome.Refused(
+                        "vehicle", "The vehicle has no room for so many mission items.", OutcomeCode.MISSION_TOO_LONG));
     }
 
     @Test
