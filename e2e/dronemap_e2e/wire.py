@@ -21,7 +21,6 @@ from .wire_clients import NEAR, Curl, called, php, zeep_client
 from .wire_page import use_page
 from .wire_relay import Relay
 
-
 CONTROLLER = "MAVLinkControllerService"
 POINT = {"type": "waypoint"} | NEAR
 

@@ -59,11 +59,18 @@ def result(command: Any) -> str:
 def test_zeep_gives_orders_and_reads_answers_and_faults(server: Server, api: Api, bench: Bench) -> None:
     """End to end because zeep makes calls, and reads answers and faults, by the service's own WSDL."""
     service = soap(server, server.local_key())
-    assert result(
-        service.setHome(
-            droneId=bench.drone, latitude=47.4013, longitude=8.5502, altitude=502.0, altitudeReference="amsl"
+    assert (
+        result(
+            service.setHome(
+                droneId=bench.drone,
+                latitude=47.4013,
+                longitude=8.5502,
+                altitude=502.0,
+                altitudeReference="amsl",
+            )
         )
-    ) == "succeeded"
+        == "succeeded"
+    )
     assert bench.station.home() == (474_013_000, 85_502_000, 502_000)
     assert result(service.takePicture(droneId=bench.drone)) == "succeeded"
     assert result(service.setRelay(droneId=bench.drone, relay=4, setting="toggle")) == "succeeded"

@@ -169,8 +169,7 @@ class HostileXmlTest {
         return Stream.of(
                 Arguments.of("depth", "<a>".repeat(20) + "</a>".repeat(20), "<a>".repeat(40) + "</a>".repeat(40)),
                 Arguments.of("elements", group("<b/>", 4, 4_000), group("<b/>", 6, 4_000)),
-                Arguments.of("attributes", "<a" + attributes(40) + "/>", "<a" + attributes(60) + "/>"),
-                Arguments.of("a text", "<a>" + "a".repeat(1_000_000) + "</a>", "<a>" + "a".repeat(1_100_000) + "</a>"));
+                Arguments.of("attributes", "<a" + attributes(40) + "/>", "<a" + attributes(60) + "/>"));
     }
 
     private static String group(String element, int groups, int each) {

@@ -16,7 +16,6 @@ public final class SoapEndpoint {
         bus.setProperty("org.apache.cxf.stax.maxElementCount", 20_000L);
         bus.setProperty("org.apache.cxf.stax.maxChildElements", 5_000);
         bus.setProperty("org.apache.cxf.stax.maxElementDepth", 30);
-        bus.setProperty("org.apache.cxf.stax.maxAttributeCount", 50);
         bus.setProperty("org.apache.cxf.stax.maxAttributeSize", 4_096);
         bus.setProperty("org.apache.cxf.stax.maxTextLength", 1_048_576L);
         bus.setProperty("org.apache.cxf.stax.maxXMLCharacters", 1_048_576L);
@@ -30,7 +29,12 @@ public final class SoapEndpoint {
                 "source-preferred-format",
                 "dom"));
         endpoint.getInInterceptors()
-                .addAll(List.of(new AnnouncedVersion(), new RefusedBodies(), new NoDoctype(), new UnderstoodHeaders()));
+                .addAll(List.of(
+                        new AnnouncedVersion(),
+                        new RefusedBodies(),
+                        new NoDoctype(),
+                        new FewAttributes(),
+                        new UnderstoodHeaders()));
         endpoint.getOutFaultInterceptors().add(new FaultWords(calls));
         endpoint.publish("/" + name);
         return endpoint;
