@@ -34,6 +34,8 @@ export interface components {
         CommandOutcomeView: {
             /** @enum {string|null} */
             by: "gate" | "vehicle" | null;
+            /** @description Why, for programs; docs/problems.md lists them */
+            code: string | null;
             reason: string | null;
             /** @enum {string} */
             result: "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown";

@@ -68,12 +68,6 @@ public enum DroneProblem implements ProblemCode {
                     "What kind of vehicle the drone is, or what it can do, is not known.",
                     "What kind of vehicle “Kestrel” is, and what it can do, is not known.")
             .with(ProblemParameter.DRONE)),
-    MISSION_NOT_READ(ProblemEntry.of(
-                    "mission-not-read",
-                    RejectionKind.CONFLICT,
-                    "The mission on the vehicle has not been read yet.",
-                    "The mission on the vehicle has not been read yet.")
-            .with(ProblemParameter.DRONE)),
     PARAMETERS_NOT_READ(ProblemEntry.of(
                     "parameters-not-read",
                     RejectionKind.CONFLICT,

@@ -194,7 +194,8 @@ final class StreamRequests {
             throw InvalidInput.missing(TYPES.member(), TYPES.allowed());
         }
         if (!TYPES.records().containsKey(type)) {
-            throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, TYPES.member(), TYPES.allowed(), "\"" + type + "\"");
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_NOT_ALLOWED, TYPES.member(), TYPES.allowed(), "\"" + type + "\"");
         }
     }
 

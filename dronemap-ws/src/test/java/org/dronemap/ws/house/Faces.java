@@ -32,6 +32,7 @@ public final class Faces {
             "PUT /api/v1/users/{name}/only-granted", "{\"onlyGranted\":false}",
             "PUT /api/v1/groups/{id}/only-granted", "{\"onlyGranted\":false}",
             "PATCH /api/v1/users/{name}", "{\"role\":\"viewer\"}",
+            "PATCH /api/v1/flights/{id}", "{\"notes\":\"a trial\"}",
             "POST /api/v1/drones/{id}/commands", "{\"type\":\"readParameters\"}",
             "POST /api/v1/drones/{id}/control/take-over", "{\"reason\":\"a trial\"}",
             "PUT /api/v1/drones/{id}/link-security", "{\"policy\":\"off\"}");
