@@ -75,7 +75,7 @@ def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> No
     """End to end because zeep makes its calls of the service's own WSDL."""
     points = triangle(copter["home"], altitude=10)
     service = soap(server, server.local_key())
-    listed = [d.id for d in service.getDronesList().drones.item]
+    listed = [d.id for d in service.getDronesList().item]
     assert copter["id"] in listed
 
     def act(kind: str, **body: Any) -> Json:

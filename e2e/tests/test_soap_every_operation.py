@@ -137,8 +137,10 @@ def test_what_only_looks_says_what_rest_says(own_server: Server, things: dict[st
     callers = [Caller(own_server, key, version) for version in VERSIONS]
     compared = 0
     for name, (method, path, _) in _described(api).items():
+        if method != "get":
+            continue
         arguments = {key: value for key, value in things.items() if key in callers[0].made(name)}
-        if method != "get" or path.count("{") != len(arguments):
+        if path.count("{") != len(arguments):
             continue
         address = path
         for value in arguments.values():
@@ -150,6 +152,9 @@ def test_what_only_looks_says_what_rest_says(own_server: Server, things: dict[st
         last = api.call("GET", address.removeprefix("/api/v1")).json()
         for answer in answers:
             seen: Any = zeep.helpers.serialize_object(answer, dict)  # type: ignore[no-untyped-call]
+            if len(first.json()) == 1 and isinstance(seen, dict) and set(seen) == {"item"}:
+                # zeep leaves out what stands around the one member of an answer.
+                seen = dict.fromkeys(first.json(), seen)
             _same(name, first.json(), last, seen)
         compared += 1
     assert compared > 25
@@ -165,11 +170,12 @@ def _same(where: str, first: Any, last: Any, seen: Any) -> None:
             members = json.loads(members)
         for name in first.keys() & last.keys():
             _same(f"{where}.{name}", first[name], last[name], members.get(name))
-        assert not set(members) - set(first) - {"_value_1"} or first != last, (where, first, members)
+        more = {name for name, value in members.items() if value is not None and name not in first}
+        assert not more or first != last, (where, first, members)
     elif isinstance(first, list) and isinstance(last, list):
         items = json.loads(seen) if isinstance(seen, str) else (seen or {}).get("item", []) or []
         if len(first) == len(last):
-            assert len(items) == len(first), (where, first, items)
+            assert len(items) == len(first), (where, first, seen)
             for before, after, item in zip(first, last, items, strict=True):
                 _same(where, before, after, item)
     elif first == last:
