@@ -11,7 +11,7 @@ public enum ValueProblem implements ProblemCode {
     VALUE_NOT_ALLOWED(of(
             "value-not-allowed",
             "A value is none of those that are allowed there.",
-            "\"mode\" must be automatic or askFirst, not \"manual\".")),
+            "\"properties.onBreach\" must be hold, returnToLaunch or land, not \"wait\".")),
     VALUE_MALFORMED(of(
             "value-malformed",
             "A value is of another type, or written in another way, than its field wants.",

@@ -33,10 +33,14 @@ class JavaClientsTest {
     void areMadeOfEachService(String service) throws Exception {
         ByteArrayOutputStream said = new ByteArrayOutputStream();
         boolean well = new WsimportTool(said)
-                .run(List.of("-d", made.toString(), WSDL.resolve(service + ".wsdl").toString())
+                .run(List.of(
+                                "-d",
+                                made.toString(),
+                                WSDL.resolve(service + ".wsdl").toString())
                         .toArray(String[]::new));
 
         assertThat(well).as(said.toString(StandardCharsets.UTF_8)).isTrue();
-        assertThat(made.resolve("org/dronemap/cloud/wsdl/" + service + ".class")).exists();
+        assertThat(made.resolve("org/dronemap/cloud/wsdl/" + service + ".class"))
+                .exists();
     }
 }
