@@ -1,6 +1,6 @@
 package org.dronemap.ws.access;
 
-import org.dronemap.ws.service.AuditRules;
+import java.util.Set;
 
 /** The record that a call leaves. */
 public enum Audit {
@@ -17,11 +17,18 @@ public enum Audit {
     /** None, as it changes nothing. */
     ONLY_LOOKS;
 
+    private static final Set<String> LOOKING = Set.of("GET", "HEAD", "OPTIONS");
+
+    /** {@code method}: of HTTP. */
+    public static boolean onlyLooks(String method) {
+        return LOOKING.contains(method);
+    }
+
     /** The same for a method of HTTP. */
     Audit of(String method) {
         if (this != BY_METHOD) {
             return this;
         }
-        return AuditRules.onlyLooks(method) ? ONLY_LOOKS : RECORDED;
+        return onlyLooks(method) ? ONLY_LOOKS : RECORDED;
     }
 }

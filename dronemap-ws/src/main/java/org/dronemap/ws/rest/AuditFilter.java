@@ -15,7 +15,6 @@ import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.security.CalledBy;
 import org.dronemap.ws.security.CurrentPrincipal;
-import org.dronemap.ws.service.AuditRules;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
@@ -40,7 +39,7 @@ public final class AuditFilter extends OncePerRequestFilter {
     protected boolean shouldNotFilter(HttpServletRequest request) {
         String path = request.getRequestURI();
         if (path.startsWith(SOAP)) {
-            return AuditRules.onlyLooks(request.getMethod());
+            return Audit.onlyLooks(request.getMethod());
         }
         return !path.startsWith(API) || operations.rule(request).audit() == Audit.ONLY_LOOKS;
     }
