@@ -65,8 +65,10 @@ export interface components {
         BroadcastRequest: {
             command: components["schemas"]["CommandRequest"];
             /**
-             * @description Ids of the drones, or "all"
-             * @example all
+             * @description Ids of the drones, or all of them by "all" alone
+             * @example [
+             *       "all"
+             *     ]
              */
             drones: string[];
             /** @description Your own id (8 to 36 of A-Z a-z 0-9 _ -): the same id twice acts once on each drone */

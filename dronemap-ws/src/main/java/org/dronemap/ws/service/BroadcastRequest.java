@@ -11,9 +11,9 @@ import org.jspecify.annotations.Nullable;
 @Schema(name = "BroadcastRequest", description = "One command for several drones.")
 public record BroadcastRequest(
         @Schema(
-                description = "Ids of the drones, or \"all\"",
+                description = "Ids of the drones, or all of them by \"all\" alone",
                 requiredMode = Schema.RequiredMode.REQUIRED,
-                example = "all")
+                example = "[\"all\"]")
         @JsonFormat(with = JsonFormat.Feature.ACCEPT_SINGLE_VALUE_AS_ARRAY)
         @Size(min = 1, max = BroadcastService.MOST_DRONES)
         @Nullable
