@@ -20,9 +20,8 @@ import tools.jackson.databind.JsonNode;
 /** The same mistake has the same code, parameters and sentence over REST, over SOAP and on the stream. */
 class SameProblemTest {
     private static final Pattern CODE = Pattern.compile("<code>([^<]*)</code>");
-    private static final Pattern SENTENCE = Pattern.compile("<message>([^<]*)</message>");
-    private static final Pattern PARAMETER =
-            Pattern.compile("<parameter name=\"(\\w+)\" type=\"(\\w+)\">([^<]*)</parameter>");
+    private static final Pattern SENTENCE = Pattern.compile("<faultstring>([^<]*)</faultstring>");
+    private static final Pattern PARAMETER = Pattern.compile("<entry key=\"(\\w+)\" type=\"(\\w+)\">([^<]*)</entry>");
     private static final String COMMAND = "command";
 
     @AutoClose
@@ -89,7 +88,7 @@ class SameProblemTest {
                 Role.OPERATOR,
                 vehicle.id(),
                 "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"loop\"}]}",
-                "<w:uploadMission>%s<waypoint><type>loop</type></waypoint></w:uploadMission>");
+                "<w:uploadMission>%s<items><item><type>loop</type></item></items></w:uploadMission>");
 
         assertThat(told.code()).isEqualTo("value-not-allowed");
         assertThat(told.parameters()).containsEntry("field", "string items[0].type");

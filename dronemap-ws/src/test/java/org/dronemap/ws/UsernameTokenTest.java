@@ -42,14 +42,17 @@ class UsernameTokenTest {
     }
 
     private String call(String token) {
+        return call(token, "<w:getDronesList/>");
+    }
+
+    private String call(String token, String body) {
         String header = "<sec:Security xmlns:sec=\"" + SECURITY + "\" xmlns:made=\"" + MADE
                 + "\" s:mustUnderstand=\"1\"><sec:UsernameToken>" + token + "</sec:UsernameToken></sec:Security>";
         return new Http(house, "")
                 .send(
                         "/services/MAVLinkControllerService",
                         request -> request.header("Content-Type", "text/xml")
-                                .POST(HttpRequest.BodyPublishers.ofString(
-                                        SoapClient.envelope(header, "<w:getDronesList/>"))))
+                                .POST(HttpRequest.BodyPublishers.ofString(SoapClient.envelope(header, body))))
                 .raw()
                 .body();
     }
@@ -91,6 +94,16 @@ class UsernameTokenTest {
 
         assertThat(call(token)).contains("getDronesListResponse");
         isRefused(call(token), "This UsernameToken was used before; make a new nonce for each call.");
+    }
+
+    /** What a refused command came to is looked up by the same call. */
+    @Test
+    void tellsTheOutcomeOfARefusedCommandToATokenWithANonce() {
+        String takeOff =
+                "<w:takeoff><droneId>" + tenant.vehicle().id() + "</droneId><altitude>10</altitude></w:takeoff>";
+
+        assertThat(call(token(OWN, "PasswordText", fresh(Instant.now())), takeOff))
+                .contains("takeoffResponse", "<result>refused</result>");
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.apache.cxf.headers.Header;
 import org.apache.cxf.message.Message;
 import org.dronemap.ws.security.Authentication;
@@ -12,6 +13,7 @@ import org.dronemap.ws.security.CalledBy;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.AccessProblem;
 import org.dronemap.ws.service.Rejection;
+import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 
 /**
@@ -34,26 +36,49 @@ public final class SoapCaller {
 
     /** What the message says is read now, and judged only when it has to be known who calls. */
     CalledBy of(Message message, HttpServletRequest request) {
+        return new CalledBy(FACE, new Once(proof(message, request)));
+    }
+
+    private Supplier<SignedIn> proof(Message message, HttpServletRequest request) {
         String authorization = request.getHeader("Authorization");
         String address = request.getRemoteAddr();
         if (authorization != null) {
-            return new CalledBy(FACE, () -> byHttp(authorization, address));
+            return () -> byHttp(authorization, address);
         }
         Optional<Element> key = header(message, Namespace.URI, "accessKey");
         if (key.isPresent()) {
-            return new CalledBy(
-                    FACE, () -> authentication.byKey(key.get().getTextContent().strip()));
+            return () -> authentication.byKey(key.get().getTextContent().strip());
         }
         Optional<Element> security = header(message, UsernameTokens.SECURITY, "Security");
-        return new CalledBy(
-                FACE,
-                () -> security.map(tokens::read)
-                        .map(token -> {
-                            SignedIn caller = authentication.byPassword(token.name(), token.password(), address);
-                            tokens.takeOnce(token);
-                            return caller;
-                        })
-                        .orElseThrow(() -> Rejection.of(AccessProblem.SIGN_IN_NEEDED, WAYS)));
+        return () -> security.map(tokens::read)
+                .map(token -> byToken(token, address))
+                .orElseThrow(() -> Rejection.of(AccessProblem.SIGN_IN_NEEDED, WAYS));
+    }
+
+    private SignedIn byToken(UsernameTokens.Token token, String address) {
+        SignedIn caller = authentication.byPassword(token.name(), token.password(), address);
+        tokens.takeOnce(token);
+        return caller;
+    }
+
+    /** A call may make a second request, for the outcome of a command that was refused; it is proved by the same message. */
+    private static final class Once implements Supplier<SignedIn> {
+        private final Supplier<SignedIn> proof;
+        private @Nullable SignedIn proved;
+
+        Once(Supplier<SignedIn> proof) {
+            this.proof = proof;
+        }
+
+        @Override
+        public synchronized SignedIn get() {
+            SignedIn caller = proved;
+            if (caller == null) {
+                caller = proof.get();
+                proved = caller;
+            }
+            return caller;
+        }
     }
 
     private SignedIn byHttp(String authorization, String address) {

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 record Exchange(
         String name, String client, String method, String address, List<String> headers, String body, String answer) {
     private static final String ARROW = "\n=> ";
-    private static final Pattern SOAP_LOOK = Pattern.compile("<\\w+:get[A-Z]");
+    private static final Pattern SOAP_LOOK = Pattern.compile("<\\w+:(?:get|list|search)[A-Z]");
     private static final Pattern LINE = Pattern.compile("\n");
 
     static Exchange read(Path file) {
@@ -60,6 +60,6 @@ record Exchange(
     }
 
     boolean asksForAPlan() {
-        return address.endsWith("/plans") || body.contains(":planMission");
+        return address.endsWith("/plans") || body.contains(":makePlan");
     }
 }
