@@ -7,7 +7,9 @@ import subprocess
 import time
 import urllib.error
 import urllib.request
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from . import machine
@@ -30,10 +32,17 @@ def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
 class Server:
     """Of the measurement alone; in its default configuration but for ports, folder and recording."""
 
-    def __init__(self, data: Path, recorded: bool = True, vehicles_by_web: bool = False) -> None:
-        for jar in (SERVER_JAR, LOAD_JAR):
-            if not jar.exists():
-                raise SystemExit(f"{jar} is missing: build first (mvn -Pfast package)")
+    def __init__(
+        self,
+        data: Path,
+        recorded: bool = True,
+        vehicles_by_web: bool = False,
+        jar: Path = SERVER_JAR,
+        settings: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
+        for needed in (jar, LOAD_JAR):
+            if not needed.exists():
+                raise SystemExit(f"{needed} is missing: build first (mvn -Pfast package)")
         self.http_port = free_port()
         self.stream_port = free_port()
         self.udp_port = free_port(socket.SOCK_DGRAM)
@@ -52,7 +61,7 @@ class Server:
         inherited = {name: value for name, value in os.environ.items() if not name.startswith("DRONEMAP_")}
         with (data / "server.log").open("wb") as log:
             self._process = subprocess.Popen(
-                ["java", "-Xmx384m", *options, "-jar", str(SERVER_JAR)],
+                ["java", "-Xmx384m", *options, "-jar", str(jar)],
                 env=inherited
                 | {
                     "DRONEMAP_DATA_DIR": str(data),
@@ -67,7 +76,8 @@ class Server:
                     "DRONEMAP_RECORD": "flights" if recorded else "never",
                     # Every recording is fetched at once afterwards, to be compared with what was sent.
                     "DRONEMAP_RATE_EXPORTS": "0",
-                },
+                }
+                | dict(settings),
                 stdout=log,
                 stderr=subprocess.STDOUT,
             )

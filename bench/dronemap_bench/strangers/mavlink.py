@@ -1,9 +1,9 @@
-"""The two messages that a vehicle of this measurement says, in frames of MAVLink 2."""
+"""The messages that vehicles of measurements say, in frames of MAVLink 2."""
 
 import struct
 
-HEARTBEAT, GLOBAL_POSITION_INT = 0, 33
-EXTRA = {HEARTBEAT: 50, GLOBAL_POSITION_INT: 104}
+HEARTBEAT, GLOBAL_POSITION_INT, COMMAND_ACK = 0, 33, 77
+EXTRA = {HEARTBEAT: 50, GLOBAL_POSITION_INT: 104, COMMAND_ACK: 143}
 HEADER, MAGIC = 10, 0xFD
 # As LoadFrames of dronemap-sim: the step stands in the latitude, the vehicle in the longitude.
 LATITUDE_E7, LONGITUDE_E7, VEHICLE_E7 = 470_000_000, 80_000_000, 1_000

@@ -20,7 +20,8 @@ public final class Load {
     public static void main(String[] words) throws IOException, InterruptedException {
         try {
             if (words.length == 0) {
-                throw new IllegalArgumentException("say send, watch, check, impair, flood, attach, sink or robots");
+                throw new IllegalArgumentException(
+                        "say send, watch, check, impair, flood, attach, sink, robots or crowd");
             }
             Arguments arguments = new Arguments(List.of(Arrays.copyOfRange(words, 1, words.length)));
             System.out.println(
@@ -32,10 +33,11 @@ public final class Load {
                         case "sink" -> new Sink(arguments).run();
                         case "flood" -> new Flooder(arguments).run();
                         case "attach" -> new Attached(arguments).run();
+                        case "crowd" -> new Crowd(arguments).run(lines(), System.out);
                         case "robots" -> new RobotSender(arguments).run(lines(), System.out);
                         default ->
                             throw new IllegalArgumentException("'" + words[0]
-                                    + "' is none of send, watch, check, impair, flood, attach, sink, robots");
+                                    + "' is none of send, watch, check, impair, flood, attach, sink, robots, crowd");
                     });
         } catch (IllegalArgumentException e) {
             System.err.println(e.getMessage());
