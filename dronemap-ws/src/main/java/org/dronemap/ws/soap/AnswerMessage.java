@@ -1,56 +1,55 @@
 package org.dronemap.ws.soap;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.util.Base64;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
 import javax.xml.transform.Source;
-import javax.xml.transform.stream.StreamSource;
-import org.apache.cxf.staxutils.StaxUtils;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Makes the message that answers a call from what REST answered. */
-final class AnswerMessage {
+/** The message that answers a call, made of what REST answered. It is written at once where it goes, by {@link AnswerBinding}. */
+final class AnswerMessage implements Source {
     private final XmlTypes types;
-    private final JsonMapper mapper;
+    private final SoapOperation operation;
+    private final byte[] body;
+    private final @Nullable JsonNode value;
 
-    AnswerMessage(XmlTypes types, JsonMapper mapper) {
+    private AnswerMessage(XmlTypes types, SoapOperation operation, byte[] body, @Nullable JsonNode value) {
         this.types = types;
-        this.mapper = mapper;
+        this.operation = operation;
+        this.body = body;
+        this.value = value;
     }
 
-    Source of(SoapOperation operation, RestAnswer answer) {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try {
-            XMLStreamWriter out = StaxUtils.createXMLStreamWriter(bytes);
-            out.writeStartElement(Wsdl.PREFIX, operation.name() + "Response", Namespace.URI);
-            out.writeNamespace(Wsdl.PREFIX, Namespace.URI);
-            content(out, operation.answer(), answer);
-            out.writeEndElement();
-            out.flush();
-        } catch (XMLStreamException e) {
-            throw new IllegalStateException(
-                    "what REST answered to " + operation.of().id() + " cannot be written", e);
-        }
-        return new StreamSource(new ByteArrayInputStream(bytes.toByteArray()));
+    static AnswerMessage of(XmlTypes types, JsonMapper mapper, SoapOperation operation, RestAnswer answer) {
+        SoapOperation.Answer described = operation.answer();
+        byte[] body = described == null ? new byte[0] : answer.getContentAsByteArray();
+        boolean json = described != null && described.json() && body.length > 0;
+        return new AnswerMessage(types, operation, body, json ? mapper.readTree(body) : null);
     }
 
-    private void content(XMLStreamWriter out, SoapOperation.@Nullable Answer described, RestAnswer answer)
-            throws XMLStreamException {
-        byte[] body = answer.getContentAsByteArray();
-        if (described == null || body.length == 0) {
-            return;
-        }
-        if (described.json()) {
-            JsonNode value = mapper.readTree(body);
+    void write(XMLStreamWriter out) throws XMLStreamException {
+        out.writeStartElement(Wsdl.PREFIX, operation.name() + "Response", Namespace.URI);
+        out.writeNamespace(Wsdl.PREFIX, Namespace.URI);
+        SoapOperation.Answer described = operation.answer();
+        if (described != null && value != null) {
             new JsonToXml(types).write(out, Wsdl.RETURN, described.type(), value);
-        } else {
+        } else if (body.length > 0) {
             out.writeStartElement(Wsdl.RETURN);
             out.writeCharacters(Base64.getEncoder().encodeToString(body));
             out.writeEndElement();
         }
+        out.writeEndElement();
+    }
+
+    @Override
+    public @Nullable String getSystemId() {
+        return null;
+    }
+
+    @Override
+    public void setSystemId(String systemId) {
+        // It comes from nowhere that has one.
     }
 }

@@ -73,12 +73,22 @@ final class JsonToXml {
 
     /** What XML 1.0 cannot carry becomes the sign for that. */
     static String plain(String text) {
-        return text.codePoints().allMatch(JsonToXml::isCarried)
+        return isPlain(text)
                 ? text
                 : text.codePoints()
                         .map(letter -> isCarried(letter) ? letter : UNKNOWN)
                         .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
                         .toString();
+    }
+
+    /** Nearly all texts are: this is looked at first, and quickly. */
+    private static boolean isPlain(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            if (Character.isSurrogate(text.charAt(i)) || !isCarried(text.charAt(i))) {
+                return text.codePoints().allMatch(JsonToXml::isCarried);
+            }
+        }
+        return true;
     }
 
     private static boolean isCarried(int letter) {

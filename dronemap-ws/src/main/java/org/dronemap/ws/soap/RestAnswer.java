@@ -2,7 +2,9 @@ package org.dronemap.ws.soap;
 
 import jakarta.servlet.ServletOutputStream;
 import jakarta.servlet.WriteListener;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.ws.service.RejectionKind;
 import org.slf4j.Logger;
@@ -18,13 +20,32 @@ final class RestAnswer extends MockHttpServletResponse {
     private static final Logger LOG = LoggerFactory.getLogger(RestAnswer.class);
     private static final int OWN_FAULT = 500;
 
+    // The mock's own takes one byte at a time.
+    private final ByteArrayOutputStream content = new ByteArrayOutputStream();
     private final ServletOutputStream bounded = new Bounded();
+    private final PrintWriter writer = new PrintWriter(bounded, false, StandardCharsets.UTF_8);
     private boolean tooLong;
-    private int written;
 
     @Override
     public ServletOutputStream getOutputStream() {
         return bounded;
+    }
+
+    @Override
+    public PrintWriter getWriter() {
+        return writer;
+    }
+
+    @Override
+    public byte[] getContentAsByteArray() {
+        writer.flush();
+        return content.toByteArray();
+    }
+
+    @Override
+    public void resetBuffer() {
+        super.resetBuffer();
+        content.reset();
     }
 
     @Override
@@ -53,18 +74,17 @@ final class RestAnswer extends MockHttpServletResponse {
         @Override
         public void write(int letter) throws IOException {
             take(1);
-            RestAnswer.super.getOutputStream().write(letter);
+            content.write(letter);
         }
 
         @Override
         public void write(byte[] bytes, int from, int length) throws IOException {
             take(length);
-            RestAnswer.super.getOutputStream().write(bytes, from, length);
+            content.write(bytes, from, length);
         }
 
         private void take(int more) throws IOException {
-            written += more;
-            if (written > LONGEST_BYTES) {
+            if (content.size() + more > LONGEST_BYTES) {
                 tooLong = true;
                 // As if the client had gone: that is no fault of the server.
                 throw new AsyncRequestNotUsableException("the answer is longer than a message may be");

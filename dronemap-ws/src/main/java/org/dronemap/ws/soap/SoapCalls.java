@@ -111,7 +111,7 @@ public final class SoapCalls {
     }
 
     private Source message(Called called, RestAnswer answer) {
-        return new AnswerMessage(contract.services().types(), json.mapper()).of(called.operation(), answer);
+        return AnswerMessage.of(contract.services().types(), json.mapper(), called.operation(), answer);
     }
 
     private JsonNode problem(RestAnswer answer) {

@@ -20,6 +20,7 @@ public final class SoapEndpoint {
         bus.setProperty("org.apache.cxf.stax.maxTextLength", 1_048_576L);
         bus.setProperty("org.apache.cxf.stax.maxXMLCharacters", 1_048_576L);
         EndpointImpl endpoint = new EndpointImpl(bus, new ServiceProvider(name, calls), SOAPBinding.SOAP12HTTP_BINDING);
+        endpoint.setDataBinding(new AnswerBinding());
         endpoint.setProperties(Map.of(
                 "exceptionMessageCauseEnabled",
                 "false",
