@@ -1,5 +1,6 @@
 package org.dronemap.ws.house;
 
+import jakarta.servlet.ServletException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -18,32 +19,39 @@ import org.springframework.context.ConfigurableApplicationContext;
 
 /**
  * Writes down with which statuses the operations of REST answered in this JVM, whoever asked: one line for each operation and
- * status, when it is first seen. At its end `./dronemap test` holds them against those that the description lists. What SOAP
- * asks of REST within the server is not seen here. Any thread.
+ * status, when it is first seen, into the folder that DRONEMAP_SEEN_STATUSES names. At its end `./dronemap test` holds them
+ * against those that the description lists. What SOAP asks of REST within the server is not seen here. Any thread.
  */
 final class SeenStatuses extends ValveBase implements AccessLog {
-    private static final Path FILE =
-            Path.of("target", "seen-statuses", ProcessHandle.current().pid() + ".txt");
+    /** Null: nobody wants to know. */
+    private static final @Nullable String FOLDER = System.getenv("DRONEMAP_SEEN_STATUSES");
+
     private static final Set<String> SEEN = ConcurrentHashMap.newKeySet();
 
+    private final Path file;
     private boolean attributesRead;
 
-    private SeenStatuses() {
+    private SeenStatuses(Path file) {
         super(true);
+        this.file = file;
     }
 
     /** Watches a server that nobody has asked anything yet. */
     static ConfigurableApplicationContext watch(ConfigurableApplicationContext faces) {
+        if (FOLDER == null) {
+            return faces;
+        }
         if (faces instanceof WebServerApplicationContext context
                 && context.getWebServer() instanceof TomcatWebServer server) {
-            server.getTomcat().getEngine().getPipeline().addValve(new SeenStatuses());
+            Path file = Path.of(FOLDER, "java-" + ProcessHandle.current().pid() + ".txt");
+            server.getTomcat().getEngine().getPipeline().addValve(new SeenStatuses(file));
             return faces;
         }
         throw new IllegalStateException("The server is not a Tomcat whose answers can be watched.");
     }
 
     @Override
-    public void invoke(Request request, Response response) throws IOException, jakarta.servlet.ServletException {
+    public void invoke(Request request, Response response) throws IOException, ServletException {
         getNext().invoke(request, response);
     }
 
@@ -56,13 +64,13 @@ final class SeenStatuses extends ValveBase implements AccessLog {
         ListedStatuses.operation(request.getMethod(), request.getRequestURI())
                 .map(operation -> operation + " " + response.getStatus())
                 .filter(SEEN::add)
-                .ifPresent(SeenStatuses::write);
+                .ifPresent(this::write);
     }
 
-    private static synchronized void write(String line) {
+    /** Several servers of a JVM write into one file, each line at once. */
+    private void write(String line) {
         try {
-            Files.createDirectories(FILE.getParent());
-            Files.writeString(FILE, line + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+            Files.writeString(file, line + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
