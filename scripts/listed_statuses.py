@@ -6,8 +6,8 @@ Each file there has lines
 where PATH is an address or the description's pattern of it; what the description does not have is
 passed over. A line of the list of exceptions is
     METHOD PATTERN STATUS: why no test can see it
-Prints a sentence for each status that is listed, and that no test has seen; and for each exception
-that is none. Exit code 1 when there is any.
+Prints a sentence for each status that is listed, and that no test has seen; for each that was seen,
+and is not listed; and for each exception that is none. Exit code 1 when there is any.
 """
 
 import argparse
@@ -84,6 +84,8 @@ def exceptions_of(file: Path) -> set[Listed]:
 def differences(listed: set[Listed], exceptions: set[Listed], seen: set[Listed]) -> Iterable[str]:
     for one in sorted(listed - seen - exceptions):
         yield f"{one.method} {one.pattern} lists {one.status}, and no test has seen it answer that."
+    for one in sorted(seen - listed):
+        yield f"{one.method} {one.pattern} was seen to answer {one.status}, and does not list that."
     for one in sorted(exceptions & seen):
         yield f"{one} is an exception, but a test has seen it: strike it from the exceptions."
     for one in sorted(exceptions - listed):

@@ -65,6 +65,13 @@ def test_names_each_status_that_nobody_saw(run: Run) -> None:
     ]
 
 
+def test_names_what_was_seen_and_is_not_listed(run: Run) -> None:
+    run.saw(*ALL_SEEN, "GET /api/drones/drone-1 500")
+    code, printed = run.ends()
+    assert code == 1
+    assert printed[0] == "GET /api/drones/{id} was seen to answer 500, and does not list that."
+
+
 def test_an_address_is_of_what_is_written_out_before_what_stands_for_anything(run: Run) -> None:
     run.saw(*ALL_SEEN[:1], *ALL_SEEN[2:])
     assert run.ends()[1][0] == "GET /api/drones/{id} lists 200, and no test has seen it answer that."
