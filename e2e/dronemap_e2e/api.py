@@ -4,6 +4,7 @@ from typing import Any
 
 import requests
 
+from . import seen_statuses
 from .waiting import wait_for
 
 Json = dict[str, Any]
@@ -17,6 +18,7 @@ class Api:
         self.base = address + "/api/v1"
         self.key = key
         self._session = requests.Session()
+        self._session.hooks["response"].append(seen_statuses.note)
         if authority:
             self._session.verify = authority
             # Whom the environment trusts would go before.

@@ -28,6 +28,7 @@ command_soak() {
 
 # Java compiles with one worker while the small suites run; then its tests have all workers, and then those that need its jars.
 test_everything() {
+    begin_statuses
     suite_web_client
     side_by_side suite_java_build suite_small
     suite_java tests "${AS_BUILT[@]}" -DexcludedGroups=soak
@@ -35,6 +36,7 @@ test_everything() {
     suite_vulnerabilities
     suite_pytest "not soak" needs_jars
     suite_scripts with_jars
+    suite_statuses
 }
 
 soak_everything() {
@@ -216,6 +218,19 @@ test_java() { # OPTIONS…
     mvn -B -ntp -T 1 -DforkCount="$WORKERS" -fae -Dmaven.test.failure.ignore=true -f "$ROOT/pom.xml" "$@" || status=$?
     find "$ROOT"/dronemap-*/target/surefire-reports -name 'TEST-*.xml' -exec cp -t "$TEST_LOGS/java" {} + 2>/dev/null || true
     ((status == 0)) && ! grep -qE '<(failure|error)[ >]' "$TEST_LOGS"/java/TEST-*.xml
+}
+
+# Tests of Java and of e2e write into that folder with which statuses REST answers them.
+begin_statuses() {
+    export DRONEMAP_SEEN_STATUSES=$TEST_LOGS/seen-statuses
+    mkdir "$DRONEMAP_SEEN_STATUSES"
+}
+
+# Only a whole run can tell that no test at all has seen what the description lists.
+suite_statuses() {
+    local tests=$ROOT/dronemap-ws/src/test/resources
+    check statuses "each that is listed was seen" "$PYTHON/python" "$ROOT/scripts/listed_statuses.py" \
+        "$tests/wire/openapi.json" "$tests/unseen-statuses.txt" "$DRONEMAP_SEEN_STATUSES"
 }
 
 # Every folder with a pyproject.toml is a Python project, checked and run by its own settings.

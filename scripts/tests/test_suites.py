@@ -5,6 +5,7 @@ import os
 import re
 import signal
 import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
@@ -109,6 +110,7 @@ def called_by(function: str) -> list[str]:
 def test_every_suite_is_part_of_a_test_run() -> None:
     """A suite that nobody calls fails nowhere."""
     assert called_by("test_everything") == [
+        "begin_statuses",
         "suite_web_client",
         "side_by_side suite_java_build suite_small",
         'suite_java tests "${AS_BUILT[@]}" -DexcludedGroups=soak',
@@ -117,6 +119,7 @@ def test_every_suite_is_part_of_a_test_run() -> None:
         "suite_vulnerabilities",
         'suite_pytest "not soak" needs_jars',
         "suite_scripts with_jars",
+        "suite_statuses",
     ]
     assert called_by("suite_small") == [
         "suite_shell",
@@ -136,6 +139,25 @@ def test_each_python_project_is_run_by_one_of_the_two_halves(bench: Bench) -> No
     run = "run_pytest() { record $1 passed x; }"
     assert bench.results(run, "suite_pytest soak needs_no_jars") == ["ros-bridge passed"]
     assert bench.results(run, "suite_pytest soak needs_jars") == ["ros-bridge passed", "new passed"]
+
+
+def test_statuses_that_were_seen_before_this_run_do_not_count(bench: Bench) -> None:
+    """Its folder is empty at first: a folder that is there already ends the run."""
+    whole = ("begin_statuses", "echo $DRONEMAP_SEEN_STATUSES; ls $DRONEMAP_SEEN_STATUSES")
+    assert bench.run(*whole).stdout == f"{bench.folder}/test/seen-statuses\n"
+    assert bench.run(*whole).returncode != 0
+
+
+@pytest.mark.parametrize(("seen", "expected"), [("200", "passed"), ("404", "failed")])
+def test_a_listed_status_that_no_test_saw_fails_a_whole_run(bench: Bench, seen: str, expected: str) -> None:
+    tests = bench.folder / "dronemap-ws" / "src" / "test" / "resources"
+    (tests / "wire").mkdir(parents=True)
+    (tests / "wire" / "openapi.json").write_text('{"paths": {"/a": {"get": {"responses": {"200": {}}}}}}')
+    (tests / "unseen-statuses.txt").touch()
+    (bench.folder / "scripts").symlink_to(ROOT / "scripts")
+    sees = f"echo GET /a {seen} >$DRONEMAP_SEEN_STATUSES/1.txt"
+    python = f"PYTHON={Path(sys.executable).parent}"
+    assert bench.results(python, "begin_statuses", sees, "suite_statuses") == [f"statuses {expected}"]
 
 
 def asks_for_jars(file: Path) -> bool:

@@ -125,6 +125,10 @@ class FlightsTest {
         assertThat(viewer.get(PATH + "?limit=0").text("field")).isEqualTo("limit");
         assertThat(viewer.get(PATH + "?before=nosuchflight").text("field")).isEqualTo("before");
         assertThat(viewer.get(PATH + "?drone=Not%20An%20Id").text("field")).isEqualTo("drone");
+        for (String what : List.of("/events", "/telemetry", "/telemetry/points")) {
+            assertThat(viewer.get(PATH + "/" + id + what + "?from=yesterday").text("field"))
+                    .isEqualTo("from");
+        }
     }
 
     @Test

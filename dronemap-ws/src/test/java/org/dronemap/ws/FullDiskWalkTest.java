@@ -23,7 +23,7 @@ class FullDiskWalkTest extends DeedTrial {
         List<String> wrong = new ArrayList<>();
         int refused = 0;
         for (String operation : faces.rest()) {
-            Optional<Deeds.Deed> deed = operation.startsWith("GET ") ? Optional.empty() : deed(operation);
+            Optional<Deeds.Deed> deed = change(operation);
             if (deed.isEmpty()) {
                 continue;
             }
@@ -51,5 +51,11 @@ class FullDiskWalkTest extends DeedTrial {
         }
         assertThat(wrong).isEmpty();
         assertThat(refused).isGreaterThan(50);
+    }
+
+    /** Empty for what only looks. */
+    private Optional<Deeds.Deed> change(String operation) {
+        boolean changes = !operation.startsWith("GET ") || operation.endsWith("/oidc/callback");
+        return changes ? deed(operation) : Optional.empty();
     }
 }

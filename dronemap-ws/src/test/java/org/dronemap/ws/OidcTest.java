@@ -40,6 +40,7 @@ class OidcTest {
     private TestHouse house;
     private TestHouse careful;
     private Http nobody;
+    private Http.Answer whileAway;
 
     @BeforeAll
     void open(@TempDir Path data, @TempDir Path other) {
@@ -50,6 +51,10 @@ class OidcTest {
         careful = new TestHouse(
                 other, TestHouse.Choices.signingInWith(settings(AccountState.WAITING, OidcSettings.Roles.OURS)));
         nobody = new Http(house, "");
+        // What a provider says of itself is asked for once.
+        provider.away(true);
+        whileAway = nobody.get("/api/v1/session/oidc");
+        provider.away(false);
     }
 
     @AfterAll
@@ -238,6 +243,12 @@ class OidcTest {
         refused(back(nobody, mine, cookie(nobody.get("/api/v1/session/oidc"))));
         refused(back(nobody, "code=made-up&state=made-up", "none=none"));
         refused(back(nobody, "error=access_denied", "none=none"));
+    }
+
+    @Test
+    void saysThatTheProviderCannotBeAsked() {
+        assertThat(whileAway.status()).isEqualTo(503);
+        assertThat(whileAway.text("code")).isEqualTo("provider-unreachable");
     }
 
     private void refused(Http.Answer back) {

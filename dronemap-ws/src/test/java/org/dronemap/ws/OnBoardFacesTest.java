@@ -12,6 +12,8 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ReadLogs;
+import org.dronemap.core.drone.AreaMap;
+import org.dronemap.core.drone.Picture;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.Parameter;
@@ -163,6 +165,35 @@ class OnBoardFacesTest {
         assertThat(compared.json().path("unfit").isEmpty()).isTrue();
         assertThat(compared.json().path("command").isNull()).isTrue();
         assertThat(vehicle.performed()).isEmpty();
+    }
+
+    @Test
+    void parametersAreSavedInNoOtherForm() {
+        vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT16, 1500))));
+        await().until(() ->
+                operator.get(path + "/parameters").json().path("total").asInt() == 1);
+
+        Http.Answer saved = operator.get(path + "/parameters/file?form=poem");
+
+        assertThat(saved.status()).isEqualTo(422);
+        assertThat(saved.text("allowed")).isEqualTo("list or table");
+    }
+
+    @Test
+    void itsPictureAndItsMapAreShownOnceThereAreAny() {
+        byte[] png = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0};
+        Picture picture = Picture.of(png).orElseThrow();
+        assertThat(operator.get(path + "/sensed/picture").status()).isEqualTo(204);
+        assertThat(operator.get(path + "/sensed/map").status()).isEqualTo(204);
+
+        vehicle.says(new DroneEvent.PictureHeard(picture));
+        vehicle.says(new DroneEvent.MapHeard(new AreaMap(picture, 0, 0, 10, 10)));
+
+        for (String what : List.of("picture", "map")) {
+            await().until(() -> operator.get(path + "/sensed/" + what).status(), status -> status == 200);
+            assertThat(operator.get(path + "/sensed/" + what).raw().headers().firstValue("Content-Type"))
+                    .hasValue("image/png");
+        }
     }
 
     static Stream<Arguments> badCommandsForAll() {

@@ -7,7 +7,9 @@ import java.io.InputStream;
 import java.net.http.HttpRequest;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
@@ -63,6 +65,26 @@ class RecordingsTest {
         assertThat(viewer.get(PATH).json().path("room").path("mostBytes").asLong())
                 .isEqualTo(2_000_000_000L);
         tap.ended();
+    }
+
+    @Test
+    void saysThatAFileIsGone() throws IOException {
+        FrameTap tap = fly("gone");
+        String id = idOf("gone");
+        tap.ended();
+        Waiting.until(
+                "the recording has ended",
+                () -> Optional.of(viewer.get(PATH + "/" + id).json().path("end"))
+                        .filter(end -> !end.isNull()));
+        try (Stream<Path> files = Files.walk(house.data().resolve("recordings"))) {
+            for (Path file : files.filter(path -> path.toString().contains(id)).toList()) {
+                Files.delete(file);
+            }
+        }
+
+        Http.Answer file = viewer.get(PATH + "/" + id + "/file");
+        assertThat(file.status()).isEqualTo(409);
+        assertThat(file.text("code")).isEqualTo("recording-file-gone");
     }
 
     @Test

@@ -64,6 +64,7 @@ public class AccessKeyController {
 
     @PostMapping("/{id}/renew")
     @Access(from = From.VIEWER, about = About.OWN)
+    @Answers(never = 409)
     @Operation(
             operationId = "renewAccessKey",
             summary = "Renew an access key",

@@ -16,4 +16,7 @@ import java.lang.annotation.Target;
 
     /** Of refusals, beside what follows from who may call it, what it takes and whether it changes anything. */
     int[] refuses() default {};
+
+    /** Of refusals that follow from these, and that it has no reason for. */
+    int[] never() default {};
 }

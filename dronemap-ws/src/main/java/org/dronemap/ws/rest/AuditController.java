@@ -102,6 +102,7 @@ public class AuditController {
 
     @PostMapping("/verification")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Answers(never = 409)
     @Operation(
             operationId = "verifyAudit",
             summary = "Verify all records, against a receipt too if one is sent (administrator)",

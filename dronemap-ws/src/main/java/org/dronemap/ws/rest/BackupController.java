@@ -31,6 +31,7 @@ public class BackupController {
 
     @PostMapping
     @Access(from = From.ADMINISTRATOR, about = About.SERVER, costs = Cost.EXPORT)
+    @Answers(never = 409)
     @TakesOrGivesFile(gives = "application/zip")
     @Operation(
             operationId = "makeBackup",

@@ -19,7 +19,15 @@ final class CommandAnswer {
     private CommandAnswer() {}
 
     static ResponseEntity<CommandView> of(CommandView command) {
-        HttpStatus status = command.outcome() == null ? HttpStatus.ACCEPTED : HttpStatus.OK;
+        return answer(command.outcome() == null ? HttpStatus.ACCEPTED : HttpStatus.OK, command);
+    }
+
+    /** Who does not wait is told that it is under way, also where its outcome was quicker than the answer. */
+    static ResponseEntity<CommandView> begun(CommandView command) {
+        return answer(HttpStatus.ACCEPTED, command);
+    }
+
+    private static ResponseEntity<CommandView> answer(HttpStatus status, CommandView command) {
         return ResponseEntity.status(status)
                 .location(URI.create("/api/v1/commands/" + command.id()))
                 .body(command);

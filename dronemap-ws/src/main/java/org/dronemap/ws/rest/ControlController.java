@@ -48,7 +48,6 @@ public class ControlController {
 
     @PostMapping("/take")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
     @Operation(
             operationId = "takeControl",
             summary = "Take control where nobody has it (operator)",
@@ -71,7 +70,6 @@ public class ControlController {
 
     @PostMapping("/grant")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
     @Operation(operationId = "grantControl", summary = "Give control to somebody who asks for it (holder)")
     public ResponseEntity<ControlView> grant(@PathVariable String id, @RequestBody ControlRequestView with) {
         return act(id, ControlAction.GRANT, with);
@@ -79,7 +77,6 @@ public class ControlController {
 
     @PostMapping("/refuse")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
     @Operation(operationId = "refuseControl", summary = "Keep control from somebody who asks for it (holder)")
     public ResponseEntity<ControlView> refuse(@PathVariable String id, @RequestBody ControlRequestView with) {
         return act(id, ControlAction.REFUSE, with);
@@ -87,7 +84,6 @@ public class ControlController {
 
     @PostMapping("/hand-over")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
     @Operation(
             operationId = "handOverControl",
             summary = "Give control to somebody (holder)",
@@ -98,7 +94,6 @@ public class ControlController {
 
     @PostMapping("/take-over")
     @Access(from = From.SUPERVISOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
     @Operation(
             operationId = "takeOverControl",
             summary = "Take control from whoever has it, with a reason (supervisor)")
@@ -108,7 +103,6 @@ public class ControlController {
 
     @PostMapping("/heartbeat")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING, audit = Audit.LEFT_OUT)
-    @Answers({200, 202})
     @Operation(
             operationId = "keepControl",
             summary = "Say that the holder is there (holder)",
@@ -119,7 +113,7 @@ public class ControlController {
 
     @DeleteMapping
     @Access(from = From.PLANNER, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
+    @Answers(refuses = 409)
     @Operation(operationId = "releaseControl", summary = "Give control back (holder)")
     public ResponseEntity<ControlView> release(@PathVariable String id) {
         return act(id, ControlAction.RELEASE, null);

@@ -6,17 +6,22 @@ import io.swagger.v3.oas.models.media.MediaType;
 import io.swagger.v3.oas.models.media.Schema;
 import io.swagger.v3.oas.models.responses.ApiResponse;
 import io.swagger.v3.oas.models.responses.ApiResponses;
+import jakarta.servlet.ServletRequest;
+import jakarta.servlet.ServletResponse;
 import java.lang.annotation.Annotation;
 import java.util.Arrays;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.From;
 import org.dronemap.ws.service.Problem;
 import org.jspecify.annotations.Nullable;
 import org.springdoc.core.customizers.OperationCustomizer;
+import org.springframework.core.MethodParameter;
 import org.springframework.http.HttpStatus;
+import org.springframework.web.bind.annotation.DeleteMapping;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PathVariable;
 import org.springframework.web.bind.annotation.RequestBody;
@@ -77,21 +82,46 @@ public final class DescribedStatuses implements OperationCustomizer {
         if (takes(handler, PathVariable.class)) {
             statuses.add(404);
         }
-        if (handler.getMethodParameters().length > 0) {
+        if (gives(handler, parameter -> true)) {
             statuses.add(400);
+        }
+        // What an address is about is there or not, unless it is a number.
+        if (gives(handler, parameter -> !isName(parameter))) {
             statuses.add(422);
         }
-        if (takes(handler, RequestBody.class)) {
+        if (takesBody(handler)) {
             statuses.addAll(Arrays.asList(408, 413, 415));
         }
-        if (handler.getMethodAnnotation(GetMapping.class) == null) {
+        if (!isMapped(handler, GetMapping.class) && !isMapped(handler, DeleteMapping.class)) {
             statuses.add(409);
         }
         Answers answers = handler.getMethodAnnotation(Answers.class);
         if (answers != null) {
             Arrays.stream(answers.refuses()).forEach(statuses::add);
+            Arrays.stream(answers.never()).forEach(statuses::remove);
         }
         return statuses;
+    }
+
+    private static boolean isMapped(HandlerMethod handler, Class<? extends Annotation> how) {
+        return handler.getMethodAnnotation(how) != null;
+    }
+
+    /** Whether a client gives what is such a parameter; others are the request and the answer themselves. */
+    private static boolean gives(HandlerMethod handler, Predicate<MethodParameter> which) {
+        return Stream.of(handler.getMethodParameters())
+                .filter(parameter -> !ServletRequest.class.isAssignableFrom(parameter.getParameterType())
+                        && !ServletResponse.class.isAssignableFrom(parameter.getParameterType()))
+                .anyMatch(which);
+    }
+
+    private static boolean isName(MethodParameter parameter) {
+        return parameter.hasParameterAnnotation(PathVariable.class) && parameter.getParameterType() == String.class;
+    }
+
+    private static boolean takesBody(HandlerMethod handler) {
+        TakesOrGivesFile files = handler.getMethodAnnotation(TakesOrGivesFile.class);
+        return takes(handler, RequestBody.class) || (files != null && files.takes().length > 0);
     }
 
     private static boolean takes(HandlerMethod handler, Class<? extends Annotation> what) {

@@ -60,6 +60,7 @@ public class DroneController {
 
     @PatchMapping("/{id}")
     @Access(from = From.OPERATOR, about = About.DRONE)
+    @Answers(never = 409)
     @Operation(operationId = "renameDrone", summary = "Give a drone another name (operator)")
     public DroneView rename(@PathVariable String id, @RequestBody RenameRequest request) {
         return drones.rename(current.principal(), id, request);
@@ -67,6 +68,7 @@ public class DroneController {
 
     @DeleteMapping("/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.DRONE)
+    @Answers(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "removeDrone", summary = "Forget a lost drone (administrator)")
     public void remove(@PathVariable String id) {

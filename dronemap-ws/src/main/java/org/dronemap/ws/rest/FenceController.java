@@ -46,26 +46,26 @@ public class FenceController {
 
     @PostMapping("/fence/refresh")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(202)
     @Operation(operationId = "readFence", summary = "Read the fence from the vehicle (operator)")
     public ResponseEntity<CommandView> readFence(@PathVariable String id) {
-        return CommandAnswer.of(fences.readFence(current.caller(), id));
+        return CommandAnswer.begun(fences.readFence(current.caller(), id));
     }
 
     @PutMapping("/fence")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(202)
     @Operation(
             operationId = "setFence",
             summary = "Replace the fence (operator)",
             description = "Up to 50 polygons and circles.")
     public ResponseEntity<CommandView> setFence(@PathVariable String id, @RequestBody FenceView fence) {
-        return CommandAnswer.of(fences.setFence(current.caller(), id, fence));
+        return CommandAnswer.begun(fences.setFence(current.caller(), id, fence));
     }
 
     @PutMapping("/fence/zones")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(202)
     @Operation(
             operationId = "setFenceFromZones",
             summary = "Make the cloud's zones the vehicle's own fence (planner)",
@@ -74,15 +74,15 @@ public class FenceController {
                             + " also where the vehicle does not hear the cloud. Zones that a vehicle cannot keep are named among"
                             + " the warnings. What was its fence before is replaced.")
     public ResponseEntity<CommandView> putZonesOnBoard(@PathVariable String id) {
-        return CommandAnswer.of(fences.putZonesOnBoard(current.caller(), id));
+        return CommandAnswer.begun(fences.putZonesOnBoard(current.caller(), id));
     }
 
     @DeleteMapping("/fence")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(value = 202, refuses = 409)
     @Operation(operationId = "clearFence", summary = "Take the fence away (operator)")
     public ResponseEntity<CommandView> clearFence(@PathVariable String id) {
-        return CommandAnswer.of(fences.clearFence(current.caller(), id));
+        return CommandAnswer.begun(fences.clearFence(current.caller(), id));
     }
 
     @GetMapping("/rally-points")
@@ -97,29 +97,29 @@ public class FenceController {
 
     @PostMapping("/rally-points/refresh")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(202)
     @Operation(operationId = "readRallyPoints", summary = "Read the rally points from the vehicle (operator)")
     public ResponseEntity<CommandView> readRallyPoints(@PathVariable String id) {
-        return CommandAnswer.of(fences.readRallyPoints(current.caller(), id));
+        return CommandAnswer.begun(fences.readRallyPoints(current.caller(), id));
     }
 
     @PutMapping("/rally-points")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(202)
     @Operation(
             operationId = "setRallyPoints",
             summary = "Replace the rally points (operator)",
             description = "Up to 50.")
     public ResponseEntity<CommandView> setRallyPoints(
             @PathVariable String id, @RequestBody FenceView.RallyView points) {
-        return CommandAnswer.of(fences.setRallyPoints(current.caller(), id, points));
+        return CommandAnswer.begun(fences.setRallyPoints(current.caller(), id, points));
     }
 
     @DeleteMapping("/rally-points")
     @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(value = 202, refuses = 409)
     @Operation(operationId = "clearRallyPoints", summary = "Take the rally points away (operator)")
     public ResponseEntity<CommandView> clearRallyPoints(@PathVariable String id) {
-        return CommandAnswer.of(fences.clearRallyPoints(current.caller(), id));
+        return CommandAnswer.begun(fences.clearRallyPoints(current.caller(), id));
     }
 }

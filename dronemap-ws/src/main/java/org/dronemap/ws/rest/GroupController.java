@@ -93,6 +93,7 @@ public class GroupController {
 
     @PutMapping("/fleets/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Answers(never = 409)
     @Operation(operationId = "replaceFleet", summary = "Change the name and the drones of a fleet")
     public GroupService.FleetView replaceFleet(
             @PathVariable String id, @RequestBody GroupService.FleetRequest request) {

@@ -82,6 +82,7 @@ public class LinkController {
 
     @DeleteMapping("/endpoints/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Answers(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "removeEndpoint", summary = "Remove an endpoint that was added (administrator)")
     public void remove(@PathVariable String id) {
@@ -104,7 +105,7 @@ public class LinkController {
 
     @PostMapping("/dtls-keys")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(value = 201, refuses = 404)
+    @Answers(value = 201, refuses = 404, never = 409)
     @Operation(
             operationId = "makeDtlsKey",
             summary = "Make the DTLS key of a vehicle (administrator)",

@@ -92,7 +92,9 @@ public class LinkSecurityController {
 
     @DeleteMapping("/link-key")
     @Access(from = From.ADMINISTRATOR, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(
+            value = {200, 202},
+            refuses = 409)
     @Operation(
             operationId = "deleteLinkKey",
             summary = "Take the key off the vehicle (administrator)",

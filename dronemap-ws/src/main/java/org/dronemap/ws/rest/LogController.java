@@ -52,23 +52,23 @@ public class LogController {
 
     @PostMapping("/refresh")
     @Access(from = From.OPERATOR, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(202)
     @SoapName("refreshLogs")
     @Operation(operationId = "readLogs", summary = "Ask the vehicle for the list of its logs (operator)")
     public ResponseEntity<CommandView> refresh(@PathVariable String id) {
-        return CommandAnswer.of(logs.refresh(current.caller(), id));
+        return CommandAnswer.begun(logs.refresh(current.caller(), id));
     }
 
     @PostMapping("/{number}/download")
     @Access(from = From.OPERATOR, about = About.DRONE)
-    @Answers({200, 202})
+    @Answers(202)
     @Operation(
             operationId = "downloadLog",
             summary = "Fetch a log from the vehicle (operator)",
             description =
                     "The command's progress counts bytes and is streamed; a later attempt goes on where one ended.")
     public ResponseEntity<CommandView> download(@PathVariable String id, @PathVariable int number) {
-        return CommandAnswer.of(logs.download(current.caller(), id, number));
+        return CommandAnswer.begun(logs.download(current.caller(), id, number));
     }
 
     @GetMapping("/{number}/file")
@@ -91,6 +91,7 @@ public class LogController {
 
     @DeleteMapping("/{number}/file")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.EXPORT)
+    @Answers(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteLogFile", summary = "Remove the server's copy of a log (operator)")
     public void remove(@PathVariable String id, @PathVariable int number) {

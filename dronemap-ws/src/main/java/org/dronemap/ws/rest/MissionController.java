@@ -55,7 +55,7 @@ public class MissionController {
 
     @PostMapping
     @Access(from = From.PLANNER, about = About.SHARED)
-    @Answers(201)
+    @Answers(value = 201, never = 409)
     @Operation(operationId = "addMission", summary = "Save a mission (operator)")
     public ResponseEntity<MissionService.SavedMissionView> add(@RequestBody MissionService.MissionRequest request) {
         MissionService.SavedMissionView saved = missions.add(current.principal(), request);
@@ -65,6 +65,7 @@ public class MissionController {
 
     @PutMapping("/{id}")
     @Access(from = From.PLANNER, about = About.SHARED)
+    @Answers(never = 409)
     @Operation(operationId = "replaceMission", summary = "Replace a saved mission (operator)")
     public MissionService.SavedMissionView replace(
             @PathVariable String id, @RequestBody MissionService.MissionRequest request) {

@@ -65,7 +65,7 @@ public class OidcController {
 
     @GetMapping("/callback")
     @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED)
-    @Answers(value = 302, refuses = 404)
+    @Answers(value = 302, refuses = 404, never = 422)
     @WithoutSoap("Sends a browser to another address.")
     @Operation(
             operationId = "finishSignInElsewhere",

@@ -108,6 +108,7 @@ public class OrganisationController {
 
     @DeleteMapping("/{id}/drones/{drone}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Answers(refuses = 409)
     @Operation(
             operationId = "takeBackDrone",
             summary = "Take a drone back that was given to an organisation",
@@ -120,6 +121,7 @@ public class OrganisationController {
 
     @DeleteMapping("/{id}")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Answers(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteOrganisation", summary = "Remove an organisation that has neither users nor drones")
     public void delete(@PathVariable String id) {

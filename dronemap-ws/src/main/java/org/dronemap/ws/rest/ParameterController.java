@@ -49,6 +49,7 @@ public class ParameterController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
+    @Answers(never = 422)
     @Operation(
             operationId = "listParameters",
             summary = "List or search the parameters",

@@ -88,6 +88,7 @@ public class PlanController {
 
     @DeleteMapping("/{id}")
     @Access(from = From.PLANNER, about = About.SHARED)
+    @Answers(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "removePlan",

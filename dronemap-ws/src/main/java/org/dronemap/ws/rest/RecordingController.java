@@ -43,6 +43,7 @@ public class RecordingController {
 
     @GetMapping
     @Access(from = From.VIEWER, about = About.DRONE)
+    @Answers(never = 422)
     @Operation(
             operationId = "listRecordings",
             summary = "List the recordings, newest first, and the room that they take")
@@ -130,6 +131,7 @@ public class RecordingController {
 
     @DeleteMapping("/{id}")
     @Access(from = From.OPERATOR, about = About.DRONE)
+    @Answers(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteRecording", summary = "Delete a recording for ever (operator)")
     public void delete(

@@ -49,6 +49,7 @@ public class RegistrationController {
 
     @GetMapping
     @Access(from = From.ANYBODY, about = About.NONE)
+    @Answers(never = 503)
     @Operation(
             operationId = "getRegistrationPolicy",
             summary = "How accounts are made here",
@@ -60,7 +61,9 @@ public class RegistrationController {
 
     @PostMapping
     @Access(from = From.ANYBODY, about = About.NONE, audit = Audit.RECORDED_WITH_PLACE)
-    @Answers({201, 202})
+    @Answers(
+            value = {201, 202},
+            refuses = 403)
     @Operation(
             operationId = "register",
             summary = "Ask for an account",

@@ -46,7 +46,7 @@ public class ReplayController {
 
     @PostMapping
     @Access(from = From.OPERATOR, about = About.ORGANISATION, costs = Cost.EXPORT)
-    @Answers(value = 202, refuses = 404)
+    @Answers(202)
     @TakesOrGivesFile(takes = "application/octet-stream")
     @Operation(
             operationId = "startReplay",

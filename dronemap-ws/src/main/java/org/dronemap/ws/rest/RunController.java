@@ -110,6 +110,7 @@ public class RunController {
 
     @DeleteMapping("/{id}/waypoints/{waypoint}")
     @Access(from = From.OPERATOR, about = About.SHARED)
+    @Answers(refuses = 409)
     @Operation(operationId = "cancelRunWaypoint", summary = "Cancel a waypoint of a mission run (operator)")
     public RunView cancel(@PathVariable String id, @PathVariable String waypoint) {
         return runs.cancel(current.principal(), id, waypoint);

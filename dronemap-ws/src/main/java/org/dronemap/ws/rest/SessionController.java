@@ -40,7 +40,9 @@ public class SessionController {
 
     @PostMapping
     @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED_WITH_PLACE)
-    @Answers(refuses = {401, 403})
+    @Answers(
+            refuses = {401, 403},
+            never = 409)
     @WithoutSoap("A browser's session is a cookie; a call of SOAP says itself who calls.")
     @Operation(
             operationId = "signIn",
@@ -56,6 +58,7 @@ public class SessionController {
 
     @GetMapping
     @Access(from = From.SIGNED_IN, about = About.OWN)
+    @Answers(never = 403)
     @Operation(operationId = "getSession", summary = "Who is signed in")
     public Authentication.SessionView session() {
         return authentication.session(current.signedIn());
@@ -80,7 +83,7 @@ public class SessionController {
 
     @PostMapping("/password")
     @Access(from = From.SIGNED_IN, about = About.OWN)
-    @Answers(204)
+    @Answers(value = 204, never = 409)
     @Operation(
             operationId = "changePassword",
             summary = "Change one's own password",
@@ -96,7 +99,7 @@ public class SessionController {
 
     @PostMapping("/sign-out-everywhere")
     @Access(from = From.SIGNED_IN, about = About.OWN)
-    @Answers(204)
+    @Answers(value = 204, never = 409)
     @Operation(
             operationId = "signOutEverywhere",
             summary = "Sign out everywhere",

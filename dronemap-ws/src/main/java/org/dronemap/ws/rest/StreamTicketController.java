@@ -31,6 +31,7 @@ public class StreamTicketController {
 
     @PostMapping
     @Access(from = From.VIEWER, about = About.OWN)
+    @Answers(never = 409)
     @Operation(
             operationId = "makeStreamTicket",
             summary = "Get a ticket for the stream",

@@ -30,6 +30,7 @@ public class SystemController {
 
     @GetMapping("/health")
     @Access(from = From.ANYBODY, about = About.NONE)
+    @Answers(never = 503)
     @Operation(
             operationId = "getHealth",
             summary = "Is the server well? (no sign-in)",

@@ -89,6 +89,7 @@ public class UserController {
 
     @PostMapping("/{name}/sign-out")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Answers(never = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "signOutUser",
@@ -118,6 +119,7 @@ public class UserController {
 
     @DeleteMapping("/{name}")
     @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Answers(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteUser", summary = "Remove a user with sessions and keys")
     public void delete(@PathVariable String name) {

@@ -87,6 +87,7 @@ public class VirtualDroneController {
 
     @DeleteMapping("/{id}")
     @Access(from = From.PLANNER, about = About.SHARED)
+    @Answers(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "removeVirtualDrone",

@@ -50,7 +50,7 @@ public class WaitingController {
 
     @PostMapping("/{id}/enrol")
     @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(201)
+    @Answers(value = 201, never = 409)
     @Operation(operationId = "enrolWaiting", summary = "Let a vehicle in as a drone (administrator)")
     public ResponseEntity<DroneView> enrol(
             @PathVariable String id, @RequestBody(required = false) WaitingService.@Nullable EnrolRequest request) {

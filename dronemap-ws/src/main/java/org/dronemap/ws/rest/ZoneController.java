@@ -80,6 +80,7 @@ public class ZoneController {
 
     @PutMapping("/{id}")
     @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
+    @Answers(never = 409)
     @Operation(
             operationId = "replaceZone",
             summary = "Replace a zone (supervisor)",

@@ -11,10 +11,15 @@ import org.dronemap.ws.service.ReplayView;
 
 /** Plays nothing: counts the bytes of a recording and calls it finished. */
 public final class CountingRecordings implements Recordings {
+    private static final int MOST = 100;
+
     private final ConcurrentHashMap<String, ReplayView> all = new ConcurrentHashMap<>();
 
     @Override
     public ReplayView start(String name, InputStream recording, long lengthBytes, double speed) {
+        if (all.size() >= MOST) {
+            throw new IllegalStateException(MOST + " recordings play already; wait for one to end, or cancel one.");
+        }
         try (recording) {
             long bytes = recording.readAllBytes().length;
             String id = "r" + (all.size() + 1);

@@ -12,6 +12,8 @@ import org.dronemap.ws.service.OutletView;
 
 /** An outlet that only remembers what it was told; as many clients are attached as anybody disconnects. */
 final class ListedClients implements OutletControl {
+    private static final int MOST_PORTS_OF_A_USER = 3;
+
     private final Map<String, LinkKey> keys = new ConcurrentHashMap<>();
     private final Map<String, OutletView.PortView> ports = new ConcurrentHashMap<>();
     private int lastPort;
@@ -61,6 +63,10 @@ final class ListedClients implements OutletControl {
     @Override
     public OutletView.PortView openPort(String user, String address, Duration time) {
         AddressRange allowed = AddressRange.parse(address);
+        if (ports.values().stream().filter(port -> port.user().equals(user)).count() >= MOST_PORTS_OF_A_USER) {
+            throw new IllegalStateException(
+                    "You have " + MOST_PORTS_OF_A_USER + " personal ports already; close one first.");
+        }
         String id = "port-" + ++lastPort;
         OutletView.PortView port = new OutletView.PortView(
                 id,

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
@@ -48,14 +49,21 @@ final class ListedStatuses {
 
     /** {@code path}: without its query. */
     static void check(String method, String path, int status) {
-        ALL.stream()
+        find(method, path).filter(one -> !one.statuses().contains(status)).ifPresent(one -> {
+            throw new AssertionError("The description of " + method + " " + one.path() + " lists " + one.statuses()
+                    + ", and not " + status + ", with which it answered.");
+        });
+    }
+
+    /** Method and address as the description has them; empty: it has no such operation. {@code path}: without its query. */
+    static Optional<String> operation(String method, String path) {
+        return find(method, path).map(one -> one.method() + " " + one.path());
+    }
+
+    private static Optional<Listed> find(String method, String path) {
+        return ALL.stream()
                 .filter(one -> one.method().equals(method)
                         && one.pattern().matcher(path).matches())
-                .findFirst()
-                .filter(one -> !one.statuses().contains(status))
-                .ifPresent(one -> {
-                    throw new AssertionError("The description of " + method + " " + one.path() + " lists "
-                            + one.statuses() + ", and not " + status + ", with which it answered.");
-                });
+                .findFirst();
     }
 }

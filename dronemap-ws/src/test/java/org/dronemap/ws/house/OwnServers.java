@@ -5,7 +5,7 @@ import java.util.List;
 /** The classes of tests that start servers of their own, how many, and why the shared one will not do. */
 public final class OwnServers {
     /** In one run of the module's tests. */
-    public static final int MOST = 16;
+    public static final int MOST = 17;
 
     /** Each JVM that tests run in has a shared one: two, as there are on a machine of two cores. */
     public static final int SHARED = 2;
@@ -17,6 +17,7 @@ public final class OwnServers {
             new Own("ExchangesTest", 1, "replays what was recorded on a server that had seen nothing before"),
             new Own("FloodTest", 1, "bounds the work of users, and wrong passwords shut its address out for a while"),
             new Own("HiddenDroneTest", 1, "looks for the words of one drone in all that a server tells"),
+            new Own("ListedRefusalsTest", 1, "is impatient, turns crowds away, and its store goes away"),
             new Own("OidcTest", 2, "signs in with a provider, with roles of its own and with accounts that wait"),
             new Own("RegistrationTest", 3, "one for each policy of registration"),
             new Own("SlowClientsTest", 1, "bounds slow clients"),

@@ -17,8 +17,13 @@ public final class RawClient implements AutoCloseable {
     private final Socket socket;
 
     public RawClient(int port) {
+        this(port, "127.0.0.1");
+    }
+
+    /** {@code from}: an address of this machine that it speaks from, as a literal. */
+    public RawClient(int port, String from) {
         try {
-            socket = new Socket(InetAddress.getLoopbackAddress(), port);
+            socket = new Socket(InetAddress.getLoopbackAddress(), port, InetAddress.getByName(from), 0);
             socket.setSoTimeout(PATIENCE_MILLIS);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -30,6 +30,7 @@ public final class StandInProvider implements AutoCloseable {
     public static final String CLIENT = "dronemap";
     public static final String SECRET = "canary-of-the-client-secret";
 
+    private volatile boolean away;
     private final TinyServer server;
     private final RSAKey key;
     private final Map<String, Map<String, String>> asked = new ConcurrentHashMap<>();
@@ -55,6 +56,9 @@ public final class StandInProvider implements AutoCloseable {
     }
 
     private TinyServer.Answer answer(TinyServer.Request request) {
+        if (away) {
+            return new TinyServer.Answer(503, "{}");
+        }
         return switch (request.path()) {
             case "/.well-known/openid-configuration" -> new TinyServer.Answer(200, """
                     {"issuer":"%1$s","authorization_endpoint":"%1$s/authorize","token_endpoint":"%1$s/token",
@@ -64,6 +68,11 @@ public final class StandInProvider implements AutoCloseable {
             case "/token" -> token(request);
             default -> new TinyServer.Answer(404, "{}");
         };
+    }
+
+    /** Whether it has nothing to say from now on. */
+    public void away(boolean isAway) {
+        away = isAway;
     }
 
     public String issuer() {

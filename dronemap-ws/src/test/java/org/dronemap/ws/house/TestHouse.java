@@ -175,7 +175,7 @@ public final class TestHouse implements AutoCloseable {
                 QUICK_PASSWORDS,
                 List.of(),
                 Beginning.ORDINARY);
-        faces = FacesServer.start(settings(choices), house);
+        faces = SeenStatuses.watch(FacesServer.start(settings(choices), house));
     }
 
     private VirtualDrones virtuals() {
