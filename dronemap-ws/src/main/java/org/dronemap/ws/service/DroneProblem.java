@@ -114,18 +114,6 @@ public enum DroneProblem implements ProblemCode {
             RejectionKind.CONFLICT,
             "The endpoint is set where the server is configured.",
             "udpin:0.0.0.0:14550 is set by DRONEMAP_ENDPOINTS or DRONEMAP_ROBOTS; change the setting.")),
-    LINK_KEY_IN_USE(ProblemEntry.of(
-                    "link-key-in-use",
-                    RejectionKind.CONFLICT,
-                    "The vehicle uses a key already.",
-                    "The vehicle uses a key already; rotate it, or revoke it first.")
-            .with(ProblemParameter.DRONE)),
-    LINK_SECURITY_REFUSED(ProblemEntry.of(
-                    "link-security-refused",
-                    RejectionKind.CONFLICT,
-                    "How the drone's links are now does not allow this change.",
-                    "There is no link over which the vehicle could be told the key.")
-            .with(ProblemParameter.DRONE)),
     OF_ANOTHER_ORGANISATION(ProblemEntry.of(
             "of-another-organisation",
             RejectionKind.CONFLICT,

@@ -38,22 +38,6 @@ public enum OperationProblem implements ProblemCode {
             RejectionKind.CONFLICT,
             "Another tour of the same user is being ordered.",
             "A tour of yours is being ordered already; wait for it.")),
-    OPERATION_OVER(ProblemEntry.of(
-                    "operation-over",
-                    RejectionKind.CONFLICT,
-                    "The mission run or follow has ended.",
-                    "This mission run is over.")
-            .with(ProblemParameter.ID)),
-    OPERATION_STATE(ProblemEntry.of(
-            "operation-state",
-            RejectionKind.CONFLICT,
-            "What the mission run or follow is at does not allow this.",
-            "It is over, or there is no such operation.")),
-    VIRTUAL_DRONE_STATE(ProblemEntry.of(
-            "virtual-drone-state",
-            RejectionKind.CONFLICT,
-            "What the virtual drone is at does not allow this.",
-            "Plan its mission first.")),
     NO_DRONE_TO_FOLLOW(ProblemEntry.of(
             "no-drone-to-follow",
             RejectionKind.CONFLICT,

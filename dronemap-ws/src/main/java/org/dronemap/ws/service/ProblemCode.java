@@ -11,6 +11,8 @@ public sealed interface ProblemCode
         permits AccessProblem,
                 CommandProblem,
                 DroneProblem,
+                LinkSecurityProblem,
+                ObjectionProblem,
                 OperationProblem,
                 RequestProblem,
                 ServerProblem,
@@ -36,7 +38,9 @@ public sealed interface ProblemCode
                         List.of(AccessProblem.values()),
                         CommandProblem.values(),
                         List.of(DroneProblem.values()),
+                        List.of(LinkSecurityProblem.values()),
                         List.of(OperationProblem.values()),
+                        ObjectionProblem.values(),
                         List.of(ServerProblem.values()))
                 .<ProblemCode>flatMap(List::stream)
                 .toList();
