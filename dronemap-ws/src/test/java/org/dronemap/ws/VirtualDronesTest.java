@@ -218,6 +218,7 @@ class VirtualDronesTest {
         Http.Answer unplanned = start(operator, empty);
         assertThat(unplanned.text("detail")).isEqualTo("Plan its mission first.");
         assertThat(unplanned.text("code")).isEqualTo("virtual-drone-without-mission");
+        assertThat(unplanned.json().path("parameters").path("id").asString()).isEqualTo(empty);
         assertThat(operator.post(PATH + "/" + empty + "/start", "{\"onCloudLoss\":\"panic\"}")
                         .text("allowed"))
                 .isEqualTo("continue or rtl");

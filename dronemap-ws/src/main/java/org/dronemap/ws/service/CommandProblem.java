@@ -15,7 +15,7 @@ public record CommandProblem(OutcomeCode outcome) implements ProblemCode {
         ProblemEntry entry = ProblemEntry.of(
                         outcome.word(), RejectionKind.CONFLICT, outcome.meaning(), outcome.example())
                 .with(ProblemParameter.DRONE);
-        return outcome == OutcomeCode.CONTROL_HELD
+        return outcome == OutcomeCode.CONTROL_HELD || outcome == OutcomeCode.CONTROL_ENDED
                 ? entry.maybe(ProblemParameter.COMMAND, ProblemParameter.HOLDER, ProblemParameter.HELD_SINCE)
                 : entry.maybe(ProblemParameter.COMMAND);
     }

@@ -140,7 +140,7 @@ public enum DroneProblem implements ProblemCode {
     RECORDING_GOES_ON(ProblemEntry.of(
                     "recording-goes-on",
                     RejectionKind.CONFLICT,
-                    "The recording is being written, or there is none any more.",
+                    "The recording is being written.",
                     "This recording goes on; it can be deleted when it has ended.")
             .with(ProblemParameter.ID)),
     SENDERS_NOT_RECORDED(ProblemEntry.of(

@@ -33,6 +33,16 @@ public enum OperationProblem implements ProblemCode {
             RejectionKind.CONFLICT,
             "No drone of the plan waits for its start.",
             "Nobody of this plan waits for a start.")),
+    PLAN_INCOMPLETE(ProblemEntry.of(
+            "plan-incomplete",
+            RejectionKind.CONFLICT,
+            "Another drone of the plan did not get its mission, so that none is started.",
+            "It has its mission and was not started, since another drone of the plan has none.")),
+    PLAN_STOPPED(ProblemEntry.of(
+            "plan-stopped",
+            RejectionKind.CONFLICT,
+            "The start of the plan was stopped before the drone's turn.",
+            "It has its mission and was not started, since the start was stopped.")),
     TOUR_UNDER_WAY(ProblemEntry.of(
             "tour-under-way",
             RejectionKind.CONFLICT,

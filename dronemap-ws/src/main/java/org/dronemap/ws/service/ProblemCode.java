@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 public sealed interface ProblemCode
         permits AccessProblem,
                 CommandProblem,
+                ControlProblem,
                 DroneProblem,
                 LinkSecurityProblem,
                 ObjectionProblem,
@@ -37,6 +38,7 @@ public sealed interface ProblemCode
                         List.of(UnknownProblem.values()),
                         List.of(AccessProblem.values()),
                         CommandProblem.values(),
+                        List.of(ControlProblem.values()),
                         List.of(DroneProblem.values()),
                         List.of(LinkSecurityProblem.values()),
                         List.of(OperationProblem.values()),
