@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** What becomes of one command for several drones: one result for each, in the order asked. */
+/** The outcome of one command for several drones: one result for each, in the order asked. */
 @Schema(name = "BroadcastView")
 public record BroadcastView(String id, List<Result> results) {
     /** The command as it stands for this drone, or why there is none. */

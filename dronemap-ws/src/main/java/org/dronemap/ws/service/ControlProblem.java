@@ -1,6 +1,6 @@
 package org.dronemap.ws.service;
 
-/** What speaks against changing who has control of a drone, where nobody else has it. */
+/** Codes of what speaks against changing who has control of a drone, where nobody else has it. */
 public enum ControlProblem implements ProblemCode {
     NOT_HELD(ProblemEntry.of(
                     "control-not-held",

@@ -1,6 +1,6 @@
 package org.dronemap.ws.service;
 
-/** What speaks against it in a drone, its links, or what is known and kept of it. */
+/** Codes of what speaks against it in a drone, or in what is known and kept of it. */
 public enum DroneProblem implements ProblemCode {
     COMMAND_ID_TAKEN(ProblemEntry.of(
                     "command-id-taken",

@@ -7,7 +7,7 @@ import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** What secures the links of drones, as the links themselves know it. Any thread. */
+/** The security of links of drones, as the links themselves know it. Any thread. */
 public interface LinkSecurityControl {
     /** What is done to the key on a vehicle. */
     enum Change {

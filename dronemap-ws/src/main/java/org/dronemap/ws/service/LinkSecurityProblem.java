@@ -1,6 +1,6 @@
 package org.dronemap.ws.service;
 
-/** What speaks against changing how the links of a drone are signed. */
+/** Codes of what speaks against changing how the links of a drone are signed. */
 public enum LinkSecurityProblem implements ProblemCode {
     KEY_IN_USE(entry(
             "link-key-in-use",

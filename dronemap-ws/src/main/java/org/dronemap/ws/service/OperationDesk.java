@@ -25,7 +25,7 @@ import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.time.Time;
 
 /**
- * What use cases around one kind of operation have in common: find it for whom it exists, begin it, hand it wishes. Any thread.
+ * The part that use cases around one kind of operation have in common: find it for whom it exists, begin it, hand it wishes. Any thread.
  *
  * @param <S> its state
  * @param <I> its inputs

@@ -1,6 +1,6 @@
 package org.dronemap.ws.service;
 
-/** What speaks against it in plans, and in what the cloud conducts for users. */
+/** Codes of what speaks against flying or changing plans, and against beginning what the cloud conducts. */
 public enum OperationProblem implements ProblemCode {
     PLAN_NOT_FINISHED(ProblemEntry.of(
             "plan-not-finished",

@@ -4,7 +4,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What becomes of one drone's tour after the plan was accepted.
+ * The flight of one drone's tour, as far as it has come after the plan was accepted.
  *
  * @param why what went wrong; null: nothing did
  * @param command the last one that was given for it; null: none yet

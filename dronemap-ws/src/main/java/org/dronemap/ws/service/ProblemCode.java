@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Why exactly a request was not carried out, as a word for programs that never changes: one catalogue for all faces, an enum a
+ * The reason why a request was not carried out, as a word for programs that never changes: one catalogue for all faces, an enum a
  * subject. {@code docs/problems.md} is written from it.
  */
 public sealed interface ProblemCode

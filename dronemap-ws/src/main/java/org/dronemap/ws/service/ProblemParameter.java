@@ -1,6 +1,6 @@
 package org.dronemap.ws.service;
 
-/** What a refusal tells programs beside its sentence; each has one name and one type, whichever code it comes with. */
+/** Parameters that a refusal tells programs beside its sentence; each has one name and one type, whichever code it comes with. */
 public enum ProblemParameter {
     ADDRESS("address", Type.TEXT, "that was asked for"),
     ALLOWED("allowed", Type.TEXT, "what is allowed there, in words"),

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.operation.follow;
 import java.util.Optional;
 import org.dronemap.core.operation.Objection;
 
-/** Why a wish cannot be taken at a stage. */
+/** Reasons why a wish cannot be taken at a stage. */
 final class Refusals {
     private Refusals() {}
 

@@ -14,7 +14,7 @@ import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.OperationObjection;
 
-/** Why a run cannot do now what somebody wants. */
+/** Reasons why a run cannot do now what somebody wants. */
 final class Refusals {
     private static final int MOST_DRONES = 100;
 
