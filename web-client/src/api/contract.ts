@@ -75,9 +75,15 @@ export interface components {
             id?: string | null;
         };
         BroadcastResult: {
+            /** @description The same for programs; docs/problems.md lists them */
+            code: string | null;
             command: components["schemas"]["CommandView"] | null;
             drone: string;
             name: string | null;
+            /** @description What the problem is about; which of them come with which code, docs/problems.md tells */
+            parameters: {
+                [key: string]: string | number | boolean;
+            } | null;
             problem: string | null;
         };
         BroadcastView: {
@@ -209,6 +215,8 @@ export interface components {
         };
         DroneActionView: {
             allowed: boolean;
+            /** @description Why not, for programs; docs/problems.md lists them */
+            code: string | null;
             /** @description The vehicle refuses it in its mode of now: change to this one first */
             mode: string | null;
             why: string | null;
@@ -1560,6 +1568,8 @@ export interface components {
             name: string;
         };
         PlanFlightView: {
+            /** @description The same for programs; docs/problems.md lists them */
+            code: string | null;
             /** @description The last command that was given for it */
             command: string | null;
             drone: string;

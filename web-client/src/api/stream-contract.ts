@@ -129,6 +129,8 @@ export interface components {
         };
         DroneActionView: {
             allowed: boolean;
+            /** @description Why not, for programs; docs/problems.md lists them */
+            code: string | null;
             /** @description The vehicle refuses it in its mode of now: change to this one first */
             mode: string | null;
             why: string | null;
@@ -690,6 +692,8 @@ export interface components {
             name: string;
         };
         PlanFlightView: {
+            /** @description The same for programs; docs/problems.md lists them */
+            code: string | null;
             /** @description The last command that was given for it */
             command: string | null;
             drone: string;
@@ -851,7 +855,7 @@ export interface components {
             holder?: string;
             /** @description What the detail is about; which of them come with which code, docs/problems.md tells */
             parameters: {
-                [key: string]: unknown;
+                [key: string]: string | number | boolean;
             };
             /** Format: int64 */
             retryAfterSeconds?: number;

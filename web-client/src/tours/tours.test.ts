@@ -80,9 +80,9 @@ describe('a plan for several drones', () => {
       'Getting better: all done after 1 min 40 s.',
     );
     expect(stateLine(plan({ state: 'failed', why: 'No.' }))).toBe('No.');
-    expect(flightLine({ drone: 'd1', name: 'd1', stage: 'failed', why: 'No.', command: null })).toBe(
-      'failed: No.',
-    );
+    expect(
+      flightLine({ drone: 'd1', name: 'd1', stage: 'failed', why: 'No.', code: 'not-armed', command: null }),
+    ).toBe('failed: No.');
   });
 
   it('compares the drones by time, distance and energy', () => {

@@ -95,6 +95,15 @@ class BroadcastTest {
         assertThat(results(answer)).containsExactly("nobody none", willing.id() + " succeeded");
         assertThat(answer.json().path("results").get(0).path("problem").asString(""))
                 .isEqualTo("There is no drone nobody.");
+        assertThat(answer.json().path("results").get(0).path("code").asString(""))
+                .isEqualTo("drone-unknown");
+        assertThat(answer.json()
+                        .path("results")
+                        .get(0)
+                        .path("parameters")
+                        .path("drone")
+                        .asString(""))
+                .isEqualTo("nobody");
     }
 
     @Test

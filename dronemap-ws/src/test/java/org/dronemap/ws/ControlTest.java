@@ -114,9 +114,11 @@ class ControlTest {
         Http.Answer wrong = ann.post(control + "/heartbeat", "{\"epoch\":" + (epoch - 1) + "}");
         assertThat(wrong.status()).isEqualTo(409);
         assertThat(wrong.text("detail")).startsWith("Control by epoch " + (epoch - 1) + " has ended.");
+        assertThat(wrong.text("code")).isEqualTo("control-ended");
         assertThat(ann.post(control + "/heartbeat", "{}").text("field")).isEqualTo("epoch");
         Http.Answer stale = ann.post(commands, "{\"type\":\"arm\",\"epoch\":" + (epoch - 1) + "}");
         assertThat(stale.status()).isEqualTo(409);
+        assertThat(stale.text("code")).isEqualTo("control-ended");
         assertThat(ann.post(commands, "{\"type\":\"arm\",\"epoch\":" + epoch + "}")
                         .status())
                 .isLessThan(300);
@@ -179,6 +181,9 @@ class ControlTest {
                 .isEqualTo(bobsName);
         assertThatThrownBy(() -> soap.call("releaseControl", "droneId", drone))
                 .hasMessageStartingWith("You do not have control. " + bobsName);
+        assertThat(ann.post("/api/v1/drones/" + drone + "/control/hand-over", "{\"user\":\"" + bobsName + "\"}")
+                        .text("code"))
+                .isEqualTo("control-not-held");
         assertThat(soap.call("getControl", "droneId", drone).text("state")).isEqualTo("held");
     }
 

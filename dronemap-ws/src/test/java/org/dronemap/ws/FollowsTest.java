@@ -376,6 +376,7 @@ class FollowsTest {
     void answersStepsThatCannotBeTakenAndMembersThatAreWrong() {
         String follow = asked("");
         assertThat(detail(phone.post(follow + "/pause", ""))).startsWith("409 ").contains("not been started");
+        assertThat(phone.post(follow + "/pause", "").text("code")).isEqualTo("follow-not-started");
         assertThat(detail(phone.post(follow + "/stop", ""))).startsWith("409 ");
         assertThat(detail(phone.post(PATH, "{" + HERE + "}")))
                 .startsWith("409 ")

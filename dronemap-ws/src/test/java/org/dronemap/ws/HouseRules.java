@@ -23,10 +23,12 @@ import java.util.List;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.history.TelemetryColumn;
+import org.dronemap.core.operation.ObjectionCode;
 import org.dronemap.core.stored.Stored;
 import org.dronemap.proxy.endpoint.BoundedDraft;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.service.ObjectionProblem;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.ProblemCode;
 import org.java_websocket.client.WebSocketClient;
@@ -216,7 +218,9 @@ final class HouseRules {
             .areDeclaredInClassesThat(new DescribedPredicate<JavaClass>("are catalogues of codes") {
                 @Override
                 public boolean test(JavaClass type) {
-                    return type.isAssignableTo(ProblemCode.class) || type.isEquivalentTo(OutcomeCode.class);
+                    return type.isAssignableTo(ProblemCode.class)
+                            || type.isAssignableTo(ObjectionCode.class)
+                            || type.isEquivalentTo(OutcomeCode.class);
                 }
             })
             .should(new ArchCondition<JavaField>("be told by something else than the catalogue") {
@@ -232,6 +236,20 @@ final class HouseRules {
                 }
             })
             .as("each code of the catalogue of problems is told by something");
+
+    static final ArchRule EACH_OBJECTION_IS_IN_THE_CATALOGUE = classes()
+            .that()
+            .implement(ObjectionCode.class)
+            .should(new ArchCondition<JavaClass>("be listed by " + ObjectionProblem.class.getSimpleName()) {
+                @Override
+                public void check(JavaClass codes, ConditionEvents events) {
+                    boolean listed = codes.getDirectDependenciesToSelf().stream()
+                            .anyMatch(use -> use.getOriginClass().isEquivalentTo(ObjectionProblem.class));
+                    if (!listed) {
+                        events.add(SimpleConditionEvent.violated(codes, codes.getName() + " is not in the catalogue"));
+                    }
+                }
+            });
 
     static final ArchRule ONLY_THE_WIRING_SEES_LINKS_AND_STORES = noClasses()
             .that()

@@ -75,6 +75,7 @@ class HouseTest {
                 HouseRules.FLOORS_OF_WS,
                 HouseRules.HANDLERS_SAY_WHO_MAY_CALL_THEM,
                 HouseRules.EACH_CODE_OF_A_PROBLEM_IS_TOLD,
+                HouseRules.EACH_OBJECTION_IS_IN_THE_CATALOGUE,
                 HouseRules.ONLY_THE_WIRING_SEES_LINKS_AND_STORES,
                 HouseRules.NO_CYCLES,
                 HouseRules.ONLY_THE_GATE_COMMANDS,

@@ -69,7 +69,9 @@ class LinkSecurityTest {
         Http.Answer later = administrator.get(drone + "/link-security");
         assertThat(later.json().path("key").path("fingerprint").asString()).isEqualTo(made.text("fingerprint"));
         assertThat(later.raw().body()).doesNotContain(made.text("key"));
-        assertThat(administrator.post(drone + "/link-key", "{}").status()).isEqualTo(409);
+        Http.Answer again = administrator.post(drone + "/link-key", "{}");
+        assertThat(again.status()).isEqualTo(409);
+        assertThat(again.text("code")).isEqualTo("link-key-in-use");
     }
 
     @Test
@@ -96,6 +98,7 @@ class LinkSecurityTest {
         Http.Answer refused = administrator.post(drone + "/link-key/rotate", "{}");
         assertThat(refused.status()).isEqualTo(409);
         assertThat(refused.text("detail")).contains("could be listened to");
+        assertThat(refused.text("code")).isEqualTo("link-not-safe");
 
         assertThat(administrator
                         .post(drone + "/link-key/rotate", "{\"confirm\":true}")

@@ -180,6 +180,8 @@ class RunsTest {
         Http.Answer refused = operator.post(PATH, "{\"plan\":\"" + plan + "\"}");
 
         assertThat(detail(refused)).startsWith("409 ").contains("has had control of it since");
+        assertThat(refused.text("code")).isEqualTo("control-held");
+        assertThat(refused.json().path("parameters").path("holder").isString()).isTrue();
         assertThat(isHeldByARun(falcon)).isFalse();
         assertThat(operator.get(PATH).json().path("runs").size()).isZero();
     }

@@ -106,7 +106,7 @@ class SoapFaultsTest {
                                 .contains(
                                         "<allowed>type, latitude, longitude, altitude, altitudeReference, holdSeconds, output, pulse, description"));
         assertThat(fault("<w:takeoff><droneId>x</droneId><altitud>5</altitud></w:takeoff>"))
-                .contains("<field>altitud</field>", "<allowed>type, altitude, id, epoch</allowed>");
+                .contains("<field>altitud</field>", "<allowed>droneId, altitude, id, epoch, wait</allowed>");
         assertThat(vehicle.performed()).isEmpty();
     }
 
@@ -116,6 +116,20 @@ class SoapFaultsTest {
                 .containsPattern(OF_THE_CALLER)
                 .contains("This is not well-formed XML.")
                 .doesNotContain("Exception", "XMLStreamReader");
+    }
+
+    @Test
+    void tellsOfAnElementThatThereIsNotByTheNamesOfElements() {
+        String drone = "<droneId>" + vehicle.id() + "</droneId>";
+
+        assertThat(fault("<w:takeoff>" + drone + "<altitud>20</altitud></w:takeoff>"))
+                .contains("<code>member-unknown</code>", "<entry key=\"field\" type=\"string\">altitud</entry>")
+                .contains("There is no element \"altitud\" here; there are: droneId, altitude,")
+                .doesNotContain("type, altitude");
+        assertThat(fault("<w:uploadMission>" + drone
+                        + "<items><item><type>land</type><hight>20</hight></item></items></w:uploadMission>"))
+                .contains(
+                        "<code>member-unknown</code>", "There is no element \"items[0].hight\" here; there are: type,");
     }
 
     @Test

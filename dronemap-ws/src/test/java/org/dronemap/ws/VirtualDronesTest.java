@@ -215,7 +215,10 @@ class VirtualDronesTest {
                         .text("detail"))
                 .startsWith("Item 1: a take-off comes first");
         String empty = operator.post(PATH, "{\"name\":\"A\"}").text("id");
-        assertThat(start(operator, empty).text("detail")).isEqualTo("Plan its mission first.");
+        Http.Answer unplanned = start(operator, empty);
+        assertThat(unplanned.text("detail")).isEqualTo("Plan its mission first.");
+        assertThat(unplanned.text("code")).isEqualTo("virtual-drone-without-mission");
+        assertThat(unplanned.json().path("parameters").path("id").asString()).isEqualTo(empty);
         assertThat(operator.post(PATH + "/" + empty + "/start", "{\"onCloudLoss\":\"panic\"}")
                         .text("allowed"))
                 .isEqualTo("continue or rtl");

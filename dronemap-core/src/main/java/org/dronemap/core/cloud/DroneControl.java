@@ -17,6 +17,7 @@ import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.Lapse;
 import org.dronemap.core.lease.LeaseAnswer;
+import org.dronemap.core.lease.LeaseDenial;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseStep;
@@ -143,7 +144,13 @@ final class DroneControl {
         LeaseAnswer answer = apply(new LeaseEvent.Command(source.principal().name(), source.epoch()))
                 .step()
                 .answer();
-        return answer instanceof LeaseAnswer.Denied denied ? held(denied.why()) : fenced();
+        return answer instanceof LeaseAnswer.Denied denied ? closed(denied) : fenced();
+    }
+
+    private static Passage closed(LeaseAnswer.Denied denied) {
+        return denied.reason() == LeaseDenial.ENDED
+                ? new Passage.Closed(new Refusal(OutcomeCode.CONTROL_ENDED, denied.why()))
+                : held(denied.why());
     }
 
     private static Passage held(String sentence) {

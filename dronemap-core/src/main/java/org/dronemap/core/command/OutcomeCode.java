@@ -14,7 +14,7 @@ import org.dronemap.core.stored.StoredNames;
                 + "not-disarmed-for-planner drone-is-a-recording contact-lost capabilities-unknown "
                 + "capability-missing already-armed not-armed drone-airborne not-airborne mission-missing "
                 + "mode-unknown mode-not-steerable heading-unknown home-unknown place-too-far zone-forbids "
-                + "key-bounds-forbid control-held command-under-way transfer-under-way link-missing "
+                + "key-bounds-forbid control-held control-ended command-under-way transfer-under-way link-missing "
                 + "server-overloaded not-sent server-fault autopilot-unknown not-settable command-refused "
                 + "vehicle-busy vehicle-denied vehicle-does-not-know vehicle-failed vehicle-cancelled "
                 + "positions-not-taken mission-item-not-known mission-too-long mission-value-not-taken "
@@ -62,8 +62,11 @@ public enum OutcomeCode {
             "The way leaves the area or heights of the access key, or nobody can tell whether it does.",
             "The way there leaves the bounds of this access key after 120 m."),
     CONTROL_HELD(
-            "Somebody else has control of the drone, or it does not change hands so.",
+            "Somebody else has control of the drone.",
             "mia has had control of it since 2026-03-04 05:06:07 UTC; ask for it, or wait until it is given back."),
+    CONTROL_ENDED(
+            "The control that is named by its epoch has ended.",
+            "Control by epoch 101 has ended. Nobody has control; take it."),
     COMMAND_UNDER_WAY(
             "Another command to the drone has to end first.",
             "Wait for the end of what is under way: take off to 10 m."),

@@ -18,7 +18,9 @@ import org.dronemap.core.lease.Holder;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.Decision;
 import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.SavedOperation;
@@ -108,7 +110,7 @@ final class Conducted<S, I> {
     }
 
     /** Control of all of its drones, or of none, and why. */
-    Optional<String> takeReins() {
+    Optional<Operations.NoControl> takeReins() {
         return reins.takeAll(kind.machine().drones(now.state()));
     }
 
@@ -222,13 +224,13 @@ final class Conducted<S, I> {
         return Optional.ofNullable(wheel).map(Wheel::newest);
     }
 
-    /** A user's wish; why it is not taken, as a sentence. */
-    Optional<String> wish(I input) {
+    /** A user's wish; why it is not taken. */
+    Optional<Objection> wish(I input) {
         settle();
         if (isOver()) {
-            return Optional.of("It is over.");
+            return Optional.of(Objection.of(OperationObjection.OVER, "It is over."));
         }
-        Optional<String> why = kind.machine().refusal(now.state(), input);
+        Optional<Objection> why = kind.machine().refusal(now.state(), input);
         if (why.isEmpty()) {
             take(input);
         }

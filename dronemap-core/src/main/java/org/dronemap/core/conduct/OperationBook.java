@@ -15,8 +15,10 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.operation.SavedOperation;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -102,13 +104,15 @@ final class OperationBook {
         if (!kind.equals(kinds.get(kind.name()))) {
             // After a restart nobody could read what was written of it.
             LOG.error("A fault of ours: nobody conducts operations of the kind {}; none is begun", kind.name());
-            throw new Operations.Refused("The cloud does not conduct operations of the kind " + kind.name()
-                    + ": a fault of its own, which is logged for its makers.");
+            throw new Operations.Refused(Objection.of(
+                    OperationObjection.NOT_CONDUCTED,
+                    "The cloud does not conduct operations of the kind " + kind.name()
+                            + ": a fault of its own, which is logged for its makers."));
         }
         SavedOperation saved = begun.beginning(first.input());
         Conducted<S, I> one = new Conducted<>(kind, means, saved, state);
         one.takeReins().ifPresent(why -> {
-            throw new Operations.Refused(why);
+            throw why;
         });
         try {
             means.store().begin(saved, first);

@@ -17,8 +17,10 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.SavedOperation;
@@ -60,8 +62,37 @@ public final class Operations implements CloudListener, AutoCloseable {
     public static final class Refused extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
-        public Refused(String why) {
+        @SuppressWarnings("serial") // refusals stay within the process
+        private final Objection objection;
+
+        public Refused(Objection objection) {
+            super(objection.sentence(), null, false, false);
+            this.objection = objection;
+        }
+
+        public Objection objection() {
+            return objection;
+        }
+
+        public String why() {
+            return objection.sentence();
+        }
+    }
+
+    /** Control of a drone cannot be had, with a sentence that names the drone by its id. */
+    public static final class NoControl extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        @SuppressWarnings("serial")
+        private final DroneId drone;
+
+        NoControl(DroneId drone, String why) {
             super(why, null, false, false);
+            this.drone = drone;
+        }
+
+        public DroneId drone() {
+            return drone;
         }
 
         public String why() {
@@ -140,7 +171,7 @@ public final class Operations implements CloudListener, AutoCloseable {
      * Takes control of all of its drones, writes it down, and goes on with it.
      *
      * @param begun without entries and without text of a state
-     * @throws Refused when control of a drone cannot be had
+     * @throws NoControl when control of a drone cannot be had
      */
     public <S, I> Picture<S> begin(OperationKind<S, I> kind, SavedOperation begun, S state) {
         return thread.ask(() -> {
@@ -157,9 +188,10 @@ public final class Operations implements CloudListener, AutoCloseable {
      */
     public <S, I> Picture<S> wish(OperationKind<S, I> kind, OperationId id, I input) {
         return thread.ask(() -> {
-            Conducted<S, I> conducted =
-                    book.find(kind, id).orElseThrow(() -> new Refused("It is over, or there is no such operation."));
-            Optional<String> why = conducted.wish(input);
+            Conducted<S, I> conducted = book.find(kind, id)
+                    .orElseThrow(() -> new Refused(
+                            Objection.of(OperationObjection.OVER, "It is over, or there is no such operation.")));
+            Optional<Objection> why = conducted.wish(input);
             if (why.isPresent()) {
                 throw new Refused(why.get());
             }

@@ -22,13 +22,13 @@ final class Reins {
         this.holder = holder;
     }
 
-    /** All of them or none; why not, as a sentence that names the drone by its id. */
-    Optional<String> takeAll(Set<DroneId> drones) {
+    /** All of them or none, and why. */
+    Optional<Operations.NoControl> takeAll(Set<DroneId> drones) {
         for (DroneId drone : drones) {
             Optional<String> why = crew.engage(holder, drone);
             if (why.isPresent()) {
                 letGo(List.copyOf(drones));
-                return Optional.of("The drone " + drone + ": " + why.get());
+                return Optional.of(new Operations.NoControl(drone, "The drone " + drone + ": " + why.get()));
             }
         }
         wanted = Set.copyOf(drones);

@@ -16,6 +16,7 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Mission;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.Choice;
 import org.dronemap.core.virtual.Run;
@@ -23,6 +24,7 @@ import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
+import org.dronemap.core.virtual.VirtualObjection;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -51,16 +53,20 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     // Owned by the thread.
     private int turn;
 
-    /** A change that cannot be made, with the sentence why. */
+    /** A change that cannot be made, with the reason why. */
     public static final class Refused extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
-        public Refused(String why) {
-            super(why, null, false, false);
+        @SuppressWarnings("serial") // refusals stay within the process
+        private final Objection objection;
+
+        private Refused(VirtualObjection why, String sentence) {
+            super(sentence, null, false, false);
+            this.objection = Objection.of(why, sentence);
         }
 
-        public String why() {
-            return String.valueOf(getMessage());
+        public Objection objection() {
+            return objection;
         }
     }
 
@@ -152,10 +158,10 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             VirtualDrone drone = known(id);
             Mission mission = drone.mission();
             if (mission == null) {
-                throw new Refused("Plan its mission first.");
+                throw new Refused(VirtualObjection.NO_MISSION, "Plan its mission first.");
             }
             if (drone.isUnderWay()) {
-                throw new Refused("Its mission is under way already.");
+                throw new Refused(VirtualObjection.UNDER_WAY, "Its mission is under way already.");
             }
             return put(drone.with(Run.asked(book.nextTicket(), mission, onCloudLoss, clock.instant())));
         });
@@ -166,7 +172,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             VirtualDrone drone = known(id);
             Run run = drone.run();
             if (run == null || run.stage().isOver()) {
-                throw new Refused("Its mission is not under way.");
+                throw new Refused(VirtualObjection.NOT_UNDER_WAY, "Its mission is not under way.");
             }
             return put(drone.with(machine.stop(run, clock.instant())));
         });
@@ -180,7 +186,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             Run resumed =
                     run == null ? null : machine.resume(run, clock.instant()).orElse(null);
             if (resumed == null) {
-                throw new Refused("It does not wait for being resumed.");
+                throw new Refused(VirtualObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
             }
             return put(drone.with(resumed));
         });
@@ -190,10 +196,10 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         thread.ask(() -> {
             VirtualDrone drone = known(id);
             if (drone.isUnderWay()) {
-                throw new Refused("Its mission is under way; stop it first.");
+                throw new Refused(VirtualObjection.UNDER_WAY, "Its mission is under way; stop it first.");
             }
             if (!drone.recalled().isEmpty()) {
-                throw new Refused("A drone that served it is not back yet.");
+                throw new Refused(VirtualObjection.DRONE_AWAY, "A drone that served it is not back yet.");
             }
             book.remove(drone);
             return drone;
@@ -256,7 +262,8 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     private VirtualDrone known(VirtualDroneId id) {
-        return book.find(id).orElseThrow(() -> new Refused("There is no virtual drone " + id + "."));
+        return book.find(id)
+                .orElseThrow(() -> new Refused(VirtualObjection.GONE, "There is no virtual drone " + id + "."));
     }
 
     private VirtualDrone put(VirtualDrone drone) {

@@ -8,6 +8,6 @@ public sealed interface LeaseAnswer {
     /** The holder was asked. */
     record Waiting() implements LeaseAnswer {}
 
-    /** Not done; a sentence for people. */
-    record Denied(String why) implements LeaseAnswer {}
+    /** Not done: a reason for programs, a sentence for people. */
+    record Denied(LeaseDenial reason, String why) implements LeaseAnswer {}
 }

@@ -99,10 +99,12 @@ public final class LeaseMachine {
         boolean holds = control.isHeldBy(command.user());
         if (command.epoch() != null && !control.isHeldBy(command.user(), command.epoch())) {
             return LeaseStep.denied(
-                    control, "Control by epoch " + command.epoch() + " has ended. " + control.sentence());
+                    control,
+                    LeaseDenial.ENDED,
+                    "Control by epoch " + command.epoch() + " has ended. " + control.sentence());
         }
         if (tenure != null && !holds) {
-            return LeaseStep.denied(control, control.sentence());
+            return LeaseStep.denied(control, LeaseDenial.HELD, control.sentence());
         }
         if (tenure != null) {
             return LeaseStep.granted(control.with(tenure.heard(now)));
@@ -119,7 +121,7 @@ public final class LeaseMachine {
             return LeaseStep.granted(begin(control, holder, true, now), change(Kind.TAKEN, holder, before));
         }
         if (!tenure.holder().equals(holder)) {
-            return LeaseStep.denied(control, control.sentence());
+            return LeaseStep.denied(control, LeaseDenial.HELD, control.sentence());
         }
         // Asked for again while it was explicit: from another window, and only one of them shall go on.
         Control kept = tenure.explicit() ? begin(control, holder, true, now) : control.with(tenure.kept(now));
@@ -134,7 +136,10 @@ public final class LeaseMachine {
         List<ControlRequest> requests =
                 new ArrayList<>(control.without(request.user()).requests());
         if (requests.size() >= MOST_REQUESTS) {
-            return LeaseStep.denied(control, "Too many have asked for control already. " + control.sentence());
+            return LeaseStep.denied(
+                    control,
+                    LeaseDenial.REQUESTS_FULL,
+                    "Too many have asked for control already. " + control.sentence());
         }
         requests.add(new ControlRequest(request.user(), request.reason(), now.at(), now.nanos()));
         ControlChange asked =
@@ -155,7 +160,8 @@ public final class LeaseMachine {
 
     private LeaseStep grant(Control control, LeaseEvent.Grant grant, Moment now) {
         if (control.isHeldBy(grant.user()) && requestBy(control, grant.to()).isEmpty()) {
-            return LeaseStep.denied(control, grant.to() + " does not ask for control (any more).");
+            return LeaseStep.denied(
+                    control, LeaseDenial.NOT_ASKED, grant.to() + " does not ask for control (any more).");
         }
         return handOver(control, grant.user(), grant.to(), now);
     }
@@ -166,7 +172,8 @@ public final class LeaseMachine {
             return notYours(control);
         }
         if (requestBy(control, refuse.to()).isEmpty()) {
-            return LeaseStep.denied(control, refuse.to() + " does not ask for control (any more).");
+            return LeaseStep.denied(
+                    control, LeaseDenial.NOT_ASKED, refuse.to() + " does not ask for control (any more).");
         }
         return LeaseStep.granted(
                 control.without(refuse.to()),
@@ -180,7 +187,7 @@ public final class LeaseMachine {
             return notYours(control);
         }
         if (to.equals(user)) {
-            return LeaseStep.denied(control, "You have control already.");
+            return LeaseStep.denied(control, LeaseDenial.OWN, "You have control already.");
         }
         Holder next = new Holder.Person(to);
         return LeaseStep.granted(begin(control, next, false, now), change(Kind.HANDED_OVER, tenure.holder(), next));
@@ -190,11 +197,15 @@ public final class LeaseMachine {
         Tenure tenure = control.tenure();
         if (tenure == null || !control.isHeldBy(heartbeat.user(), heartbeat.epoch())) {
             return LeaseStep.denied(
-                    control, "Control by epoch " + heartbeat.epoch() + " has ended. " + control.sentence());
+                    control,
+                    LeaseDenial.ENDED,
+                    "Control by epoch " + heartbeat.epoch() + " has ended. " + control.sentence());
         }
         if (!tenure.explicit()) {
             return LeaseStep.denied(
-                    control, "Take control first: this one came with a command and needs no heartbeat.");
+                    control,
+                    LeaseDenial.NOT_TAKEN,
+                    "Take control first: this one came with a command and needs no heartbeat.");
         }
         return LeaseStep.granted(control.with(tenure.heard(now)));
     }
@@ -223,7 +234,7 @@ public final class LeaseMachine {
         if (tenure != null) {
             return tenure.holder().isOperation(operation.id())
                     ? LeaseStep.granted(control)
-                    : LeaseStep.denied(control, control.sentence());
+                    : LeaseStep.denied(control, LeaseDenial.HELD, control.sentence());
         }
         return LeaseStep.granted(begin(control, operation, true, now), change(Kind.TAKEN, operation, null));
     }
@@ -367,6 +378,6 @@ public final class LeaseMachine {
     }
 
     private static LeaseStep notYours(Control control) {
-        return LeaseStep.denied(control, "You do not have control. " + control.sentence());
+        return LeaseStep.denied(control, LeaseDenial.NOT_HELD, "You do not have control. " + control.sentence());
     }
 }

@@ -12,7 +12,7 @@ public record LeaseStep(Control control, LeaseAnswer answer, List<ControlChange>
         return new LeaseStep(control, new LeaseAnswer.Granted(), List.of(changes));
     }
 
-    static LeaseStep denied(Control control, String why) {
-        return new LeaseStep(control, new LeaseAnswer.Denied(why), List.of());
+    static LeaseStep denied(Control control, LeaseDenial reason, String why) {
+        return new LeaseStep(control, new LeaseAnswer.Denied(reason, why), List.of());
     }
 }

@@ -51,6 +51,6 @@ public interface Operation<S, I> {
     /** A drone's holder as people read it: the beginning of a sentence. */
     String words(S state);
 
-    /** Why this input cannot be taken now, as a sentence; asked for what users want, before it is decided on. */
-    Optional<String> refusal(S state, I input);
+    /** Why this input cannot be taken now; asked for what users want, before it is decided on. */
+    Optional<Objection> refusal(S state, I input);
 }

@@ -6,6 +6,8 @@ import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.dronemap.core.operation.Objection;
+import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -32,10 +34,10 @@ class ConductorThreadTest {
     @Test
     void tellsWhoAsksWhatWentWrong() {
         assertThatThrownBy(() -> thread.ask(() -> {
-                    throw new Operations.Refused("There is no such drone.");
+                    throw new Operations.Refused(Objection.of(OperationObjection.OVER, "It is over."));
                 }))
                 .isInstanceOf(Operations.Refused.class)
-                .hasMessage("There is no such drone.");
+                .hasMessage("It is over.");
     }
 
     @Test

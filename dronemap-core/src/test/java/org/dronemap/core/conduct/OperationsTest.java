@@ -18,6 +18,7 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.junit.jupiter.api.Test;
@@ -178,8 +179,8 @@ class OperationsTest extends WatchHouse {
 
         assertThatThrownBy(this::begin)
                 .isInstanceOfSatisfying(
-                        Operations.Refused.class,
-                        refused -> assertThat(refused.why()).contains("drone-1", "bob has had control"));
+                        Operations.NoControl.class,
+                        held -> assertThat(held.why()).contains("drone-1", "bob has had control"));
 
         assertThat(store.operations).isEmpty();
         assertThat(cloud.controls().control(link.id()).isHeldBy("bob")).isTrue();
@@ -230,7 +231,10 @@ class OperationsTest extends WatchHouse {
         assertThat(operations.underWay(Watch.KIND)).isEmpty();
         assertThat(operations.find(Watch.KIND, ID).orElseThrow().saved().endedAt())
                 .isNotNull();
-        assertThatThrownBy(() -> wish("arm")).isInstanceOf(Operations.Refused.class);
+        assertThatThrownBy(() -> wish("arm"))
+                .isInstanceOfSatisfying(
+                        Operations.Refused.class,
+                        refused -> assertThat(refused.objection().code()).isEqualTo(OperationObjection.OVER));
     }
 
     @Test

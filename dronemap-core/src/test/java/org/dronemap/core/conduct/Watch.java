@@ -18,9 +18,11 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.Computation;
 import org.dronemap.core.operation.Decision;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.OperationCodec;
 import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.operation.Scene;
 import org.dronemap.core.time.Time;
 
@@ -156,8 +158,10 @@ final class Watch implements Operation<Watch.State, String> {
     }
 
     @Override
-    public Optional<String> refusal(State state, String input) {
-        return input.equals("no") ? Optional.of("Not that.") : Optional.empty();
+    public Optional<Objection> refusal(State state, String input) {
+        return input.equals("no")
+                ? Optional.of(Objection.of(OperationObjection.NOT_CONDUCTED, "Not that."))
+                : Optional.empty();
     }
 
     /** One line each. */

@@ -6,7 +6,7 @@ public sealed interface ChangeResult {
     record Done() implements ChangeResult {}
 
     /** The vehicle goes on as before, and so does the cloud. */
-    record Failed(String why) implements ChangeResult {}
+    record Failed(ChangeFault fault, String why) implements ChangeResult {}
 
     /** Nobody knows: both keys are accepted until the vehicle is heard. */
     record Unknown(String why) implements ChangeResult {}

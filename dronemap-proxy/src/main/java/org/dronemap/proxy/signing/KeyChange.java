@@ -57,7 +57,8 @@ final class KeyChange {
             return;
         }
         result = heardOldSince
-                ? new ChangeResult.Failed("The vehicle was asked " + TRIES + " times and goes on as before.")
+                ? new ChangeResult.Failed(
+                        ChangeFault.NOT_DONE, "The vehicle was asked " + TRIES + " times and goes on as before.")
                 : new ChangeResult.Unknown("The vehicle was asked " + TRIES + " times and was not heard since.");
     }
 
@@ -76,7 +77,7 @@ final class KeyChange {
     /** The vehicle says something; a complaint about signing is its answer. */
     void said(String text) {
         if (result == null && tries > 0 && REFUSAL.matcher(text).find()) {
-            result = new ChangeResult.Failed("The vehicle says: " + text);
+            result = new ChangeResult.Failed(ChangeFault.REFUSED, "The vehicle says: " + text);
         }
     }
 

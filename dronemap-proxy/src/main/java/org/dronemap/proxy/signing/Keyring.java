@@ -264,22 +264,25 @@ final class Keyring {
     }
 
     /** Why a change cannot begin now; null: it can. */
-    synchronized @Nullable String obstacle(ChangeKind kind, boolean confirmed) {
+    synchronized ChangeResult.@Nullable Failed obstacle(ChangeKind kind, boolean confirmed) {
         if (change != null) {
-            return "The key of this drone is being changed already.";
+            return new ChangeResult.Failed(ChangeFault.CHANGING, "The key of this drone is being changed already.");
         }
         if (current == null) {
-            return "There is no key for this drone; make one first.";
+            return new ChangeResult.Failed(ChangeFault.NO_KEY, "There is no key for this drone; make one first.");
         }
         if (kind == ChangeKind.ROTATE && !proven) {
-            return "The vehicle was never heard using its key; install that first.";
+            return new ChangeResult.Failed(
+                    ChangeFault.NOT_PROVEN, "The vehicle was never heard using its key; install that first.");
         }
         if (links.isEmpty()) {
-            return "The drone has no link now.";
+            return new ChangeResult.Failed(ChangeFault.NO_LINK, "The drone has no link now.");
         }
         if (kind != ChangeKind.REVOKE && !confirmed && !hasSafeLink()) {
-            return "The link could be listened to, and who hears the key can command the drone. Use a serial line, DTLS"
-                    + " or a connection on this machine, or confirm that this link is safe.";
+            return new ChangeResult.Failed(
+                    ChangeFault.LINK_NOT_SAFE,
+                    "The link could be listened to, and who hears the key can command the drone. Use a serial line, DTLS"
+                            + " or a connection on this machine, or confirm that this link is safe.");
         }
         return null;
     }

@@ -119,6 +119,7 @@ public final class Keyrings implements AutoCloseable {
         Keyring ring = ring(drone);
         if (policy == LinkPolicy.REQUIRED && !ring.security().proven()) {
             return new ChangeResult.Failed(
+                    ChangeFault.NOT_PROVEN,
                     "The vehicle was never heard to sign with its key; install one first, or nothing"
                             + " that it says would be accepted.");
         }
@@ -163,9 +164,9 @@ public final class Keyrings implements AutoCloseable {
     public synchronized CompletableFuture<ChangeResult> change(
             DroneId drone, ChangeKind kind, @Nullable LinkKey newKey, boolean confirmed) {
         Keyring ring = ring(drone);
-        String obstacle = ring.obstacle(kind, confirmed);
+        ChangeResult.Failed obstacle = ring.obstacle(kind, confirmed);
         if (obstacle != null) {
-            return CompletableFuture.completedFuture(new ChangeResult.Failed(obstacle));
+            return CompletableFuture.completedFuture(obstacle);
         }
         if (newKey != null) {
             // Before the vehicle can have it: a key that only the vehicle knows would lock us out.

@@ -193,7 +193,8 @@ class KeyringTest {
         ring.said("ERROR: Won't setup signing when armed");
 
         assertThat(end.join())
-                .isEqualTo(new ChangeResult.Failed("The vehicle says: ERROR: Won't setup signing when armed"));
+                .isEqualTo(new ChangeResult.Failed(
+                        ChangeFault.REFUSED, "The vehicle says: ERROR: Won't setup signing when armed"));
         assertThat(ring.holds(now)).isFalse();
         assertThat(ring.security().key()).isEqualTo(KEY);
     }
@@ -201,9 +202,12 @@ class KeyringTest {
     @Test
     void aKeyGoesOverNoLinkThatOthersMayHear() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
-        assertThat(ring.obstacle(ChangeKind.ROTATE, true)).contains("no link");
+        assertThat(ring.obstacle(ChangeKind.ROTATE, true))
+                .isEqualTo(new ChangeResult.Failed(ChangeFault.NO_LINK, "The drone has no link now."));
         links.add(open);
-        assertThat(ring.obstacle(ChangeKind.ROTATE, false)).contains("could be listened to");
+        assertThat(ring.obstacle(ChangeKind.ROTATE, false))
+                .extracting(ChangeResult.Failed::fault)
+                .isEqualTo(ChangeFault.LINK_NOT_SAFE);
         assertThat(ring.obstacle(ChangeKind.ROTATE, true)).isNull();
         links.add(safe);
         assertThat(ring.obstacle(ChangeKind.ROTATE, false)).isNull();

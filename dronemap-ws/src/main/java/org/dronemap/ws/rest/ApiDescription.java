@@ -9,9 +9,7 @@ import io.swagger.v3.oas.models.media.Schema;
 import io.swagger.v3.oas.models.security.SecurityRequirement;
 import io.swagger.v3.oas.models.security.SecurityScheme;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Objects;
-import java.util.Set;
 import org.dronemap.ws.service.Problem;
 
 /** What stands at the head of the OpenAPI description. */
@@ -52,12 +50,7 @@ public final class ApiDescription {
     private static Components typed(Components components) {
         Schema<?> problem = Objects.requireNonNull(components.getSchemas().get("Problem"));
         Schema<?> parameters = Objects.requireNonNull(problem.getProperties().get("parameters"));
-        parameters.setAdditionalProperties(
-                new Schema<>().oneOf(List.of(type("string"), type("number"), type("boolean"))));
+        parameters.setAdditionalProperties(DescribedValues.plain());
         return components;
-    }
-
-    private static Schema<?> type(String name) {
-        return new Schema<>().types(Set.of(name));
     }
 }

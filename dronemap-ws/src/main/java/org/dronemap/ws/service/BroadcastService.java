@@ -66,15 +66,14 @@ public final class BroadcastService {
             Principal principal, String face, String drone, String id, CommandRequest command) {
         String name = commands.nameOf(principal, drone);
         try {
-            return new BroadcastView.Result(
-                    drone, name, commands.submitPaid(principal, face, drone, id, command), null);
+            return BroadcastView.Result.given(drone, name, commands.submitPaid(principal, face, drone, id, command));
         } catch (Rejection rejection) {
             String refused = rejection.commandId();
             return refused == null
-                    ? new BroadcastView.Result(drone, name, null, rejection.sentence())
-                    : new BroadcastView.Result(drone, name, commands.command(principal, refused), null);
+                    ? BroadcastView.Result.refused(drone, name, rejection)
+                    : BroadcastView.Result.given(drone, name, commands.command(principal, refused));
         } catch (RuntimeException failed) {
-            return new BroadcastView.Result(drone, name, null, Outages.sentence(failed));
+            return BroadcastView.Result.refused(drone, name, Outages.told(failed));
         }
     }
 
@@ -132,8 +131,8 @@ public final class BroadcastService {
                     return command == null
                             ? CompletableFuture.completedFuture(result)
                             : commands.awaitEnd(command, wait)
-                                    .thenApply(ended -> new BroadcastView.Result(
-                                            result.drone(), result.name(), ended, result.problem()));
+                                    .thenApply(
+                                            ended -> BroadcastView.Result.given(result.drone(), result.name(), ended));
                 })
                 .toList();
         return CompletableFuture.allOf(ends.toArray(CompletableFuture[]::new))

@@ -13,6 +13,7 @@ import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.LeaseAnswer;
+import org.dronemap.core.lease.LeaseDenial;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
 import org.jspecify.annotations.Nullable;
@@ -65,7 +66,7 @@ public final class ControlService {
         }
         LeaseStep step = apply(drone.id(), event(principal.name(), action, with, drone.id()));
         if (step.answer() instanceof LeaseAnswer.Denied denied) {
-            throw Rejection.held(denied.why(), drone.id(), step.control());
+            throw Rejection.ofControl(code(denied.reason()), denied.why(), drone.id(), step.control());
         }
         return new Answer(ControlView.of(step.control()), step.answer() instanceof LeaseAnswer.Waiting);
     }
@@ -77,6 +78,18 @@ public final class ControlService {
             // Whoever may command may give back, too, and need not be allowed to plan for that.
             case RELEASE -> drones.state(principal, id, Role.OPERATOR, Role.PLANNER);
             default -> drones.state(principal, id, Role.OPERATOR);
+        };
+    }
+
+    private static ProblemCode code(LeaseDenial reason) {
+        return switch (reason) {
+            case HELD -> new CommandProblem(OutcomeCode.CONTROL_HELD);
+            case ENDED -> new CommandProblem(OutcomeCode.CONTROL_ENDED);
+            case NOT_HELD -> ControlProblem.NOT_HELD;
+            case OWN -> ControlProblem.OWN;
+            case REQUESTS_FULL -> ControlProblem.REQUESTS_FULL;
+            case NOT_ASKED -> ControlProblem.NOT_ASKED;
+            case NOT_TAKEN -> ControlProblem.NOT_TAKEN;
         };
     }
 

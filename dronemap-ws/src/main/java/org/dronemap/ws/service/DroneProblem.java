@@ -1,6 +1,6 @@
 package org.dronemap.ws.service;
 
-/** What speaks against it in a drone, its links, or what is known and kept of it. */
+/** Codes of what speaks against it in a drone, or in what is known and kept of it. */
 public enum DroneProblem implements ProblemCode {
     COMMAND_ID_TAKEN(ProblemEntry.of(
                     "command-id-taken",
@@ -114,18 +114,6 @@ public enum DroneProblem implements ProblemCode {
             RejectionKind.CONFLICT,
             "The endpoint is set where the server is configured.",
             "udpin:0.0.0.0:14550 is set by DRONEMAP_ENDPOINTS or DRONEMAP_ROBOTS; change the setting.")),
-    LINK_KEY_IN_USE(ProblemEntry.of(
-                    "link-key-in-use",
-                    RejectionKind.CONFLICT,
-                    "The vehicle uses a key already.",
-                    "The vehicle uses a key already; rotate it, or revoke it first.")
-            .with(ProblemParameter.DRONE)),
-    LINK_SECURITY_REFUSED(ProblemEntry.of(
-                    "link-security-refused",
-                    RejectionKind.CONFLICT,
-                    "How the drone's links are now does not allow this change.",
-                    "There is no link over which the vehicle could be told the key.")
-            .with(ProblemParameter.DRONE)),
     OF_ANOTHER_ORGANISATION(ProblemEntry.of(
             "of-another-organisation",
             RejectionKind.CONFLICT,
@@ -152,7 +140,7 @@ public enum DroneProblem implements ProblemCode {
     RECORDING_GOES_ON(ProblemEntry.of(
                     "recording-goes-on",
                     RejectionKind.CONFLICT,
-                    "The recording is being written, or there is none any more.",
+                    "The recording is being written.",
                     "This recording goes on; it can be deleted when it has ended.")
             .with(ProblemParameter.ID)),
     SENDERS_NOT_RECORDED(ProblemEntry.of(

@@ -4,6 +4,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.FlightPhase;
@@ -189,6 +190,22 @@ public record DroneView(
             boolean allowed,
             @Nullable String why,
 
+            @Schema(description = "Why not, for programs; docs/problems.md lists them") @Nullable
+            String code,
+
             @Schema(description = "The vehicle refuses it in its mode of now: change to this one first") @Nullable
-            String mode) {}
+            String mode) {
+
+        static ActionView allowedIn(@Nullable String mode) {
+            return new ActionView(true, null, null, mode);
+        }
+
+        static ActionView forbidden(Rejection why) {
+            return new ActionView(false, why.sentence(), why.code().word(), null);
+        }
+
+        static ActionView forbidden(Refusal why, @Nullable String mode) {
+            return new ActionView(false, why.sentence(), why.code().word(), mode);
+        }
+    }
 }

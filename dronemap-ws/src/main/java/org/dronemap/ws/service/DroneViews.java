@@ -238,16 +238,16 @@ public final class DroneViews {
                     : null;
             actions.put(
                     WireNames.camel(capability),
-                    new DroneView.ActionView(
-                            why.isEmpty(), why.map(Refusal::sentence).orElse(null), mode));
+                    why.map(refusal -> DroneView.ActionView.forbidden(refusal, mode))
+                            .orElseGet(() -> DroneView.ActionView.allowedIn(mode)));
         }
         Command motorsOff = new Command.Disarm(true);
         Optional<Refusal> why =
                 RoleRules.whyNot(principal, state, motorsOff.needs()).or(() -> CommandRules.whyNot(state, motorsOff));
         actions.put(
                 FORCE_DISARM,
-                new DroneView.ActionView(
-                        why.isEmpty(), why.map(Refusal::sentence).orElse(null), null));
+                why.map(refusal -> DroneView.ActionView.forbidden(refusal, null))
+                        .orElseGet(() -> DroneView.ActionView.allowedIn(null)));
         return actions;
     }
 

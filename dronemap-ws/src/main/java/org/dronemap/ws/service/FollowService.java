@@ -157,7 +157,7 @@ public final class FollowService {
         for (Sighting sighting : FollowReader.sightings(request, desk.now())) {
             Reception reception = operations.sighted(kind, follow.saved().id(), sighting);
             if (reception == Reception.UNHEARD) {
-                throw Rejection.of(OperationProblem.OPERATION_OVER, "This follow is over.", ProblemParameter.ID.is(id));
+                throw desk.over(id);
             }
             if (!count.add(sighting.number(), reception)) {
                 break;
@@ -222,11 +222,11 @@ public final class FollowService {
         desk.requireWithoutBounds(principal);
         Roles.require(principal, Role.OPERATOR, follow.state().drone());
         if (follow.saved().endedAt() != null) {
-            throw Rejection.of(OperationProblem.OPERATION_OVER, "This follow is over.", ProblemParameter.ID.is(id));
+            throw desk.over(id);
         }
         FollowInput input = what.apply(principal.name(), desk.now());
         if (hands) {
-            desk.takeBack(principal, follow.state(), input, follow.state().drone());
+            desk.takeBack(principal, id, follow.state(), input, follow.state().drone());
         }
         return views.view(desk.wish(follow, input));
     }

@@ -7,7 +7,7 @@ import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** What secures the links of drones, as the links themselves know it. Any thread. */
+/** The security of links of drones, as the links themselves know it. Any thread. */
 public interface LinkSecurityControl {
     /** What is done to the key on a vehicle. */
     enum Change {
@@ -16,10 +16,13 @@ public interface LinkSecurityControl {
         REVOKE
     }
 
+    /** Why something was not done, with a code that tells of a drone. */
+    record Fault(ProblemCode code, String sentence) {}
+
     LinkSecurityView view(DroneId drone);
 
     /** Why the policy cannot be that now; empty: it is, durably. */
-    Optional<String> policy(DroneId drone, LinkPolicy policy);
+    Optional<Fault> policy(DroneId drone, LinkPolicy policy);
 
     /** Keeps a key that the vehicle does not have yet; false when it uses one already. */
     boolean put(DroneId drone, LinkKey key);
@@ -30,7 +33,7 @@ public interface LinkSecurityControl {
      * @param newKey for a rotation
      * @param confirmed the asker vouches that nobody listens on the link
      */
-    CompletableFuture<Optional<String>> change(
+    CompletableFuture<Optional<Fault>> change(
             DroneId drone, Change change, @Nullable LinkKey newKey, boolean confirmed);
 
     /** Forgets the key here; the vehicle keeps it. */

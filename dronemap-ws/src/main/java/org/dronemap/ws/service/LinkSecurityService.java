@@ -95,7 +95,7 @@ public final class LinkSecurityService {
         LinkKey key = request.key() == null ? newKey() : given(request.key());
         if (!links.put(drone, key)) {
             throw Rejection.of(
-                    DroneProblem.LINK_KEY_IN_USE,
+                    LinkSecurityProblem.KEY_IN_USE,
                     "The vehicle uses a key already; rotate it, or revoke it first.",
                     ProblemParameter.DRONE.is(drone.value()));
         }
@@ -139,7 +139,7 @@ public final class LinkSecurityService {
         return links.view(drone);
     }
 
-    private Optional<String> await(CompletableFuture<Optional<String>> end) {
+    private Optional<LinkSecurityControl.Fault> await(CompletableFuture<Optional<LinkSecurityControl.Fault>> end) {
         try {
             return time.await(end, LONGEST_CHANGE);
         } catch (TimeoutException stillUnderWay) {
@@ -152,9 +152,9 @@ public final class LinkSecurityService {
         }
     }
 
-    private static void refuse(DroneId drone, Optional<String> why) {
+    private static void refuse(DroneId drone, Optional<LinkSecurityControl.Fault> why) {
         if (why.isPresent()) {
-            throw Rejection.of(DroneProblem.LINK_SECURITY_REFUSED, why.get(), ProblemParameter.DRONE.is(drone.value()));
+            throw Rejection.of(why.get().code(), why.get().sentence(), ProblemParameter.DRONE.is(drone.value()));
         }
     }
 

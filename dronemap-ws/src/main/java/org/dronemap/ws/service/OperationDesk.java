@@ -8,7 +8,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiPredicate;
-import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
@@ -18,13 +17,15 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.time.Time;
 
 /**
- * What use cases around one kind of operation have in common: find it for whom it exists, begin it, hand it wishes. Any thread.
+ * The part that use cases around one kind of operation have in common: find it for whom it exists, begin it, hand it wishes. Any thread.
  *
  * @param <S> its state
  * @param <I> its inputs
@@ -142,9 +143,9 @@ final class OperationDesk<S, I> {
      * the pilot at the vehicle as well, before whom goes who says so in so many words. Nothing changes hands for a wish that
      * would be refused.
      */
-    void takeBack(Principal principal, S state, I wish, DroneId drone) {
+    void takeBack(Principal principal, String id, S state, I wish, DroneId drone) {
         kind.machine().refusal(state, wish).ifPresent(why -> {
-            throw Rejection.of(OperationProblem.OPERATION_STATE, why);
+            throw ObjectionProblem.rejection(why, id);
         });
         Tenure tenure = cloud.controls().control(drone).tenure();
         if (tenure != null && tenure.holder() instanceof Holder.Pilot) {
@@ -161,20 +162,31 @@ final class OperationDesk<S, I> {
                 new SavedOperation.Owner(principal.name(), principal.account(), principal.organisation()),
                 name,
                 at);
-        return conducted(() -> operations.begin(kind, begun, state));
+        try {
+            return operations.begin(kind, begun, state);
+        } catch (Operations.Refused refused) {
+            throw ObjectionProblem.rejection(refused.objection(), id.value());
+        } catch (Operations.NoControl held) {
+            throw cloud.drone(held.drone())
+                    .map(drone -> Rejection.held(
+                            held.why(), drone.id(), cloud.controls().control(drone.id())))
+                    .orElseGet(() ->
+                            Rejection.unknown(UnknownProblem.DRONE, held.drone().value()));
+        }
     }
 
     Picture<S> wish(Picture<S> one, I input) {
-        return conducted(() -> operations.wish(kind, one.saved().id(), input));
+        try {
+            return operations.wish(kind, one.saved().id(), input);
+        } catch (Operations.Refused refused) {
+            throw ObjectionProblem.rejection(
+                    refused.objection(), one.saved().id().value());
+        }
     }
 
-    /** What the conductor refuses is a conflict with what goes on. */
-    private static <T> T conducted(Supplier<T> work) {
-        try {
-            return work.get();
-        } catch (Operations.Refused refused) {
-            throw Rejection.of(OperationProblem.OPERATION_STATE, refused.why());
-        }
+    Rejection over(String id) {
+        return ObjectionProblem.rejection(
+                Objection.of(OperationObjection.OVER, "This " + words.one() + " is over."), id);
     }
 
     Instant now() {

@@ -1,6 +1,6 @@
 package org.dronemap.ws.service;
 
-/** What speaks against it in plans, and in what the cloud conducts for users. */
+/** Codes of what speaks against flying or changing plans, and against beginning what the cloud conducts. */
 public enum OperationProblem implements ProblemCode {
     PLAN_NOT_FINISHED(ProblemEntry.of(
             "plan-not-finished",
@@ -33,27 +33,21 @@ public enum OperationProblem implements ProblemCode {
             RejectionKind.CONFLICT,
             "No drone of the plan waits for its start.",
             "Nobody of this plan waits for a start.")),
+    PLAN_INCOMPLETE(ProblemEntry.of(
+            "plan-incomplete",
+            RejectionKind.CONFLICT,
+            "Another drone of the plan did not get its mission, so that none is started.",
+            "It has its mission and was not started, since another drone of the plan has none.")),
+    PLAN_STOPPED(ProblemEntry.of(
+            "plan-stopped",
+            RejectionKind.CONFLICT,
+            "The start of the plan was stopped before the drone's turn.",
+            "It has its mission and was not started, since the start was stopped.")),
     TOUR_UNDER_WAY(ProblemEntry.of(
             "tour-under-way",
             RejectionKind.CONFLICT,
             "Another tour of the same user is being ordered.",
             "A tour of yours is being ordered already; wait for it.")),
-    OPERATION_OVER(ProblemEntry.of(
-                    "operation-over",
-                    RejectionKind.CONFLICT,
-                    "The mission run or follow has ended.",
-                    "This mission run is over.")
-            .with(ProblemParameter.ID)),
-    OPERATION_STATE(ProblemEntry.of(
-            "operation-state",
-            RejectionKind.CONFLICT,
-            "What the mission run or follow is at does not allow this.",
-            "It is over, or there is no such operation.")),
-    VIRTUAL_DRONE_STATE(ProblemEntry.of(
-            "virtual-drone-state",
-            RejectionKind.CONFLICT,
-            "What the virtual drone is at does not allow this.",
-            "Plan its mission first.")),
     NO_DRONE_TO_FOLLOW(ProblemEntry.of(
             "no-drone-to-follow",
             RejectionKind.CONFLICT,

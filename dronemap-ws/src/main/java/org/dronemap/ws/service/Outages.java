@@ -38,13 +38,14 @@ public final class Outages {
      * What is told of one of several things that were asked for at once, so that no failure at one hides what became of the
      * others; what is broken is told to the log.
      */
-    static String sentence(RuntimeException thrown) {
+    static Rejection told(RuntimeException thrown) {
         if (thrown instanceof Rejection refused) {
-            return refused.sentence();
+            return refused;
         }
-        return of(thrown).map(Rejection::sentence).orElseGet(() -> {
+        return of(thrown).orElseGet(() -> {
             LOG.error("One of several things failed", thrown);
-            return "The server failed; those who run it find out why in its log.";
+            return Rejection.of(
+                    ServerProblem.SERVER_FAILED, "The server failed; those who run it find out why in its log.");
         });
     }
 

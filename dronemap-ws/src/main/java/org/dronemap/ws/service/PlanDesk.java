@@ -228,7 +228,9 @@ public final class PlanDesk implements AutoCloseable {
     public void close() {
         everybodys().forEach(job -> {
             job.cancel(time.nanos());
-            job.stop("It has its mission and was not started, since the server was shut down.");
+            job.stop(PlanFlight.Reason.of(
+                    ServerProblem.NOT_AVAILABLE,
+                    "It has its mission and was not started, since the server was shut down."));
         });
         pool.close();
         launches.close();

@@ -4,16 +4,27 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What becomes of one drone's tour after the plan was accepted.
+ * The flight of one drone's tour, as far as it has come after the plan was accepted.
  *
- * @param why what went wrong, as a sentence; null: nothing did
+ * @param why what went wrong; null: nothing did
  * @param command the last one that was given for it; null: none yet
  */
 public record PlanFlight(
         DroneId drone,
         Stage stage,
-        @Nullable String why,
+        @Nullable Reason why,
         @Nullable String command) {
+    /** What went wrong: a code of the catalogue and a sentence. */
+    public record Reason(String code, String sentence) {
+        static Reason of(ProblemCode code, String sentence) {
+            return new Reason(code.word(), sentence);
+        }
+
+        static Reason of(Rejection why) {
+            return of(why.code(), why.sentence());
+        }
+    }
+
     /** How far it has come. */
     public enum Stage {
         UPLOADING,

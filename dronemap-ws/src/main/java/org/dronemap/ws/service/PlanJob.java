@@ -25,7 +25,7 @@ public final class PlanJob {
     private final PlanOrder order;
     private volatile Status status = new Status(State.QUEUED, List.of(), null, null, null, false, List.of());
     /** Guarded by this: ends with why, when nobody else is to be started. */
-    private CompletableFuture<String> stopped = new CompletableFuture<>();
+    private CompletableFuture<PlanFlight.Reason> stopped = new CompletableFuture<>();
     /** Guarded by this: on the clock that durations are measured with. */
     private long endedNanos;
 
@@ -194,17 +194,17 @@ public final class PlanJob {
     }
 
     /** Whoever has not been started yet will not be; false when nothing is under way. */
-    synchronized boolean stop(String why) {
+    synchronized boolean stop(PlanFlight.Reason why) {
         return status.busy() && stopped.complete(why);
     }
 
     /** Ends with why nobody else is to be started, if that happens to this launch. */
-    synchronized CompletableFuture<String> stopped() {
+    synchronized CompletableFuture<PlanFlight.Reason> stopped() {
         return stopped.copy();
     }
 
     /** Why nobody else is to be started; null: nothing speaks against it. */
-    synchronized @Nullable String whyStopped() {
+    synchronized PlanFlight.@Nullable Reason whyStopped() {
         return stopped.getNow(null);
     }
 

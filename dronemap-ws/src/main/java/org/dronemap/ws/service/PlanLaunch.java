@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -69,7 +70,9 @@ final class PlanLaunch {
                 .forEach(flight -> settle(
                         flight.drone(),
                         PlanFlight.Stage.FAILED,
-                        "The server failed; those who run it find out why in its log."));
+                        PlanFlight.Reason.of(
+                                ServerProblem.SERVER_FAILED,
+                                "The server failed; those who run it find out why in its log.")));
         return null;
     }
 
@@ -94,10 +97,13 @@ final class PlanLaunch {
             tours.stream()
                     .map(Tour::drone)
                     .filter(drone -> stage(drone) == PlanFlight.Stage.UPLOADED)
-                    .forEach(drone -> settle(
-                            drone,
-                            PlanFlight.Stage.HELD_BACK,
-                            "It has its mission and was not started, since another drone of the plan has none."));
+                    .forEach(
+                            drone -> settle(
+                                    drone,
+                                    PlanFlight.Stage.HELD_BACK,
+                                    PlanFlight.Reason.of(
+                                            OperationProblem.PLAN_INCOMPLETE,
+                                            "It has its mission and was not started, since another drone of the plan has none.")));
             return CompletableFuture.completedFuture(null);
         }
         return all(tours.stream().map(this::startOne).toList());
@@ -124,7 +130,7 @@ final class PlanLaunch {
 
     /** Tells of a drone that would go on, and is not to. */
     private boolean goesOn(boolean soFar, DroneId drone) {
-        String why = job.whyStopped();
+        PlanFlight.Reason why = job.whyStopped();
         if (soFar && why != null) {
             settle(drone, PlanFlight.Stage.HELD_BACK, why);
         }
@@ -187,12 +193,13 @@ final class PlanLaunch {
         try {
             given = commands.submit(principal, face, drone.value(), what);
         } catch (Rejection refused) {
-            job.settle(new PlanFlight(drone, PlanFlight.Stage.FAILED, refused.sentence(), refused.commandId()));
+            job.settle(
+                    new PlanFlight(drone, PlanFlight.Stage.FAILED, PlanFlight.Reason.of(refused), refused.commandId()));
             desk.tell(job);
             return CompletableFuture.completedFuture(false);
         } catch (RuntimeException failed) {
             // Thrown on, nobody would ever hear what became of this plan.
-            settle(drone, PlanFlight.Stage.FAILED, Outages.sentence(failed));
+            settle(drone, PlanFlight.Stage.FAILED, PlanFlight.Reason.of(Outages.told(failed)));
             return CompletableFuture.completedFuture(false);
         }
         job.settle(new PlanFlight(drone, during, null, given.id()));
@@ -203,6 +210,7 @@ final class PlanLaunch {
     private boolean ended(DroneId drone, PlanFlight.Stage after, CommandView command) {
         CommandView.OutcomeView outcome = command.outcome();
         boolean succeeded = outcome != null && outcome.result().equals("succeeded");
+        String code = outcome == null ? null : outcome.code();
         String why = outcome == null ? "There was no news of it for three minutes." : outcome.reason();
         job.settle(
                 succeeded
@@ -210,13 +218,16 @@ final class PlanLaunch {
                         : new PlanFlight(
                                 drone,
                                 PlanFlight.Stage.FAILED,
-                                "To " + command.summary() + " did not succeed" + (why == null ? "." : ": " + why),
+                                new PlanFlight.Reason(
+                                        code == null ? OutcomeCode.OUTCOME_UNKNOWN.word() : code,
+                                        "To " + command.summary() + " did not succeed"
+                                                + (why == null ? "." : ": " + why)),
                                 command.id()));
         desk.tell(job);
         return succeeded;
     }
 
-    private void settle(DroneId drone, PlanFlight.Stage stage, @Nullable String why) {
+    private void settle(DroneId drone, PlanFlight.Stage stage, PlanFlight.@Nullable Reason why) {
         job.settle(new PlanFlight(drone, stage, why, null));
         desk.tell(job);
     }

@@ -127,7 +127,9 @@ public final class PlanService {
     public PlanView stop(Principal principal, String id) {
         Roles.require(principal, Role.OPERATOR);
         PlanJob job = find(principal, id);
-        if (!job.stop("It has its mission and was not started, since the start was stopped.")) {
+        if (!job.stop(PlanFlight.Reason.of(
+                OperationProblem.PLAN_STOPPED,
+                "It has its mission and was not started, since the start was stopped."))) {
             throw Rejection.of(OperationProblem.PLAN_STARTS_NOBODY, "Nobody of this plan waits for a start.");
         }
         return PlanViews.whole(job);

@@ -142,6 +142,9 @@ public record PlanView(
 
             @Nullable String why,
 
+            @Schema(description = "The same for programs; docs/problems.md lists them") @Nullable
+            String code,
+
             @Schema(description = "The last command that was given for it") @Nullable
             String command) {}
 

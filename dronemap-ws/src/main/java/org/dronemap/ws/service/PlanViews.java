@@ -180,7 +180,8 @@ public final class PlanViews {
                 flight.drone().value(),
                 order.nameOf(flight.drone()),
                 WireNames.camel(flight.stage()),
-                flight.why(),
+                flight.why() == null ? null : flight.why().sentence(),
+                flight.why() == null ? null : flight.why().code(),
                 flight.command());
     }
 }

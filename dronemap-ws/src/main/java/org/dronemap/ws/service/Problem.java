@@ -86,7 +86,7 @@ public record Problem(
     }
 
     /** In the order of their names. */
-    private static Map<String, Object> values(Rejection rejection) {
+    static Map<String, Object> values(Rejection rejection) {
         Map<String, Object> values = new TreeMap<>();
         rejection.parameters().forEach(given -> values.put(given.parameter().word(), given.value()));
         return Collections.unmodifiableMap(values);

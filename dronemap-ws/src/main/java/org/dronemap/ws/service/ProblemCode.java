@@ -4,13 +4,16 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Why exactly a request was not carried out, as a word for programs that never changes: one catalogue for all faces, an enum a
+ * The reason why a request was not carried out, as a word for programs that never changes: one catalogue for all faces, an enum a
  * subject. {@code docs/problems.md} is written from it.
  */
 public sealed interface ProblemCode
         permits AccessProblem,
                 CommandProblem,
+                ControlProblem,
                 DroneProblem,
+                LinkSecurityProblem,
+                ObjectionProblem,
                 OperationProblem,
                 RequestProblem,
                 ServerProblem,
@@ -35,8 +38,11 @@ public sealed interface ProblemCode
                         List.of(UnknownProblem.values()),
                         List.of(AccessProblem.values()),
                         CommandProblem.values(),
+                        List.of(ControlProblem.values()),
                         List.of(DroneProblem.values()),
+                        List.of(LinkSecurityProblem.values()),
                         List.of(OperationProblem.values()),
+                        ObjectionProblem.values(),
                         List.of(ServerProblem.values()))
                 .<ProblemCode>flatMap(List::stream)
                 .toList();

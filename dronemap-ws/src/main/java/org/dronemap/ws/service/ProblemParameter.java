@@ -1,6 +1,6 @@
 package org.dronemap.ws.service;
 
-/** What a refusal tells programs beside its sentence; each has one name and one type, whichever code it comes with. */
+/** Parameters that a refusal tells programs beside its sentence; each has one name and one type, whichever code it comes with. */
 public enum ProblemParameter {
     ADDRESS("address", Type.TEXT, "that was asked for"),
     ALLOWED("allowed", Type.TEXT, "what is allowed there, in words"),
@@ -23,11 +23,14 @@ public enum ProblemParameter {
     NEEDED("needed", Type.TEXT, "the least role that may do this"),
     ORIGIN("origin", Type.TEXT, "of the page"),
     OWNER("owner", Type.TEXT, "name of the user whose it is"),
+    PROPOSAL("proposal", Type.NUMBER, "number of the proposal"),
     PROVIDER("provider", Type.TEXT, "what the other provider is called"),
     RETRY_AFTER_SECONDS("retryAfterSeconds", Type.NUMBER, "how long to wait"),
     ROLE("role", Type.TEXT, "that the asker has"),
+    STATE("state", Type.TEXT, "of the waypoint: visited, cancelled or unserved"),
     UNIT("unit", Type.TEXT, "of least and most"),
     USERS("users", Type.NUMBER, "how many users there are"),
+    WAYPOINT("waypoint", Type.TEXT, "id of the waypoint"),
     WHAT("what", Type.TEXT, "of which things");
 
     /** What a value of it is in JSON. */

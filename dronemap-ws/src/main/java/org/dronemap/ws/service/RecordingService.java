@@ -105,7 +105,9 @@ public final class RecordingService {
         }
         Optional<String> refusal = archive.delete(id);
         if (refusal.isPresent()) {
-            throw Rejection.of(DroneProblem.RECORDING_GOES_ON, refusal.get(), ProblemParameter.ID.is(id));
+            throw archive.recording(id).isEmpty()
+                    ? Rejection.unknown(UnknownProblem.RECORDING, id)
+                    : Rejection.of(DroneProblem.RECORDING_GOES_ON, refusal.get(), ProblemParameter.ID.is(id));
         }
     }
 

@@ -66,6 +66,11 @@ public class Rejection extends RuntimeException {
         return refused(new Refusal(OutcomeCode.CONTROL_HELD, sentence), drone, null, control);
     }
 
+    /** Control does not change as somebody asked. */
+    static Rejection ofControl(ProblemCode code, String sentence, DroneId drone, Control control) {
+        return ofDrone(code, sentence, drone, null, control);
+    }
+
     /**
      * A command, or a setpoint, that the gate refused.
      *
@@ -73,12 +78,17 @@ public class Rejection extends RuntimeException {
      * @param control who has control now, which is told where that is why
      */
     public static Rejection refused(Refusal why, DroneId drone, @Nullable String commandId, Control control) {
+        return ofDrone(new CommandProblem(why.code()), why.sentence(), drone, commandId, control);
+    }
+
+    private static Rejection ofDrone(
+            ProblemCode code, String sentence, DroneId drone, @Nullable String commandId, Control control) {
         List<ProblemParameter.Given> parameters = new ArrayList<>();
         parameters.add(ProblemParameter.DRONE.is(drone.value()));
         if (commandId != null) {
             parameters.add(ProblemParameter.COMMAND.is(commandId));
         }
-        Tenure tenure = why.code() == OutcomeCode.CONTROL_HELD ? control.tenure() : null;
+        Tenure tenure = code.entry().optional().contains(ProblemParameter.HOLDER) ? control.tenure() : null;
         if (tenure != null) {
             String holder = ControlView.name(tenure.holder());
             if (holder != null) {
@@ -86,7 +96,7 @@ public class Rejection extends RuntimeException {
             }
             parameters.add(ProblemParameter.HELD_SINCE.is(since(tenure).toString()));
         }
-        return new Rejection(new CommandProblem(why.code()), why.sentence(), parameters, commandId, tenure);
+        return new Rejection(code, sentence, parameters, commandId, tenure);
     }
 
     private static Instant since(Tenure tenure) {

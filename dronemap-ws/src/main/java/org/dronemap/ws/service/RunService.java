@@ -152,7 +152,7 @@ public final class RunService {
         return wish(principal, id, run -> {
             DroneId known = drone(run, drone);
             RunInput resumed = reader(principal).resumed(known);
-            desk.takeBack(principal, run, resumed, known);
+            desk.takeBack(principal, id, run, resumed, known);
             return resumed;
         });
     }
@@ -194,8 +194,7 @@ public final class RunService {
             Roles.require(principal, Role.OPERATOR, drone.id());
         }
         if (run.saved().endedAt() != null) {
-            throw Rejection.of(
-                    OperationProblem.OPERATION_OVER, "This mission run is over.", ProblemParameter.ID.is(id));
+            throw desk.over(id);
         }
         RunInput input = what.apply(run.state());
         return RunViews.view(desk.wish(run, input));

@@ -83,7 +83,7 @@ public final class VirtualDroneService {
                 null,
                 List.of(),
                 clock.instant().truncatedTo(ChronoUnit.MICROS));
-        conducted(() -> {
+        conducted(drone.id(), () -> {
             virtuals.add(drone);
             return drone;
         });
@@ -96,28 +96,29 @@ public final class VirtualDroneService {
         String name = name(request);
         Needs needs = NeedsReader.read(request.needs());
         Mission mission = mission(request.items());
-        return views.view(conducted(() -> virtuals.edit(known, now -> now.with(name, needs, mission))), principal);
+        return views.view(
+                conducted(known, () -> virtuals.edit(known, now -> now.with(name, needs, mission))), principal);
     }
 
     public VirtualDroneView start(Principal principal, String id, VirtualDroneRequest.@Nullable StartRequest request) {
         CloudLoss onCloudLoss = onCloudLoss(request == null ? null : request.onCloudLoss());
         VirtualDroneId known = allowed(principal, id, VirtualAction.START);
-        return views.view(conducted(() -> virtuals.launch(known, onCloudLoss)), principal);
+        return views.view(conducted(known, () -> virtuals.launch(known, onCloudLoss)), principal);
     }
 
     public VirtualDroneView stop(Principal principal, String id) {
         VirtualDroneId known = allowed(principal, id, VirtualAction.STOP);
-        return views.view(conducted(() -> virtuals.stop(known)), principal);
+        return views.view(conducted(known, () -> virtuals.stop(known)), principal);
     }
 
     public VirtualDroneView resume(Principal principal, String id) {
         VirtualDroneId known = allowed(principal, id, VirtualAction.RESUME);
-        return views.view(conducted(() -> virtuals.resume(known)), principal);
+        return views.view(conducted(known, () -> virtuals.resume(known)), principal);
     }
 
     public void remove(Principal principal, String id) {
         VirtualDroneId known = allowed(principal, id, VirtualAction.REMOVE);
-        conducted(() -> {
+        conducted(known, () -> {
             virtuals.remove(known);
             return known;
         });
@@ -126,13 +127,8 @@ public final class VirtualDroneService {
     private VirtualDroneId allowed(Principal principal, String id, VirtualAction action) {
         requireVirtually(principal, action.needed());
         VirtualDrone drone = find(principal, id);
-        action.notAllowed(drone, principal).ifPresent(why -> {
-            throw drone.account().equals(principal.account())
-                    ? Rejection.of(AccessProblem.NOT_GRANTED, why)
-                    : Rejection.of(AccessProblem.OWNER_ONLY, why, ProblemParameter.OWNER.is(drone.owner()));
-        });
         action.whyNot(drone, principal).ifPresent(why -> {
-            throw Rejection.of(OperationProblem.VIRTUAL_DRONE_STATE, why);
+            throw why;
         });
         return drone.id();
     }
@@ -204,11 +200,11 @@ public final class VirtualDroneService {
     }
 
     /** What the conductor refuses is a conflict with what goes on. */
-    private static <T> T conducted(Supplier<T> work) {
+    private static <T> T conducted(VirtualDroneId id, Supplier<T> work) {
         try {
             return work.get();
         } catch (VirtualDrones.Refused refused) {
-            throw Rejection.of(OperationProblem.VIRTUAL_DRONE_STATE, refused.why());
+            throw ObjectionProblem.rejection(refused.objection(), id.value());
         }
     }
 

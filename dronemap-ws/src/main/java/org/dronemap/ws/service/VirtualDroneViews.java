@@ -14,11 +14,13 @@ import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.Choice;
 import org.dronemap.core.virtual.Run;
 import org.dronemap.core.virtual.Stage;
 import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualObjection;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -118,8 +120,11 @@ public final class VirtualDroneViews {
     private static Map<String, DroneView.ActionView> actions(VirtualDrone drone, Principal principal) {
         Map<String, DroneView.ActionView> actions = new LinkedHashMap<>();
         for (VirtualAction action : VirtualAction.values()) {
-            Optional<String> why = action.whyNot(drone, principal);
-            actions.put(WireNames.camel(action), new DroneView.ActionView(why.isEmpty(), why.orElse(null), null));
+            actions.put(
+                    WireNames.camel(action),
+                    action.whyNot(drone, principal)
+                            .map(DroneView.ActionView::forbidden)
+                            .orElseGet(() -> DroneView.ActionView.allowedIn(null)));
         }
         return actions;
     }
@@ -142,36 +147,55 @@ public final class VirtualDroneViews {
             return needed;
         }
 
-        Optional<String> whyNot(VirtualDrone drone, Principal principal) {
-            return notAllowed(drone, principal).or(() -> Optional.ofNullable(stateForbids(drone)));
+        Optional<Rejection> whyNot(VirtualDrone drone, Principal principal) {
+            return notAllowed(drone, principal)
+                    .or(() -> stateForbids(drone)
+                            .map(why ->
+                                    ObjectionProblem.rejection(why, drone.id().value())));
         }
 
         /** Whatever state it is in. */
-        Optional<String> notAllowed(VirtualDrone drone, Principal principal) {
+        private Optional<Rejection> notAllowed(VirtualDrone drone, Principal principal) {
             boolean own = drone.account().equals(principal.account());
             if (!own && this != STOP) {
-                return Optional.of("It belongs to " + drone.owner() + ".");
+                return Optional.of(Rejection.of(
+                        AccessProblem.OWNER_ONLY,
+                        "It belongs to " + drone.owner() + ".",
+                        ProblemParameter.OWNER.is(drone.owner())));
             }
             return principal.mayVirtually(needed)
                     ? Optional.empty()
-                    : Optional.of("Your role or key may not do this with virtual drones.");
+                    : Optional.of(Rejection.of(
+                            AccessProblem.NOT_GRANTED, "Your role or key may not do this with virtual drones."));
         }
 
-        private @Nullable String stateForbids(VirtualDrone drone) {
+        private Optional<Objection> stateForbids(VirtualDrone drone) {
             Run run = drone.run();
             return switch (this) {
-                case PLAN -> null;
+                case PLAN -> Optional.empty();
                 case START ->
                     drone.mission() == null
-                            ? "Plan its mission first."
-                            : drone.isUnderWay() ? "Its mission is under way already." : null;
-                case STOP -> drone.isUnderWay() ? null : "Its mission is not under way.";
+                            ? why(VirtualObjection.NO_MISSION, "Plan its mission first.")
+                            : drone.isUnderWay()
+                                    ? why(VirtualObjection.UNDER_WAY, "Its mission is under way already.")
+                                    : Optional.empty();
+                case STOP ->
+                    drone.isUnderWay()
+                            ? Optional.empty()
+                            : why(VirtualObjection.NOT_UNDER_WAY, "Its mission is not under way.");
                 case RESUME ->
                     run != null && List.of(Stage.SUSPENDED, Stage.FAILED).contains(run.stage())
-                            ? null
-                            : "It does not wait for being resumed.";
-                case REMOVE -> drone.isUnderWay() ? "Its mission is under way; stop it first." : null;
+                            ? Optional.empty()
+                            : why(VirtualObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
+                case REMOVE ->
+                    drone.isUnderWay()
+                            ? why(VirtualObjection.UNDER_WAY, "Its mission is under way; stop it first.")
+                            : Optional.empty();
             };
+        }
+
+        private static Optional<Objection> why(VirtualObjection code, String sentence) {
+            return Optional.of(Objection.of(code, sentence));
         }
     }
 }

@@ -8,7 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.ValueProblem;
@@ -129,7 +128,12 @@ final class CallReader {
             if (members.fixed() != null) {
                 object.put(members.fixed().member(), members.fixed().value());
             }
-            rest.forEach(element -> json.put(object, members.type(), "", element));
+            for (Element element : rest) {
+                if (members.type().member(element.getLocalName()) == null) {
+                    throw unknown(operation, element.getLocalName());
+                }
+                json.put(object, members.type(), "", element);
+            }
             boolean none = rest.isEmpty() && !members.required();
             return none ? request : request.with("application/json", mapper.writeValueAsBytes(object));
         }
@@ -161,13 +165,6 @@ final class CallReader {
     }
 
     private static InvalidInput unknown(SoapOperation operation, String name) {
-        String allowed = operation.elements().isEmpty()
-                ? "none"
-                : operation.elements().stream().map(XmlMember::name).collect(Collectors.joining(", "));
-        return new InvalidInput(
-                ValueProblem.MEMBER_UNKNOWN,
-                name,
-                allowed,
-                "There is no element \"" + name + "\" here; there are: " + allowed + ".");
+        return XmlToJson.unknown(name, operation.elements());
     }
 }

@@ -48,11 +48,21 @@ final class XmlToJson {
                     "There must be one element \"" + field + "\", not several.");
         }
         XmlMember member = type.member(name);
-        object.set(
-                name,
-                member == null
-                        ? mapper.getNodeFactory().stringNode(element.getTextContent())
-                        : value(member.type(), field, element));
+        if (member == null) {
+            throw unknown(field, type.members());
+        }
+        object.set(name, value(member.type(), field, element));
+    }
+
+    /** By the names that elements have, some of which JSON has otherwise. */
+    static InvalidInput unknown(String field, List<XmlMember> known) {
+        String allowed =
+                known.isEmpty() ? "none" : known.stream().map(XmlMember::name).collect(Collectors.joining(", "));
+        return new InvalidInput(
+                ValueProblem.MEMBER_UNKNOWN,
+                field,
+                allowed,
+                "There is no element \"" + field + "\" here; there are: " + allowed + ".");
     }
 
     private JsonNode value(XmlType type, String field, Element element) {

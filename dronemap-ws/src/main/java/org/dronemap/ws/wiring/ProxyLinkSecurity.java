@@ -4,14 +4,19 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.proxy.signing.ChangeFault;
 import org.dronemap.proxy.signing.ChangeKind;
 import org.dronemap.proxy.signing.ChangeResult;
 import org.dronemap.proxy.signing.FrameCounts;
 import org.dronemap.proxy.signing.Keyrings;
 import org.dronemap.proxy.signing.LinkSecurityStatus;
+import org.dronemap.ws.service.CommandProblem;
 import org.dronemap.ws.service.LinkSecurityControl;
+import org.dronemap.ws.service.LinkSecurityProblem;
 import org.dronemap.ws.service.LinkSecurityView;
+import org.dronemap.ws.service.ProblemCode;
 import org.dronemap.ws.service.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -38,7 +43,7 @@ record ProxyLinkSecurity(Keyrings keyrings) implements LinkSecurityControl {
     }
 
     @Override
-    public Optional<String> policy(DroneId drone, LinkPolicy policy) {
+    public Optional<Fault> policy(DroneId drone, LinkPolicy policy) {
         return why(keyrings.policy(drone, policy));
     }
 
@@ -48,7 +53,7 @@ record ProxyLinkSecurity(Keyrings keyrings) implements LinkSecurityControl {
     }
 
     @Override
-    public CompletableFuture<Optional<String>> change(
+    public CompletableFuture<Optional<Fault>> change(
             DroneId drone, Change change, @Nullable LinkKey newKey, boolean confirmed) {
         ChangeKind kind = switch (change) {
             case INSTALL -> ChangeKind.INSTALL;
@@ -63,10 +68,24 @@ record ProxyLinkSecurity(Keyrings keyrings) implements LinkSecurityControl {
         keyrings.forget(drone);
     }
 
-    private static Optional<String> why(ChangeResult result) {
+    private static Optional<Fault> why(ChangeResult result) {
         if (result instanceof ChangeResult.Failed failed) {
-            return Optional.of(failed.why());
+            return Optional.of(new Fault(code(failed.fault()), failed.why()));
         }
-        return result instanceof ChangeResult.Unknown unknown ? Optional.of(unknown.why()) : Optional.empty();
+        return result instanceof ChangeResult.Unknown unknown
+                ? Optional.of(new Fault(LinkSecurityProblem.KEY_IN_DOUBT, unknown.why()))
+                : Optional.empty();
+    }
+
+    private static ProblemCode code(ChangeFault fault) {
+        return switch (fault) {
+            case CHANGING -> LinkSecurityProblem.KEY_CHANGING;
+            case NO_KEY -> LinkSecurityProblem.NO_KEY;
+            case NOT_PROVEN -> LinkSecurityProblem.KEY_NOT_PROVEN;
+            case NO_LINK -> new CommandProblem(OutcomeCode.LINK_MISSING);
+            case LINK_NOT_SAFE -> LinkSecurityProblem.LINK_NOT_SAFE;
+            case NOT_DONE -> LinkSecurityProblem.KEY_NOT_CHANGED;
+            case REFUSED -> LinkSecurityProblem.KEY_REFUSED;
+        };
     }
 }

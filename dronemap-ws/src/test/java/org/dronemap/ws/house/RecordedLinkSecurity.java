@@ -8,6 +8,7 @@ import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.service.LinkSecurityControl;
+import org.dronemap.ws.service.LinkSecurityProblem;
 import org.dronemap.ws.service.LinkSecurityView;
 import org.dronemap.ws.service.WireNames;
 import org.jspecify.annotations.Nullable;
@@ -30,7 +31,7 @@ final class RecordedLinkSecurity implements LinkSecurityControl {
     }
 
     @Override
-    public Optional<String> policy(DroneId drone, LinkPolicy policy) {
+    public Optional<Fault> policy(DroneId drone, LinkPolicy policy) {
         policies.put(drone, policy);
         return Optional.empty();
     }
@@ -41,10 +42,11 @@ final class RecordedLinkSecurity implements LinkSecurityControl {
     }
 
     @Override
-    public CompletableFuture<Optional<String>> change(
+    public CompletableFuture<Optional<Fault>> change(
             DroneId drone, Change change, @Nullable LinkKey newKey, boolean confirmed) {
         if (!confirmed) {
-            return CompletableFuture.completedFuture(Optional.of("The link could be listened to."));
+            return CompletableFuture.completedFuture(
+                    Optional.of(new Fault(LinkSecurityProblem.LINK_NOT_SAFE, "The link could be listened to.")));
         }
         if (newKey != null) {
             keys.put(drone, newKey);

@@ -184,8 +184,11 @@ class ProblemCatalogueTest {
         subjects.put("What there is none of", List.of(UnknownProblem.values()));
         subjects.put("Accounts and rights", List.of(AccessProblem.values()));
         subjects.put(OUTCOMES, CommandProblem.values());
+        subjects.put("Control of drones", List.of(ControlProblem.values()));
         subjects.put("Drones", List.of(DroneProblem.values()));
-        subjects.put("Plans and operations", List.of(OperationProblem.values()));
+        subjects.put("Signed links", List.of(LinkSecurityProblem.values()));
+        subjects.put("Plans", List.of(OperationProblem.values()));
+        subjects.put("Mission runs, follows and virtual drones", ObjectionProblem.values());
         subjects.put("The server", List.of(ServerProblem.values()));
         assertThat(subjects.values().stream().<ProblemCode>flatMap(List::stream))
                 .containsExactlyElementsOf(ProblemCode.all());

@@ -24,6 +24,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.Decision;
 import org.dronemap.core.operation.Guide;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.Scene;
@@ -318,7 +319,7 @@ public final class Follow implements Operation<FollowState, FollowInput> {
     }
 
     @Override
-    public Optional<String> refusal(FollowState state, FollowInput input) {
+    public Optional<Objection> refusal(FollowState state, FollowInput input) {
         return Refusals.of(state, input);
     }
 }

@@ -1,15 +1,13 @@
 package org.dronemap.cognitive.operation.follow;
 
 import java.util.Optional;
+import org.dronemap.core.operation.Objection;
 
-/** Why a wish cannot be taken at a stage. */
+/** Reasons why a wish cannot be taken at a stage. */
 final class Refusals {
-    private static final String HOME = "The drone is on its way home already.";
-    private static final String NOT_STARTED = "It has not been started: start it, or cancel it.";
-
     private Refusals() {}
 
-    static Optional<String> of(FollowState state, FollowInput input) {
+    static Optional<Objection> of(FollowState state, FollowInput input) {
         if (input instanceof FollowInput.Relieve relieve) {
             return relieve(state, relieve.chosen());
         }
@@ -22,7 +20,7 @@ final class Refusals {
         return of(stage, input);
     }
 
-    private static Optional<String> of(Stage stage, FollowInput input) {
+    private static Optional<Objection> of(Stage stage, FollowInput input) {
         if (input instanceof FollowInput.Start) {
             return start(stage);
         }
@@ -38,62 +36,75 @@ final class Refusals {
         if (input instanceof FollowInput.Stop) {
             return stop(stage);
         }
-        return input instanceof FollowInput.Change && stage == Stage.RETURNING ? Optional.of(HOME) : Optional.empty();
+        return input instanceof FollowInput.Change && stage == Stage.RETURNING ? home() : Optional.empty();
     }
 
-    private static Optional<String> relieve(FollowState state, FollowOrder.Chosen chosen) {
+    private static Optional<Objection> relieve(FollowState state, FollowOrder.Chosen chosen) {
         boolean known = state.drone().equals(chosen.drone())
                 || state.crew().others().stream()
                         .anyMatch(other -> other.drone().equals(chosen.drone()));
         return state.isRelievable() && !known
                 ? Optional.empty()
-                : Optional.of("Nobody has to replace " + state.droneName() + " now.");
+                : why(FollowObjection.NOT_RELIEVABLE, "Nobody has to replace " + state.droneName() + " now.");
     }
 
-    private static Optional<String> start(Stage stage) {
+    private static Optional<Objection> start(Stage stage) {
         return switch (stage) {
             case ALLOCATED, OVER -> Optional.empty();
-            case STARTING -> Optional.of("The drone is taking off already.");
-            case TRACKING -> Optional.of("The drone follows already.");
-            case PAUSED, SUSPENDED -> Optional.of("It has been started; let it go on.");
-            case RETURNING -> Optional.of(HOME);
+            case STARTING -> why(FollowObjection.STARTING, "The drone is taking off already.");
+            case TRACKING -> why(FollowObjection.STARTED, "The drone follows already.");
+            case PAUSED, SUSPENDED -> why(FollowObjection.STARTED, "It has been started; let it go on.");
+            case RETURNING -> home();
         };
     }
 
-    private static Optional<String> cancel(Stage stage) {
+    private static Optional<Objection> cancel(Stage stage) {
         return switch (stage) {
             case ALLOCATED, STARTING, OVER -> Optional.empty();
-            case TRACKING, PAUSED, SUSPENDED -> Optional.of("It follows already; stop it instead.");
-            case RETURNING -> Optional.of(HOME);
+            case TRACKING, PAUSED, SUSPENDED -> why(FollowObjection.STARTED, "It follows already; stop it instead.");
+            case RETURNING -> home();
         };
     }
 
-    private static Optional<String> pause(Stage stage) {
+    private static Optional<Objection> pause(Stage stage) {
         return switch (stage) {
             case TRACKING, OVER -> Optional.empty();
-            case ALLOCATED -> Optional.of(NOT_STARTED);
-            case STARTING -> Optional.of("The drone is taking off; pause it when it follows, or cancel it.");
-            case PAUSED -> Optional.of("It is paused already.");
-            case SUSPENDED -> Optional.of("Somebody else has the drone: it does not follow.");
-            case RETURNING -> Optional.of(HOME);
+            case ALLOCATED -> notStarted();
+            case STARTING ->
+                why(FollowObjection.STARTING, "The drone is taking off; pause it when it follows, or cancel it.");
+            case PAUSED -> why(FollowObjection.PAUSED, "It is paused already.");
+            case SUSPENDED -> why(FollowObjection.SUSPENDED, "Somebody else has the drone: it does not follow.");
+            case RETURNING -> home();
         };
     }
 
-    private static Optional<String> goOn(Stage stage) {
+    private static Optional<Objection> goOn(Stage stage) {
         return switch (stage) {
             case PAUSED, SUSPENDED, OVER -> Optional.empty();
-            case ALLOCATED -> Optional.of(NOT_STARTED);
-            case STARTING -> Optional.of("The drone is taking off; it follows as soon as it is up.");
-            case TRACKING -> Optional.of("It is not paused.");
-            case RETURNING -> Optional.of(HOME);
+            case ALLOCATED -> notStarted();
+            case STARTING -> why(FollowObjection.STARTING, "The drone is taking off; it follows as soon as it is up.");
+            case TRACKING -> why(FollowObjection.NOT_PAUSED, "It is not paused.");
+            case RETURNING -> home();
         };
     }
 
-    private static Optional<String> stop(Stage stage) {
+    private static Optional<Objection> stop(Stage stage) {
         return switch (stage) {
             case STARTING, TRACKING, PAUSED, SUSPENDED, OVER -> Optional.empty();
-            case ALLOCATED -> Optional.of(NOT_STARTED);
-            case RETURNING -> Optional.of(HOME);
+            case ALLOCATED -> notStarted();
+            case RETURNING -> home();
         };
+    }
+
+    private static Optional<Objection> home() {
+        return why(FollowObjection.RETURNING, "The drone is on its way home already.");
+    }
+
+    private static Optional<Objection> notStarted() {
+        return why(FollowObjection.NOT_STARTED, "It has not been started: start it, or cancel it.");
+    }
+
+    private static Optional<Objection> why(FollowObjection code, String sentence) {
+        return Optional.of(Objection.of(code, sentence));
     }
 }

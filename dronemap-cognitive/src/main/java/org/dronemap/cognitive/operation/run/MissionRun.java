@@ -10,6 +10,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.Decision;
+import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.Scene;
 
@@ -105,7 +106,7 @@ public final class MissionRun implements Operation<RunState, RunInput> {
     }
 
     @Override
-    public Optional<String> refusal(RunState state, RunInput input) {
+    public Optional<Objection> refusal(RunState state, RunInput input) {
         return Refusals.of(state, input);
     }
 }

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.cognitive.problem.Place;
@@ -9,22 +10,31 @@ import org.dronemap.cognitive.problem.Problem;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.operation.Objection;
+import org.dronemap.core.operation.Objection.Subject;
+import org.dronemap.core.operation.OperationObjection;
 
-/** Why a run cannot do now what somebody wants, as sentences. */
+/** Reasons why a run cannot do now what somebody wants. */
 final class Refusals {
     private static final int MOST_DRONES = 100;
 
+    private static final int METERS_PER_KM = 1_000;
+
     private Refusals() {}
 
-    static Optional<String> of(RunState state, RunInput input) {
+    private static Optional<Objection> why(RunObjection code, String sentence, Objection.About... about) {
+        return Optional.of(Objection.of(code, sentence, about));
+    }
+
+    static Optional<Objection> of(RunState state, RunInput input) {
         if (!(input instanceof RunInput.Wish)) {
             return Optional.empty();
         }
         if (state.isOver()) {
-            return Optional.of("The mission run is over.");
+            return Optional.of(Objection.of(OperationObjection.OVER, "The mission run is over."));
         }
         if (state.stopping()) {
-            return Optional.of("The mission run is being stopped.");
+            return why(RunObjection.STOPPING, "The mission run is being stopped.");
         }
         if (input instanceof RunInput.Pause || input instanceof RunInput.GoOn) {
             return ofPause(state.clock().pausedSince() != null, input instanceof RunInput.Pause);
@@ -32,7 +42,10 @@ final class Refusals {
         if (input instanceof RunInput.Answer answer) {
             return state.proposal() != null && state.proposal().number() == answer.proposal()
                     ? Optional.empty()
-                    : Optional.of("There is no proposal " + answer.proposal() + " that waits for an answer.");
+                    : why(
+                            RunObjection.NO_PROPOSAL,
+                            "There is no proposal " + answer.proposal() + " that waits for an answer.",
+                            Subject.PROPOSAL.is(answer.proposal()));
         }
         return input instanceof RunInput.JoinDrone
                         || input instanceof RunInput.ResumeDrone
@@ -41,13 +54,16 @@ final class Refusals {
                 : ofWaypoint(state, input);
     }
 
-    private static Optional<String> ofPause(boolean paused, boolean pauses) {
-        return paused == pauses
-                ? Optional.of(paused ? "The mission run is paused already." : "The mission run is not paused.")
-                : Optional.empty();
+    private static Optional<Objection> ofPause(boolean paused, boolean pauses) {
+        if (paused != pauses) {
+            return Optional.empty();
+        }
+        return paused
+                ? why(RunObjection.PAUSED, "The mission run is paused already.")
+                : why(RunObjection.NOT_PAUSED, "The mission run is not paused.");
     }
 
-    private static Optional<String> ofDrone(RunState state, RunInput input) {
+    private static Optional<Objection> ofDrone(RunState state, RunInput input) {
         if (input instanceof RunInput.JoinDrone join) {
             return joins(state, join);
         }
@@ -56,7 +72,7 @@ final class Refusals {
                 input instanceof RunInput.ResumeDrone resume ? resume.drone() : ((RunInput.GiveUpDrone) input).drone();
         Optional<RunDrone> drone = state.drone(id);
         if (drone.isEmpty()) {
-            return Optional.of("The drone is no part of the run.");
+            return why(RunObjection.DRONE_NOT_IN_RUN, "The drone is no part of the run.", Subject.DRONE.is(id.value()));
         }
         boolean can = switch (drone.get().stage()) {
             case SUSPENDED -> true;
@@ -64,23 +80,37 @@ final class Refusals {
             case CRASHED -> false;
             default -> !resumes;
         };
-        String why = resumes ? " does not wait for being resumed." : " is out of the run already.";
-        return can ? Optional.empty() : Optional.of(drone.get().name() + why);
+        if (can) {
+            return Optional.empty();
+        }
+        String name = drone.get().name();
+        return resumes
+                ? why(
+                        RunObjection.DRONE_NOT_RESUMABLE,
+                        name + " does not wait for being resumed.",
+                        Subject.DRONE.is(id.value()))
+                : why(RunObjection.DRONE_OUT, name + " is out of the run already.", Subject.DRONE.is(id.value()));
     }
 
-    private static Optional<String> joins(RunState state, RunInput.JoinDrone join) {
+    private static Optional<Objection> joins(RunState state, RunInput.JoinDrone join) {
         boolean there = state.drone(join.craft().id())
                 .filter(drone -> drone.stage() != DroneStage.LEFT)
                 .isPresent();
         if (there) {
-            return Optional.of("The drone is part of the run.");
+            return why(
+                    RunObjection.DRONE_IN_RUN,
+                    "The drone is part of the run.",
+                    Subject.DRONE.is(join.craft().id().value()));
         }
         return state.drones().size() >= MOST_DRONES
-                ? Optional.of("A run has " + MOST_DRONES + " drones at most.")
+                ? why(
+                        RunObjection.DRONES_FULL,
+                        "A run has " + MOST_DRONES + " drones at most.",
+                        Subject.MOST.is(MOST_DRONES))
                 : near(state, join.craft().start().place());
     }
 
-    private static Optional<String> ofWaypoint(RunState state, RunInput input) {
+    private static Optional<Objection> ofWaypoint(RunState state, RunInput input) {
         if (input instanceof RunInput.AddWaypoints add) {
             return added(state, add.waypoints());
         }
@@ -90,7 +120,10 @@ final class Refusals {
                             .mapToInt(each -> each.turns())
                             .sum();
             return corners > Problem.MOST_CORNERS
-                    ? Optional.of("That is more zones than ways can be found between.")
+                    ? why(
+                            RunObjection.ZONES_FULL,
+                            "That is more zones than ways can be found between.",
+                            Subject.MOST.is(Problem.MOST_CORNERS))
                     : Optional.empty();
         }
         String id = input instanceof RunInput.MoveWaypoint move
@@ -101,10 +134,14 @@ final class Refusals {
         }
         Optional<Target> target = state.target(id);
         if (target.isEmpty()) {
-            return Optional.of("The run has no waypoint " + id + ".");
+            return why(RunObjection.NO_WAYPOINT, "The run has no waypoint " + id + ".", Subject.WAYPOINT.is(id));
         }
         if (target.get().state().isSettled()) {
-            return Optional.of("The waypoint " + id + " is settled: " + words(target.get()) + ".");
+            return why(
+                    RunObjection.WAYPOINT_SETTLED,
+                    "The waypoint " + id + " is settled: " + words(target.get()) + ".",
+                    Subject.WAYPOINT.is(id),
+                    Subject.STATE.is(target.get().state().name().toLowerCase(Locale.ROOT)));
         }
         return input instanceof RunInput.MoveWaypoint move ? near(state, move.to()) : Optional.empty();
     }
@@ -117,17 +154,23 @@ final class Refusals {
         };
     }
 
-    private static Optional<String> added(RunState state, List<Waypoint> waypoints) {
+    private static Optional<Objection> added(RunState state, List<Waypoint> waypoints) {
         Set<String> known = new HashSet<>();
         state.targets().forEach(target -> known.add(target.id()));
         if (waypoints.isEmpty() || known.size() + waypoints.size() > Problem.MOST_WAYPOINTS) {
-            return Optional.of("One waypoint at least is added, and a run has 100000 at most.");
+            return why(
+                    RunObjection.WAYPOINTS_FULL,
+                    "One waypoint at least is added, and a run has 100000 at most.",
+                    Subject.MOST.is(Problem.MOST_WAYPOINTS));
         }
         for (Waypoint waypoint : waypoints) {
             if (!known.add(waypoint.id())) {
-                return Optional.of("There is a waypoint " + waypoint.id() + " already.");
+                return why(
+                        RunObjection.WAYPOINT_KNOWN,
+                        "There is a waypoint " + waypoint.id() + " already.",
+                        Subject.WAYPOINT.is(waypoint.id()));
             }
-            Optional<String> far = near(state, waypoint.place());
+            Optional<Objection> far = near(state, waypoint.place());
             if (far.isPresent()) {
                 return far;
             }
@@ -136,10 +179,13 @@ final class Refusals {
     }
 
     /** A problem holds only places that are near to each other. */
-    private static Optional<String> near(RunState state, Place place) {
+    private static Optional<Objection> near(RunState state, Place place) {
         Place first = state.drones().get(0).craft().finish().place();
         return Geodesy.distanceMeters(first.point(), place.point()) < Problem.WIDEST_METERS / 2
                 ? Optional.empty()
-                : Optional.of("That place is more than 100 km away.");
+                : why(
+                        RunObjection.TOO_FAR,
+                        "That place is more than 100 km away.",
+                        Subject.MOST.is((long) Problem.WIDEST_METERS / 2 / METERS_PER_KM));
     }
 }

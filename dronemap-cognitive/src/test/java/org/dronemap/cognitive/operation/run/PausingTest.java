@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.operation.Objection;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -143,9 +144,9 @@ class PausingTest {
         MissionRun run = fleet.run;
 
         assertThat(run.refusal(fleet.state, new RunInput.GoOn(fleet.now, "Ann")))
-                .contains("The mission run is not paused.");
+                .contains(Objection.of(RunObjection.NOT_PAUSED, "The mission run is not paused."));
         pause(fleet);
         assertThat(run.refusal(fleet.state, new RunInput.Pause(fleet.now, "Ann")))
-                .contains("The mission run is paused already.");
+                .contains(Objection.of(RunObjection.PAUSED, "The mission run is paused already."));
     }
 }

@@ -277,6 +277,6 @@ class WishesTest {
     }
 
     private static String refusal(TestFleet fleet, RunInput wish) {
-        return fleet.run.refusal(fleet.state, wish).orElseThrow();
+        return fleet.run.refusal(fleet.state, wish).orElseThrow().sentence();
     }
 }

@@ -1,0 +1,63 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.util.List;
+import org.dronemap.core.operation.Objection.Subject;
+import org.dronemap.core.operation.ObjectionCode;
+
+/** Reasons why a follow cannot do at its stage what a user wants. */
+public enum FollowObjection implements ObjectionCode {
+    RETURNING("follow-returning", "The drone of the follow flies home.", "The drone is on its way home already."),
+    NOT_STARTED(
+            "follow-not-started",
+            "The follow has a drone, which was not told to start.",
+            "It has not been started: start it, or cancel it."),
+    STARTING("follow-starting", "The drone of the follow is taking off.", "The drone is taking off already."),
+    STARTED(
+            "follow-started",
+            "The drone of the follow has taken off before, and follows or waits.",
+            "The drone follows already."),
+    PAUSED("follow-paused", "The follow is paused already.", "It is paused already."),
+    NOT_PAUSED("follow-not-paused", "The follow goes on; nothing holds it.", "It is not paused."),
+    SUSPENDED(
+            "follow-suspended",
+            "Somebody else has the drone of the follow.",
+            "Somebody else has the drone: it does not follow."),
+    NOT_RELIEVABLE(
+            "follow-not-relievable",
+            "The drone of the follow need not be replaced, or not by this one.",
+            "Nobody has to replace Kestrel now.");
+
+    private final String word;
+    private final String meaning;
+    private final String example;
+
+    @SuppressWarnings("ImmutableEnumChecker") // never changes
+    private final List<Subject> subjects;
+
+    FollowObjection(String word, String meaning, String example, Subject... subjects) {
+        this.word = word;
+        this.meaning = meaning;
+        this.example = example;
+        this.subjects = List.of(subjects);
+    }
+
+    @Override
+    public String word() {
+        return word;
+    }
+
+    @Override
+    public String meaning() {
+        return meaning;
+    }
+
+    @Override
+    public String example() {
+        return example;
+    }
+
+    @Override
+    public List<Subject> subjects() {
+        return subjects;
+    }
+}

@@ -1,0 +1,64 @@
+package org.dronemap.core.virtual;
+
+import java.util.List;
+import org.dronemap.core.operation.Objection.Subject;
+import org.dronemap.core.operation.ObjectionCode;
+
+/** Reasons why a virtual drone cannot be changed now as a user wants. */
+public enum VirtualObjection implements ObjectionCode {
+    NO_MISSION("virtual-drone-without-mission", "The virtual drone has no mission yet.", "Plan its mission first."),
+    UNDER_WAY(
+            "virtual-drone-under-way",
+            "The virtual drone's mission is asked for, or flown.",
+            "Its mission is under way already."),
+    NOT_UNDER_WAY(
+            "virtual-drone-not-under-way",
+            "The virtual drone's mission is not flown, nor does it wait for a drone.",
+            "Its mission is not under way."),
+    NOT_SUSPENDED(
+            "virtual-drone-not-suspended",
+            "The virtual drone was neither suspended nor did it fail.",
+            "It does not wait for being resumed."),
+    DRONE_AWAY(
+            "virtual-drone-awaits-drone",
+            "A drone that served the virtual drone is still on its way home.",
+            "A drone that served it is not back yet."),
+    GONE(
+            "virtual-drone-removed",
+            "The virtual drone was removed meanwhile.",
+            "There is no virtual drone v12345678901.");
+
+    private final String word;
+    private final String meaning;
+    private final String example;
+
+    @SuppressWarnings("ImmutableEnumChecker") // never changes
+    private final List<Subject> subjects;
+
+    VirtualObjection(String word, String meaning, String example, Subject... subjects) {
+        this.word = word;
+        this.meaning = meaning;
+        this.example = example;
+        this.subjects = List.of(subjects);
+    }
+
+    @Override
+    public String word() {
+        return word;
+    }
+
+    @Override
+    public String meaning() {
+        return meaning;
+    }
+
+    @Override
+    public String example() {
+        return example;
+    }
+
+    @Override
+    public List<Subject> subjects() {
+        return subjects;
+    }
+}

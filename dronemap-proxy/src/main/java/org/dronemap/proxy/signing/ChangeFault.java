@@ -1,0 +1,19 @@
+package org.dronemap.proxy.signing;
+
+/** Why the key on a vehicle, or what is asked of its signatures, was not changed. */
+public enum ChangeFault {
+    /** Another change of its key is under way. */
+    CHANGING,
+    /** There is no key to change. */
+    NO_KEY,
+    /** The vehicle was never heard using its key. */
+    NOT_PROVEN,
+    /** There is nothing to say it over. */
+    NO_LINK,
+    /** The link could be listened to, and nobody vouches for it. */
+    LINK_NOT_SAFE,
+    /** The vehicle was heard after each request, and does as before. */
+    NOT_DONE,
+    /** The vehicle said why not. */
+    REFUSED
+}
