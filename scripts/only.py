@@ -170,7 +170,7 @@ def as_expression(names: list[tuple[str, bool]]) -> str:
 def vitest_lines(root: Path, pattern: Pattern) -> Match:
     client = root / "web-client"
     count, lines = 0, []
-    for path in sorted(client.glob("src/**/*.test.ts")):
+    for path in sorted(path for folder in ("dev", "src") for path in client.glob(f"{folder}/**/*.test.ts")):
         tests = list(titles(path.read_text(encoding="utf-8")))
         file = path.relative_to(client)
         chosen = []

@@ -9,7 +9,7 @@ const port = Number(process.env['DRONEMAP_WEB_PORT'] ?? 5173);
 const FOLLOW_WORKER = 'follow-worker';
 
 export default defineConfig({
-  plugins: [svelte(), svelteTesting()],
+  plugins: [svelte()],
   base: './',
   build: {
     target: 'es2022',
@@ -29,9 +29,15 @@ export default defineConfig({
     proxy: { '/api': { target: server, changeOrigin: true } },
   },
   test: {
-    environment: 'happy-dom',
-    css: true,
-    include: ['src/**/*.test.ts'],
     restoreMocks: true,
+    projects: [
+      {
+        extends: true,
+        plugins: [svelteTesting()],
+        test: { name: 'page', environment: 'happy-dom', css: true, include: ['src/**/*.test.ts'] },
+      },
+      // What runs on Node and in no browser: libraries that have a form for each are to be those for Node.
+      { extends: true, test: { name: 'dev', environment: 'node', include: ['dev/**/*.test.ts'] } },
+    ],
   },
 });

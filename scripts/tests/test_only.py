@@ -90,6 +90,7 @@ def written(folder: Path) -> Path:
         "dronemap-a/src/test/java/org/a/ShapeTest.java": RULES,
         "dronemap-b/src/test/java/org/b/LongTest.java": LONG,
         "web-client/src/runs/run.test.ts": WEB,
+        "web-client/dev/play.test.ts": "it('plays', () => undefined);",
         "snake/tests/test_air.py": PYTHON,
         "snake/pyproject.toml": '[tool.pytest.ini_options]\nmarkers = ["soak"]\n',
     }
@@ -159,6 +160,10 @@ def test_of_long_tests_none_but_these_are_found(
 
 
 MAP, COUNTS = r"a run on the map shows \(all\) it's places", "a run counts .* as .*"
+
+
+def test_typescript_is_found_beside_the_page(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert found(root, "plays", "test", capsys) == ["vitest dev/play.test.ts "]
 
 
 @pytest.mark.parametrize(

@@ -8,11 +8,13 @@ import type {
   PlaceChange,
   Positions,
 } from '../src/api/follows';
+import type { FollowReceipt } from '../src/api/contract';
 import { placeOf } from '../src/fleet/place';
 import { distanceMeters } from '../src/geo/distance';
-import type { Handler } from './mock-accounts';
 import type { MockDrone } from './mock-drone';
+import type { Handler } from './mock-rest';
 import { snapshotOf } from './mock-snapshot';
+import { Refusal } from './refusal';
 
 const HOLDS_MILLISECONDS = 2_000;
 const ASLEEP_MILLISECONDS = 2_500;
@@ -52,7 +54,6 @@ export interface FollowPorts {
   /** Who is signed in. */
   owner: () => string;
   broadcast: (message: unknown) => void;
-  refusal: (status: number, detail: string) => Error;
 }
 
 /** Plays the wire contract of follows just truly enough to develop the pages against. */
@@ -69,17 +70,17 @@ export class MockFollows {
   }
 
   readonly handlers: Record<string, Handler> = {
-    'GET follows': () => ({ follows: this.#all }),
-    'GET follows/*': (_, id) => this.#find(id),
-    'POST follows': (body: FollowOrder) => this.#open(body),
-    'PATCH follows/*': (body: PlaceChange, id) => {
+    listFollows: () => ({ follows: this.#all }),
+    getFollow: (_, id) => this.#find(id),
+    openFollow: (body: FollowOrder) => this.#open(body),
+    changeFollow: (body: PlaceChange, id) => {
       const follow = this.#find(id);
       return this.#put({ ...follow, place: placed(follow.place, body) });
     },
-    'POST follows/*/positions': (body: Positions, id) => this.hear(id, body),
+    reportFollowPositions: (body: Positions, id) => this.hear(id, body),
     ...Object.fromEntries(
       Object.keys(WISHES).map((wish) => [
-        `POST follows/*/${wish}`,
+        `${wish}Follow`,
         ((_, id) => this.#wish(wish, id)) satisfies Handler,
       ]),
     ),
@@ -90,24 +91,24 @@ export class MockFollows {
   }
 
   /** The phone says where it is, by either face. */
-  hear(id: string, { positions }: Positions): { upTo: number | null } {
+  hear(id: string, { positions }: Positions): FollowReceipt {
     const follow = this.#find(id);
     if (follow.state === 'over') {
-      throw this.#ports.refusal(409, 'This follow is over.');
+      throw new Refusal(409, 'operation-over', 'This follow is over.', { parameters: { id } });
     }
     this.#saidAt = Date.now();
     this.#gone = false;
+    const heard = new Date().toISOString();
     const newest = positions.at(-1);
     if (newest === undefined || follow.now === null) {
-      return { upTo: null };
+      return { at: heard, follow: id, taken: 0, known: 0, upTo: null };
     }
     this.#positionAt = this.#saidAt;
     const { latitude, longitude } = newest;
     const accuracy = newest.accuracy ?? 10;
-    const heard = new Date().toISOString();
     const phone = { at: { latitude, longitude }, accuracy, id: Date.parse(newest.at), heard };
     this.#tell({ ...follow, now: { ...follow.now, phone } });
-    return { upTo: phone.id };
+    return { at: heard, follow: id, taken: positions.length, known: 0, upTo: phone.id };
   }
 
   /** The connection by which a phone spoke has ended. */
@@ -180,7 +181,7 @@ export class MockFollows {
     const drone =
       this.#ports.drones.find(({ beginning }) => beginning.id === wanted) ?? this.#ports.drones[0];
     if (drone === undefined) {
-      throw this.#ports.refusal(409, 'No drone waits in the warehouse.');
+      throw new Refusal(409, 'no-drone-to-follow', 'No drone waits in the warehouse.');
     }
     const at = new Date().toISOString();
     const follow: Follow = {
@@ -209,7 +210,7 @@ export class MockFollows {
     const follow = this.#find(id);
     const next = WISHES[wish]?.[follow.state];
     if (next === undefined) {
-      throw this.#ports.refusal(409, `It is ${follow.state}: it takes no “${wish}” now.`);
+      throw new Refusal(409, 'operation-state', `It is ${follow.state}: it takes no “${wish}” now.`);
     }
     const drone = this.#drone(follow);
     if (next === 'starting') {
@@ -248,7 +249,7 @@ export class MockFollows {
   #find(id: string): Follow {
     const follow = this.#all.find((one) => one.id === id);
     if (follow === undefined) {
-      throw this.#ports.refusal(404, `There is no follow ${id}.`);
+      throw new Refusal(404, 'follow-unknown', `There is no follow ${id}.`, { parameters: { id } });
     }
     return follow;
   }
@@ -256,7 +257,9 @@ export class MockFollows {
   #drone(follow: Follow): MockDrone {
     const drone = this.#ports.drones.find(({ beginning }) => beginning.id === follow.drone);
     if (drone === undefined) {
-      throw this.#ports.refusal(404, `There is no drone ${follow.drone}.`);
+      throw new Refusal(404, 'drone-unknown', `There is no drone ${follow.drone}.`, {
+        parameters: { drone: follow.drone },
+      });
     }
     return drone;
   }

@@ -1,16 +1,18 @@
 /**
- * Writes the types of what REST takes and answers, and of what is said on the stream, from their descriptions; with --check
- * it only says whether they are what the descriptions give. Addresses and their statuses are left out: the page has its own
+ * Writes the types of what REST takes and answers, and of what is said on the stream, from their descriptions, which it also
+ * checks; with --check it only says whether they are what the descriptions give. Addresses and their statuses are left out: the page has its own
  * words for them.
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import openapiTS, { astToString, COMMENT_HEADER, type OpenAPI3, type SchemaObject } from 'openapi-typescript';
 import { brokenReferences, faultsOf, type Description } from './asyncapi';
+import { openApiFaults } from './openapi-rules';
 
 const WIRE = new URL('../../dronemap-ws/src/test/resources/wire/', import.meta.url);
 const API = new URL('../src/api/', import.meta.url);
 
-const rest = JSON.parse(readFileSync(new URL('openapi.json', WIRE), 'utf8')) as OpenAPI3;
+const restText = readFileSync(new URL('openapi.json', WIRE), 'utf8');
+const rest = JSON.parse(restText) as OpenAPI3;
 const stream = JSON.parse(readFileSync(new URL('asyncapi.json', WIRE), 'utf8')) as Description;
 
 /** As the schemas of a description of REST, which tells what is meant by a discriminator in another way. */
@@ -49,6 +51,9 @@ async function handOut(name: string, description: OpenAPI3): Promise<void> {
   }
 }
 
+(await openApiFaults(restText)).forEach((fault) => {
+  fail(`wire/openapi.json is not well made: ${fault}`);
+});
 [...faultsOf(stream), ...brokenReferences(stream)].forEach((fault) => {
   fail(`wire/asyncapi.json is no description by AsyncAPI 3: ${fault}`);
 });
