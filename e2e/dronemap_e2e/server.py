@@ -47,11 +47,15 @@ class Server:
     @property
     def address(self) -> str:
         scheme = "https" if self.authority else "http"
-        return f"{scheme}://127.0.0.1:{self.http_port}"
+        return f"{scheme}://{self.host}:{self.http_port}"
+
+    @property
+    def host(self) -> str:
+        return self._settings.get("DRONEMAP_BIND", "127.0.0.1")
 
     @property
     def stream_address(self) -> str:
-        return f"ws://127.0.0.1:{self.stream_port}/stream"
+        return f"ws://{self.host}:{self.stream_port}/stream"
 
     @property
     def authority(self) -> str | None:
