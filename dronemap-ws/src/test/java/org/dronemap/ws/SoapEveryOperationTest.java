@@ -118,8 +118,10 @@ class SoapEveryOperationTest {
             if (hasBody(rest)) {
                 Http.Answer byRest = byRest(rest, operation);
                 compared++;
-                if (byRest.status() != 422 || !sentence.equals(byRest.text("detail"))) {
-                    wrong.add(operation + ": " + sentence + " / " + byRest.raw().body());
+                boolean sameCode = eleven.raw().body().contains("<code>" + byRest.text("code") + "</code>");
+                if (byRest.status() != 422 || !sentence.equals(byRest.text("detail")) || !sameCode) {
+                    wrong.add(operation + ": " + eleven.raw().body() + " / "
+                            + byRest.raw().body());
                 }
             } else if (!eleven.raw().body().contains("<status>422</status>") || !sentence.contains("nosuchmember")) {
                 wrong.add(operation + ": " + eleven.raw().body());
