@@ -29,8 +29,8 @@ class Carrier(Protocol):
 class WebSocketCaller:
     """A vehicle that opens a WebSocket to the server."""
 
-    def __init__(self, port: int) -> None:
-        self._socket = connect(f"ws://127.0.0.1:{port}/mavlink")
+    def __init__(self, port: int, host: str = "127.0.0.1", path: str = "/mavlink") -> None:
+        self._socket = connect(f"ws://{host}:{port}{path}")
 
     def send(self, frame: bytes) -> None:
         self._socket.send(frame)

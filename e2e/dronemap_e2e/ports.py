@@ -14,6 +14,11 @@ WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
 _given: set[int] = set()
 
 
+def own_host() -> str:
+    """A loopback address for one test: there even ports that others want as well are free."""
+    return f"127.{random.randrange(1, 255)}.{random.randrange(256)}.{random.randrange(1, 255)}"
+
+
 def free_port(kind: int = socket.SOCK_STREAM) -> int:
     """None that was given out before: whoever got it may not listen there yet, or not at the moment."""
     while True:

@@ -24,12 +24,14 @@ SERVER_JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 class Server:
     """One server process; it may be killed and started again over the same data."""
 
-    def __init__(self, data: Path, as_shipped: bool = False, begun: bool = True, **settings: str) -> None:
+    def __init__(
+        self, data: Path, as_shipped: bool = False, begun: bool = True, heap: str = "384m", **settings: str
+    ) -> None:
         """`as_shipped`: for tests that measure it; `begun`: where no folder is yet, it is a copy of what
-        a first start leaves, which is quicker than another."""
+        a first start leaves, which is quicker than another; `heap`: its most, as Java has it."""
         self.data = data
         self._begun = begun and "DRONEMAP_DATABASE_URL" not in settings
-        self._options = [] if as_shipped else [QUICK]
+        self._options = [f"-Xmx{heap}", *([] if as_shipped else [QUICK])]
         self.http_port = free_port()
         self.stream_port = free_port()
         self.udp_port = free_port(socket.SOCK_DGRAM)
@@ -47,11 +49,15 @@ class Server:
     @property
     def address(self) -> str:
         scheme = "https" if self.authority else "http"
-        return f"{scheme}://127.0.0.1:{self.http_port}"
+        return f"{scheme}://{self.host}:{self.http_port}"
+
+    @property
+    def host(self) -> str:
+        return self._settings.get("DRONEMAP_BIND", "127.0.0.1")
 
     @property
     def stream_address(self) -> str:
-        return f"ws://127.0.0.1:{self.stream_port}/stream"
+        return f"ws://{self.host}:{self.stream_port}/stream"
 
     @property
     def authority(self) -> str | None:
@@ -106,7 +112,7 @@ class Server:
         with self._log.open("ab") as log:
             self._told_before = log.tell()
             self._process = subprocess.Popen(
-                ["java", "-Xmx384m", *self._options, "-jar", str(jar)],
+                ["java", *self._options, "-jar", str(jar)],
                 env=environment | self._settings,
                 stdout=log,
                 stderr=subprocess.STDOUT,
@@ -132,6 +138,9 @@ class Server:
     def first_password(self) -> str:
         return (self.data / "first-password.txt").read_text().split()[1]
 
+    def log(self) -> str:
+        return self._log.read_text(errors="replace")
+
     def is_up(self) -> bool:
         assert self._process is not None
         assert self._process.poll() is None, f"the server ended: {self._tail()}"
@@ -147,7 +156,7 @@ class Server:
         return self.data / "server.log"
 
     def _tail(self) -> str:
-        return self._log.read_text(errors="replace")[-2000:]
+        return self.log()[-2000:]
 
 
 def _first_start(data: Path) -> None:

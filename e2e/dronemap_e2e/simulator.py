@@ -56,7 +56,18 @@ class Simulator:
 
     def payload(self, system_id: int) -> str:
         """What a vehicle did with its camera and relays: "pictures 1 relays on: 0"."""
-        lines = self.ask("payload").splitlines()
+        return self._line("payload", system_id)
+
+    def armed(self, system_id: int) -> bool:
+        return " armed " in self._line("list", system_id)
+
+    def place(self, system_id: int) -> tuple[float, float, float]:
+        """Where a vehicle truly is: latitude and longitude in degrees, metres above its home."""
+        latitude, longitude, height = map(float, self._line("where", system_id).split())
+        return latitude, longitude, height
+
+    def _line(self, words: str, system_id: int) -> str:
+        lines = self.ask(words).splitlines()
         return next(line.split(" ", 1)[1] for line in lines if line.startswith(f"{system_id} "))
 
     def ask(self, words: str) -> str:

@@ -73,6 +73,7 @@ missing_packages() { # [for-tests]
     command -v openssl >/dev/null || echo openssl
     find_chromium >/dev/null || echo chromium
     command -v certutil >/dev/null || echo libnss3-tools
+    php -r 'exit(extension_loaded("soap") ? 0 : 1);' 2>/dev/null || printf '%s\n' php-cli php-soap
     if compgen -G "$ROOT/php-*/composer.json" >/dev/null; then
         command -v phpunit >/dev/null || printf '%s\n' php-cli php-soap phpunit
     fi

@@ -66,6 +66,16 @@ class PayloadTest {
         assertThat(payload(bench)).contains("pictures 2");
     }
 
+    @Test
+    void tellsWhereItTrulyIsWhateverItSaysOfItself() {
+        Bench bench = Bench.flying(20);
+        ControlCommands.run("fault all gps off", List.of(bench.vehicle));
+        bench.run(1);
+
+        assertThat(ControlCommands.run("where", List.of(bench.vehicle)))
+                .matches("(?s)1 47\\.397\\d{4} 8\\.545\\d{4} (19|20)\\.\\d\\d\\Rok 1 vehicles");
+    }
+
     private static GimbalManagerSetPitchyaw looks(int flags, double degrees) {
         return new GimbalManagerSetPitchyaw(1, 1, flags, 0, (float) Math.toRadians(degrees), 0, Float.NaN, Float.NaN);
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditRecord;
@@ -18,6 +19,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.house.Deeds;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.SameRecords;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.Waiting;
 import org.junit.jupiter.api.Test;
@@ -39,18 +41,21 @@ class AuditedDeedsTest extends DeedTrial {
     private static final String CANNOT = "goToLocal|emergencyStop|readMap";
 
     private static final Set<AuditOutcome> DONE = Set.of(AuditOutcome.SUCCEEDED, AuditOutcome.UNDER_WAY);
-    private static final String HERE = "<latitude>47.3978</latitude><longitude>8.5457</longitude>";
+    private static final String HERE = "\"latitude\":47.3978,\"longitude\":8.5457,\"altitude\":20";
 
-    /** What operations of SOAP take beside the drone. */
-    private static final Map<String, String> ELEMENTS = Map.of(
-            "disarm", "<force>false</force>",
-            "setMode", "<mode>GUIDED</mode>",
-            "takeoff", "<altitude>20</altitude>",
-            "goto", HERE + "<altitude>20</altitude>",
-            "uploadMission", "<items><item><type>waypoint</type>" + HERE + "<altitude>20</altitude></item></items>",
-            "turn", "<degrees>90</degrees>",
-            "setRelay", "<relay>1</relay><setting>on</setting>",
-            "setParameters", "<parameters><item><name>RTL_ALT</name><value>2000</value></item></parameters>");
+    /** What commands say beside their type, by their operations of SOAP. */
+    private static final Map<String, String> MEMBERS = Map.of(
+            "disarm", "\"force\":false",
+            "setMode", "\"mode\":\"GUIDED\"",
+            "takeoff", "\"altitude\":20",
+            "goto", HERE,
+            "uploadMission", "\"items\":[{\"type\":\"waypoint\"," + HERE + "}]",
+            "turn", "\"degrees\":90",
+            "setRelay", "\"relay\":1,\"setting\":\"on\"",
+            "setParameters", "\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":2000}]");
+
+    /** The types of commands that are called otherwise in SOAP. */
+    private static final Map<String, String> TYPES = Map.of("takeoff", "takeOff", "goto", "goTo");
 
     @Test
     void eachOperationOfRestThatSucceedsLeavesOneRecordThatSaysSo() {
@@ -110,7 +115,7 @@ class AuditedDeedsTest extends DeedTrial {
     }
 
     @Test
-    void eachOperationOfSoapThatSucceedsLeavesOneRecordThatSaysSo() {
+    void eachOperationOfSoapThatSucceedsLeavesTheRecordThatItLeavesOverRest() {
         List<String> wrong = new ArrayList<>();
         int done = 0;
         for (String operation : faces.soap()) {
@@ -118,31 +123,48 @@ class AuditedDeedsTest extends DeedTrial {
             if (rest.startsWith("GET ") || Set.of(HEARTBEAT, POSITIONS).contains(rest) || operation.matches(CANNOT)) {
                 continue;
             }
-            boolean isCommand = rest.equals(COMMANDS);
-            Deeds.Deed deed = deed(rest).orElseThrow();
-            if (deed.cookie() != null) {
+            if (deed(rest).orElseThrow().cookie() != null) {
                 // Of somebody at a browser.
                 continue;
             }
-            if (isCommand) {
-                beReadyFor(operation);
-            }
-            int before = house.records().size();
-            Http.Answer answer = isCommand
-                    ? faces.call(estate.administrator().http(), operation, elements(operation))
-                    : faces.soap(deed, operation);
-            List<AuditEntry> left = since(before);
-            boolean right = answer.status() == 200
-                    && left.size() == 1
-                    && isOf(left.get(0), rest, Set.of("soap"))
-                    && DONE.contains(left.get(0).outcome());
+            Left byRest = left(operation, "rest", Deeds.Deed::make);
+            Left bySoap = left(operation, "soap", deed -> faces.soap(deed, operation));
+            boolean right = bySoap.answer().status() == 200
+                    && bySoap.entries().size() == 1
+                    && isOf(bySoap.entries().get(0), rest, Set.of("soap"))
+                    && DONE.contains(bySoap.entries().get(0).outcome());
             if (!right) {
-                wrong.add(operation + " is answered " + answer.raw().body() + " and leaves " + left);
+                wrong.add(
+                        operation + " is answered " + bySoap.answer().raw().body() + " and leaves " + bySoap.entries());
+            } else if (!bySoap.told().equals(byRest.told())) {
+                wrong.add(operation + " leaves " + bySoap.told() + ", over REST " + byRest.told());
             }
             done++;
         }
         assertThat(wrong).isEmpty();
         assertThat(done).isGreaterThan(90);
+    }
+
+    /** What one call is answered and leaves. */
+    private record Left(SameRecords records, Http.Answer answer, List<AuditEntry> entries) {
+        List<Map<String, String>> told() {
+            return entries.stream().map(records::told).toList();
+        }
+    }
+
+    private Left left(String operation, String face, Function<Deeds.Deed, Http.Answer> call) {
+        boolean isCommand = faces.restOf(operation).equals(COMMANDS);
+        Deeds.Deed deed = deed(faces.restOf(operation)).orElseThrow();
+        if (isCommand) {
+            beReadyFor(operation);
+            String members = MEMBERS.getOrDefault(operation, "");
+            String type = "\"type\":\"" + TYPES.getOrDefault(operation, operation) + "\"";
+            deed = deed.saying(
+                    "{" + (face.equals("soap") ? members : members.isEmpty() ? type : type + "," + members) + "}");
+        }
+        int before = house.records().size();
+        Http.Answer answer = call.apply(deed);
+        return new Left(new SameRecords(faces.restOf(operation), deed), answer, since(before));
     }
 
     private void beReadyFor(String operation) {
@@ -158,10 +180,6 @@ class AuditedDeedsTest extends DeedTrial {
         Waiting.until(
                 "it is heard",
                 () -> house.cloud().drone(new DroneId(vehicle.id())).filter(state -> state.phase() == phase));
-    }
-
-    private String elements(String operation) {
-        return "<droneId>" + vehicle.id() + "</droneId>" + ELEMENTS.getOrDefault(operation, "");
     }
 
     @Test

@@ -3,7 +3,11 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.Map;
 import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.core.access.AccountState;
@@ -15,6 +19,7 @@ import org.dronemap.ws.service.Work;
 import org.dronemap.ws.wiring.Settings;
 import org.dronemap.ws.wiring.SetupException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -159,5 +164,18 @@ class SettingsTest {
                 .isInstanceOf(SetupException.class)
                 .hasMessageContaining(name)
                 .hasMessageContaining(named);
+    }
+
+    @Test
+    void hasNoPlainAddressesOfThePastBesideTls(@TempDir Path folder) throws IOException {
+        String pem = Files.createFile(folder.resolve("some.pem")).toString();
+        Map<String, String> encrypted = Map.of("DRONEMAP_TLS_CERT", pem, "DRONEMAP_TLS_KEY", pem);
+        Map<String, String> both = new HashMap<>(encrypted);
+        both.put("DRONEMAP_ORIGINAL_ADDRESSES", "true");
+
+        assertThat(Settings.fromEnvironment(encrypted).originalAddresses()).isFalse();
+        assertThatThrownBy(() -> Settings.fromEnvironment(both))
+                .isInstanceOf(SetupException.class)
+                .hasMessageContaining("DRONEMAP_ORIGINAL_ADDRESSES cannot be on with TLS");
     }
 }

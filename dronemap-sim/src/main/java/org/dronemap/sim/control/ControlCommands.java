@@ -11,6 +11,7 @@ import org.dronemap.sim.personality.SimulatedVehicle;
 public final class ControlCommands {
     static final String HELP = """
             list                                  all vehicles
+            where                                 true place of each: latitude and longitude, metres above home
             payload                               pictures taken, relays switched on and servos moved by each
             sensor <sysid|all> <name> <value>     has a sensor that measures that from now on; off instead of name and
                                                   value: has none any more
@@ -37,6 +38,7 @@ public final class ControlCommands {
         return switch (words[0]) {
             case "help" -> HELP;
             case "list" -> list(vehicles);
+            case "where" -> where(vehicles);
             case "payload" -> payload(vehicles);
             case "signing" -> signing(vehicles);
             case "sensor" -> sensor(words, line.trim().split("\\s+"), vehicles);
@@ -60,6 +62,21 @@ public final class ControlCommands {
                     craft.aboveHome(),
                     craft.body().groundSpeed(),
                     craft.battery().remainingPercent()));
+        }
+        return text + "ok " + vehicles.size() + " vehicles";
+    }
+
+    private static String where(List<SimulatedVehicle> vehicles) {
+        StringBuilder text = new StringBuilder();
+        for (SimulatedVehicle vehicle : vehicles) {
+            Craft craft = vehicle.craft();
+            text.append(String.format(
+                    Locale.ROOT,
+                    "%d %.7f %.7f %.2f%n",
+                    vehicle.systemId(),
+                    craft.frame().latitudeOf(craft.body().position()),
+                    craft.frame().longitudeOf(craft.body().position()),
+                    craft.aboveHome()));
         }
         return text + "ok " + vehicles.size() + " vehicles";
     }

@@ -1,8 +1,8 @@
 package org.dronemap.ws.access;
 
-import jakarta.servlet.DispatcherType;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
+import org.springframework.boot.webmvc.error.ErrorController;
 import org.springframework.web.method.HandlerMethod;
 import org.springframework.web.servlet.HandlerInterceptor;
 
@@ -19,8 +19,10 @@ public final class SameHandler implements HandlerInterceptor {
 
     @Override
     public boolean preHandle(HttpServletRequest request, HttpServletResponse response, Object handler) {
-        Access access = handler instanceof HandlerMethod method ? method.getMethodAnnotation(Access.class) : null;
-        if (access != null && request.getDispatcherType() != DispatcherType.ERROR) {
+        Access access = handler instanceof HandlerMethod method && !isToldOfAnError(method)
+                ? method.getMethodAnnotation(Access.class)
+                : null;
+        if (access != null) {
             RestOperation judged = operations.rule(request).operation();
             if (judged == null || !judged.access().equals(access)) {
                 throw new IllegalStateException("A request was judged as one for "
@@ -28,5 +30,10 @@ public final class SameHandler implements HandlerInterceptor {
             }
         }
         return true;
+    }
+
+    /** It carries nothing out, and comes after the handler that was judged: not always by a dispatch of its own type. */
+    private static boolean isToldOfAnError(HandlerMethod method) {
+        return ErrorController.class.isAssignableFrom(method.getBeanType());
     }
 }
