@@ -47,7 +47,7 @@ class AuditedDeedsTest extends DeedTrial {
             "setMode", "<mode>GUIDED</mode>",
             "takeoff", "<altitude>20</altitude>",
             "goto", HERE + "<altitude>20</altitude>",
-            "uploadMission", "<items><item><type>waypoint</type>" + HERE + "<altitude>20</altitude></item></items>",
+            "uploadMission", "<items><item><waypoint>" + HERE + "<altitude>20</altitude></waypoint></item></items>",
             "turn", "<degrees>90</degrees>",
             "setRelay", "<relay>1</relay><setting>on</setting>",
             "setParameters", "<parameters><item><name>RTL_ALT</name><value>2000</value></item></parameters>");

@@ -245,7 +245,10 @@ class DescribedBoundsTest {
     private List<Example> names() {
         Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         return List.of(
-                post("/missions", "{\"name\":\"a\",\"items\":[{\"type\":\"waypoint\",\"altitude\":10," + PLACE + "}]}"),
+                post(
+                        "/missions",
+                        "{\"name\":\"a\",\"items\":[{\"type\":\"waypoint\",\"altitude\":10," + PLACE
+                                + "},{\"type\":\"lookAt\",\"altitude\":10," + PLACE + "}]}"),
                 as(administrator, "/groups", "{\"name\":\"a\",\"members\":[\"" + member + "\"]}"),
                 as(administrator, "/fleets", "{\"name\":\"a\",\"drones\":[\"" + drone + "\"]}"),
                 as(administrator, "/invitations", "{\"label\":\"a\",\"role\":\"viewer\",\"days\":1}"),

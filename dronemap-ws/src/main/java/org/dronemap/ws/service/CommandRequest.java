@@ -174,7 +174,7 @@ public sealed interface CommandRequest {
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "1 to 500 items")
             @Size(min = 1, max = Mission.MAX_ITEMS)
             @Nullable
-            List<MissionItemView> items,
+            List<MissionItemRequest> items,
 
             @Nullable String id,
             @Nullable Long epoch)
