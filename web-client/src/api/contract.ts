@@ -1151,20 +1151,8 @@ export interface components {
              */
             number: number;
         };
-        KeyArea: {
-            /** @description Degrees, longitude first */
-            coordinates?: unknown;
-            /**
-             * Format: double
-             * @description Point: metres, 1 to 100000
-             */
-            radius?: number | null;
-            /**
-             * @description Polygon: one ring; Point: the middle of a circle
-             * @enum {string|null}
-             */
-            type?: "Polygon" | "Point" | null;
-        };
+        /** @description An area as a geometry of GeoJSON: a Polygon, or a Point with a radius. */
+        KeyArea: components["schemas"]["PolygonKeyArea"] | components["schemas"]["PointKeyArea"];
         KeyRequest: {
             /** @enum {string|null} */
             altitudeReference?: "home" | "amsl" | null;
@@ -1897,6 +1885,31 @@ export interface components {
              */
             opens?: number | null;
         };
+        /** @description The middle of a circle. */
+        PointGeometry: {
+            /** @description Longitude and latitude in degrees */
+            coordinates: number[];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Point";
+        };
+        /** @description A circle around a point. */
+        PointKeyArea: {
+            /** @description Longitude and latitude in degrees */
+            coordinates: number[];
+            /**
+             * Format: double
+             * @description Metres, 1 to 100000
+             */
+            radius: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Point";
+        };
         PointView: {
             /** Format: double */
             altitudeAboveHome: number | null;
@@ -1930,6 +1943,26 @@ export interface components {
             points: components["schemas"]["PointView"][];
             /** Format: date-time */
             until: string;
+        };
+        /** @description An area of 3 to 100 corners. */
+        PolygonGeometry: {
+            /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
+            coordinates: number[][][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Polygon";
+        };
+        /** @description An area of 3 to 100 corners. */
+        PolygonKeyArea: {
+            /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
+            coordinates: number[][][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Polygon";
         };
         /** @description Why a request was not carried out (RFC 9457); the detail is a sentence for people. */
         Problem: {
@@ -3018,15 +3051,8 @@ export interface components {
             /** @enum {string|null} */
             type?: "Feature" | null;
         };
-        ZoneGeometry: {
-            /** @description Degrees, longitude first */
-            coordinates?: unknown;
-            /**
-             * @description Polygon: one ring; Point: the middle of a circle
-             * @enum {string|null}
-             */
-            type?: "Polygon" | "Point" | null;
-        };
+        /** @description A geometry of GeoJSON. */
+        ZoneGeometry: components["schemas"]["PolygonGeometry"] | components["schemas"]["PointGeometry"];
         ZoneProperties: {
             /**
              * @description what floor and ceiling are measured from: home (the default) or amsl
@@ -3248,8 +3274,12 @@ export type PlanView = components['schemas']['PlanView'];
 export type PlanWaypointRequest = components['schemas']['PlanWaypointRequest'];
 export type PlanWindRequest = components['schemas']['PlanWindRequest'];
 export type PlanWindowRequest = components['schemas']['PlanWindowRequest'];
+export type PointGeometry = components['schemas']['PointGeometry'];
+export type PointKeyArea = components['schemas']['PointKeyArea'];
 export type PointView = components['schemas']['PointView'];
 export type Points = components['schemas']['Points'];
+export type PolygonGeometry = components['schemas']['PolygonGeometry'];
+export type PolygonKeyArea = components['schemas']['PolygonKeyArea'];
 export type Problem = components['schemas']['Problem'];
 export type ReadHomeCommand = components['schemas']['ReadHomeCommand'];
 export type ReadLogsCommand = components['schemas']['ReadLogsCommand'];

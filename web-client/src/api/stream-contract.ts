@@ -839,6 +839,20 @@ export interface components {
             /** @description failed: why */
             why: string | null;
         };
+        /** @description The middle of a circle. */
+        PointGeometry: {
+            /** @description Longitude and latitude in degrees */
+            coordinates: number[] | null;
+            /** @enum {string} */
+            type: "Point";
+        };
+        /** @description An area of 3 to 100 corners. */
+        PolygonGeometry: {
+            /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
+            coordinates: number[][][] | null;
+            /** @enum {string} */
+            type: "Polygon";
+        };
         /** @description Why a request was not carried out (RFC 9457); the detail is a sentence for people. */
         Problem: {
             allowed?: string;
@@ -1718,15 +1732,8 @@ export interface components {
             /** @enum {string|null} */
             type: "Feature" | null;
         };
-        ZoneGeometry: {
-            /** @description Degrees, longitude first */
-            coordinates: unknown;
-            /**
-             * @description Polygon: one ring; Point: the middle of a circle
-             * @enum {string|null}
-             */
-            type: "Polygon" | "Point" | null;
-        };
+        /** @description A geometry of GeoJSON. */
+        ZoneGeometry: components["schemas"]["PolygonGeometry"] | components["schemas"]["PointGeometry"];
         ZoneProperties: {
             /**
              * @description what floor and ceiling are measured from: home (the default) or amsl
@@ -1840,6 +1847,8 @@ export type PlanStopView = components['schemas']['PlanStopView'];
 export type PlanTourView = components['schemas']['PlanTourView'];
 export type PlanUnservedView = components['schemas']['PlanUnservedView'];
 export type PlanView = components['schemas']['PlanView'];
+export type PointGeometry = components['schemas']['PointGeometry'];
+export type PolygonGeometry = components['schemas']['PolygonGeometry'];
 export type Problem = components['schemas']['Problem'];
 export type ReadHomeCommand = components['schemas']['ReadHomeCommand'];
 export type ReadLogsCommand = components['schemas']['ReadLogsCommand'];

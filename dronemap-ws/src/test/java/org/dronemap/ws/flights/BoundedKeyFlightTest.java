@@ -38,7 +38,7 @@ class BoundedKeyFlightTest {
         Geodetic home = copter.place(0, 0);
         KeyArea area = radius == null
                 ? null
-                : new KeyArea("Point", List.of(home.longitudeDegrees(), home.latitudeDegrees()), radius);
+                : new KeyArea.Point(List.of(home.longitudeDegrees(), home.latitudeDegrees()), radius);
         return new KeyRequest(
                 "field",
                 null,

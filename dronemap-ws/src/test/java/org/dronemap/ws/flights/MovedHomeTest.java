@@ -18,6 +18,7 @@ import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.KeyRequest;
 import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.ZoneFeature;
+import org.dronemap.ws.service.ZoneGeometry;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -50,8 +51,7 @@ class MovedHomeTest {
                         new ZoneFeature(
                                 "Feature",
                                 null,
-                                new ZoneFeature.ZoneGeometry(
-                                        "Point", List.of(middle.longitudeDegrees(), middle.latitudeDegrees())),
+                                new ZoneGeometry.Point(List.of(middle.longitudeDegrees(), middle.latitudeDegrees())),
                                 new ZoneFeature.ZoneProperties(
                                         "Field",
                                         "inclusion",
