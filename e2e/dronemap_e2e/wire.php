@@ -35,8 +35,8 @@ if ($version === '1.1') {
     call($controller, 'goto', ['droneId' => $drone, 'latitude' => 95, 'longitude' => 8, 'altitude' => 10]);
     call($controller, 'takeoff', ['droneId' => $drone, 'altitude' => NAN]);
     call($controller, 'uploadMission', ['droneId' => $drone, 'items' => ['item' => [
-        ['type' => 'waypoint', 'latitude' => 47.3979, 'longitude' => 8.5456, 'altitude' => 10],
-        ['type' => 'waypoint', 'latitude' => 47.3983, 'longitude' => 8.5462, 'altitude' => 10, 'holdSeconds' => 1],
+        ['waypoint' => ['latitude' => 47.3979, 'longitude' => 8.5456, 'altitude' => 10]],
+        ['waypoint' => ['latitude' => 47.3983, 'longitude' => 8.5462, 'altitude' => 10, 'holdSeconds' => 1]],
     ]]]);
     call($controller, 'getControl', ['droneId' => $drone]);
     call(client($address, $key, $version, 'VirtualDroneService'), 'listVirtualDrones');

@@ -22,7 +22,7 @@ from .wire_page import use_page
 from .wire_relay import Relay
 
 CONTROLLER = "MAVLinkControllerService"
-POINT = {"type": "waypoint"} | NEAR
+POINT = {"waypoint": NEAR}
 
 
 def _by_curl(relay: Relay, curl: Curl) -> tuple[str, str]:
@@ -55,7 +55,7 @@ def _by_zeep(relay: Relay, key: str, drone: str) -> None:
     called(controller, "setRelay", droneId=drone, relay=4, setting="toggle")
     called(controller, "setRelay", droneId=drone, relay=400, setting="toggle")
     called(controller, "listParameters", droneId=drone, search="NOSUCH")
-    items = {"item": [POINT, POINT | {"holdSeconds": 2}]}
+    items = {"item": [POINT, {"waypoint": NEAR | {"holdSeconds": 2}}]}
     called(controller, "uploadMission", droneId=drone, items=items)
     called(controller, "takeControl", droneId=drone)
     called(controller, "releaseControl", droneId=drone)

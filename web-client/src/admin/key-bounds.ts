@@ -66,15 +66,12 @@ function geometry(of: unknown): KeyArea {
   if (of['type'] === 'Feature') {
     const inner = geometry(of['geometry']);
     const radius: unknown = isObject(of['properties']) ? of['properties']['radius'] : undefined;
-    return typeof radius === 'number' ? { ...inner, radius } : inner;
+    return inner.type === 'Point' && typeof radius === 'number' ? { ...inner, radius } : inner;
   }
   const radius = of['radius'];
-  return {
-    // The cloud has a sentence for what it does not take.
-    type: of['type'] as NonNullable<KeyArea['type']>,
-    coordinates: of['coordinates'],
-    ...(typeof radius === 'number' ? { radius } : {}),
-  };
+  const { type, coordinates } = of;
+  // The cloud has a sentence for what it does not take.
+  return { type, coordinates, ...(typeof radius === 'number' ? { radius } : {}) } as KeyArea;
 }
 
 function isObject(value: unknown): value is Record<string, unknown> {

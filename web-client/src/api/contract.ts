@@ -1159,20 +1159,8 @@ export interface components {
              */
             number: number;
         };
-        KeyArea: {
-            /** @description Degrees, longitude first */
-            coordinates?: unknown;
-            /**
-             * Format: double
-             * @description Point: metres, 1 to 100000
-             */
-            radius?: number | null;
-            /**
-             * @description Polygon: one ring; Point: the middle of a circle
-             * @enum {string|null}
-             */
-            type?: "Polygon" | "Point" | null;
-        };
+        /** @description An area as a geometry of GeoJSON: a Polygon, or a Point with a radius. */
+        KeyArea: components["schemas"]["PolygonKeyArea"] | components["schemas"]["PointKeyArea"];
         KeyRequest: {
             /** @enum {string|null} */
             altitudeReference?: "home" | "amsl" | null;
@@ -1221,6 +1209,14 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "land";
+        };
+        /** @description Land where it is. */
+        LandItem: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -1296,57 +1292,52 @@ export interface components {
         LogsView: {
             logs: components["schemas"]["LogView"][] | null;
         };
+        /** @description No place is looked at any more. */
+        LookAheadItem: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "lookAhead";
+        };
+        /** @description Camera and nose point to a place until the next lookAhead. */
+        LookAtItem: {
+            /**
+             * Format: double
+             * @description Metres
+             */
+            altitude: number;
+            /**
+             * @description home (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "lookAt";
+        };
         MadeLinkKey: {
             fingerprint: string;
             key: string;
         };
-        /** @description One step of a mission; which members are there depends on the type. */
-        MissionItemView: {
-            /**
-             * Format: double
-             * @description takeOff, waypoint, lookAt: metres
-             */
-            altitude?: number | null;
-            /**
-             * @description waypoint, lookAt: home (the default) or amsl
-             * @enum {string|null}
-             */
-            altitudeReference?: "home" | "amsl" | null;
-            /** @description other: what it is */
-            description?: string | null;
-            /**
-             * Format: double
-             * @description waypoint, wait: seconds to wait there
-             */
-            holdSeconds?: number | null;
-            /**
-             * Format: double
-             * @description waypoint, lookAt: degrees
-             */
-            latitude?: number | null;
-            /**
-             * Format: double
-             * @description waypoint, lookAt: degrees
-             */
-            longitude?: number | null;
-            /**
-             * Format: int32
-             * @description setServo: which output, 1 to 32
-             */
-            output?: number | null;
-            /**
-             * Format: int32
-             * @description setServo: length of its pulses in microseconds, 500 to 2500
-             */
-            pulse?: number | null;
-            /**
-             * @description other: read only
-             * @enum {string|null}
-             */
-            type?: "takeOff" | "waypoint" | "returnToLaunch" | "land" | "wait" | "takePhoto" | "setServo" | "lookAt" | "lookAhead" | "other" | null;
-        };
+        /** @description One step of a mission; which members there are depends on the type. */
+        MissionItemRequest: components["schemas"]["TakeOffItem"] | components["schemas"]["WaypointItem"] | components["schemas"]["ReturnToLaunchItem"] | components["schemas"]["LandItem"] | components["schemas"]["WaitItem"] | components["schemas"]["TakePhotoItem"] | components["schemas"]["SetServoItem"] | components["schemas"]["LookAtItem"] | components["schemas"]["LookAheadItem"];
+        /** @description One step of a mission; which members there are depends on the type. */
+        MissionItemView: components["schemas"]["TakeOffItem"] | components["schemas"]["WaypointItem"] | components["schemas"]["ReturnToLaunchItem"] | components["schemas"]["LandItem"] | components["schemas"]["WaitItem"] | components["schemas"]["TakePhotoItem"] | components["schemas"]["SetServoItem"] | components["schemas"]["LookAtItem"] | components["schemas"]["LookAheadItem"] | components["schemas"]["OtherItem"];
         MissionRequest: {
-            items?: components["schemas"]["MissionItemView"][] | null;
+            items?: components["schemas"]["MissionItemRequest"][] | null;
             name?: string | null;
         };
         Missions: {
@@ -1388,6 +1379,16 @@ export interface components {
         };
         Organisations: {
             organisations: components["schemas"]["OrganisationView"][];
+        };
+        /** @description Something found on a vehicle that the cloud does not plan: read only. */
+        OtherItem: {
+            /** @description What it is */
+            description: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "other";
         };
         OutletClientView: {
             address: string;
@@ -1529,6 +1530,7 @@ export interface components {
             total: number;
         };
         PassphraseRequest: {
+            /** @description 16 to 64 printable ASCII characters, without blanks at the ends */
             passphrase?: string | null;
         };
         PassphraseView: {
@@ -1894,6 +1896,31 @@ export interface components {
              */
             opens?: number | null;
         };
+        /** @description The middle of a circle. */
+        PointGeometry: {
+            /** @description Longitude and latitude in degrees */
+            coordinates: number[];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Point";
+        };
+        /** @description A circle around a point. */
+        PointKeyArea: {
+            /** @description Longitude and latitude in degrees */
+            coordinates: number[];
+            /**
+             * Format: double
+             * @description Metres, 1 to 100000
+             */
+            radius: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Point";
+        };
         PointView: {
             /** Format: double */
             altitudeAboveHome: number | null;
@@ -1927,6 +1954,26 @@ export interface components {
             points: components["schemas"]["PointView"][];
             /** Format: date-time */
             until: string;
+        };
+        /** @description An area of 3 to 100 corners. */
+        PolygonGeometry: {
+            /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
+            coordinates: number[][][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Polygon";
+        };
+        /** @description An area of 3 to 100 corners. */
+        PolygonKeyArea: {
+            /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
+            coordinates: number[][][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Polygon";
         };
         /** @description Why a request was not carried out (RFC 9457); the detail is a sentence for people. */
         Problem: {
@@ -2105,6 +2152,14 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "returnToLaunch";
+        };
+        /** @description Fly home and land there. */
+        ReturnToLaunchItem: {
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2551,6 +2606,24 @@ export interface components {
              */
             type: "setRelay";
         };
+        /** @description Set an output of the vehicle. */
+        SetServoItem: {
+            /**
+             * Format: int32
+             * @description Which output, 1 to 32 when written
+             */
+            output: number;
+            /**
+             * Format: int32
+             * @description Length of its pulses in microseconds, 500 to 2500 when written
+             */
+            pulse: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "setServo";
+        };
         SettingsView: {
             phonePage: string | null;
             publicMode: boolean;
@@ -2601,6 +2674,27 @@ export interface components {
              * @enum {string}
              */
             type: "takeOff";
+        };
+        /** @description Climb straight up. */
+        TakeOffItem: {
+            /**
+             * Format: double
+             * @description Metres above home, 1 to 500 when written
+             */
+            altitude: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "takeOff";
+        };
+        /** @description Take one picture. */
+        TakePhotoItem: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "takePhoto";
         };
         /** @description Take one picture. */
         TakePictureCommand: {
@@ -2708,7 +2802,7 @@ export interface components {
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
             /** @description 1 to 500 items */
-            items: components["schemas"]["MissionItemView"][];
+            items: components["schemas"]["MissionItemRequest"][];
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
@@ -2799,7 +2893,7 @@ export interface components {
         /** @description A virtual drone as its owner writes it. */
         VirtualDroneRequest: {
             /** @description Its mission: perhaps a take-off, waypoints, perhaps return or land; left out: none yet */
-            items?: components["schemas"]["MissionItemView"][] | null;
+            items?: components["schemas"]["MissionItemRequest"][] | null;
             name?: string | null;
             /** @description What a drone must be to serve; left out: any that can fly the mission */
             needs?: components["schemas"]["VirtualDroneNeedsView"] | null;
@@ -2863,6 +2957,19 @@ export interface components {
             /** @description Its mission as it was last asked for; null: never */
             run: components["schemas"]["VirtualDroneRunView"] | null;
         };
+        /** @description Wait in the air where it is. */
+        WaitItem: {
+            /**
+             * Format: double
+             * @description Seconds, 0.1 to 3600 when written
+             */
+            holdSeconds: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "wait";
+        };
         /** @description A vehicle that nobody has let in: nothing is sent to it but the question who it is. */
         WaitingView: {
             address: string;
@@ -2908,6 +3015,39 @@ export interface components {
         WarehouseView: {
             drones: components["schemas"]["VirtualDroneDroneName"][];
         };
+        /** @description Fly through a point, or wait there. */
+        WaypointItem: {
+            /**
+             * Format: double
+             * @description Metres
+             */
+            altitude: number;
+            /**
+             * @description home (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: double
+             * @description Seconds to wait there, 0 to 3600 when written; left out: 0
+             */
+            holdSeconds?: number | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "waypoint";
+        };
         ZoneCollection: {
             features: components["schemas"]["ZoneFeature"][] | null;
             /** @enum {string|null} */
@@ -2922,15 +3062,8 @@ export interface components {
             /** @enum {string|null} */
             type?: "Feature" | null;
         };
-        ZoneGeometry: {
-            /** @description Degrees, longitude first */
-            coordinates?: unknown;
-            /**
-             * @description Polygon: one ring; Point: the middle of a circle
-             * @enum {string|null}
-             */
-            type?: "Polygon" | "Point" | null;
-        };
+        /** @description A geometry of GeoJSON. */
+        ZoneGeometry: components["schemas"]["PolygonGeometry"] | components["schemas"]["PointGeometry"];
         ZoneProperties: {
             /**
              * @description what floor and ceiling are measured from: home (the default) or amsl
@@ -3086,6 +3219,7 @@ export type KeyArea = components['schemas']['KeyArea'];
 export type KeyRequest = components['schemas']['KeyRequest'];
 export type KeyView = components['schemas']['KeyView'];
 export type LandCommand = components['schemas']['LandCommand'];
+export type LandItem = components['schemas']['LandItem'];
 export type LeftBehind = components['schemas']['LeftBehind'];
 export type LeftBehindView = components['schemas']['LeftBehindView'];
 export type LinkKeyRequest = components['schemas']['LinkKeyRequest'];
@@ -3097,7 +3231,10 @@ export type LinkSecurityView = components['schemas']['LinkSecurityView'];
 export type LinkTraffic = components['schemas']['LinkTraffic'];
 export type LogView = components['schemas']['LogView'];
 export type LogsView = components['schemas']['LogsView'];
+export type LookAheadItem = components['schemas']['LookAheadItem'];
+export type LookAtItem = components['schemas']['LookAtItem'];
 export type MadeLinkKey = components['schemas']['MadeLinkKey'];
+export type MissionItemRequest = components['schemas']['MissionItemRequest'];
 export type MissionItemView = components['schemas']['MissionItemView'];
 export type MissionRequest = components['schemas']['MissionRequest'];
 export type Missions = components['schemas']['Missions'];
@@ -3108,6 +3245,7 @@ export type OnlyGrantedRequest = components['schemas']['OnlyGrantedRequest'];
 export type OrganisationNameRequest = components['schemas']['OrganisationNameRequest'];
 export type OrganisationView = components['schemas']['OrganisationView'];
 export type Organisations = components['schemas']['Organisations'];
+export type OtherItem = components['schemas']['OtherItem'];
 export type OutletClientView = components['schemas']['OutletClientView'];
 export type OutletPortRequest = components['schemas']['OutletPortRequest'];
 export type OutletPortView = components['schemas']['OutletPortView'];
@@ -3147,8 +3285,12 @@ export type PlanView = components['schemas']['PlanView'];
 export type PlanWaypointRequest = components['schemas']['PlanWaypointRequest'];
 export type PlanWindRequest = components['schemas']['PlanWindRequest'];
 export type PlanWindowRequest = components['schemas']['PlanWindowRequest'];
+export type PointGeometry = components['schemas']['PointGeometry'];
+export type PointKeyArea = components['schemas']['PointKeyArea'];
 export type PointView = components['schemas']['PointView'];
 export type Points = components['schemas']['Points'];
+export type PolygonGeometry = components['schemas']['PolygonGeometry'];
+export type PolygonKeyArea = components['schemas']['PolygonKeyArea'];
 export type Problem = components['schemas']['Problem'];
 export type ReadHomeCommand = components['schemas']['ReadHomeCommand'];
 export type ReadLogsCommand = components['schemas']['ReadLogsCommand'];
@@ -3165,6 +3307,7 @@ export type RenameRequest = components['schemas']['RenameRequest'];
 export type ReplayView = components['schemas']['ReplayView'];
 export type Replays = components['schemas']['Replays'];
 export type ReturnToLaunchCommand = components['schemas']['ReturnToLaunchCommand'];
+export type ReturnToLaunchItem = components['schemas']['ReturnToLaunchItem'];
 export type RobotKeyRequest = components['schemas']['RobotKeyRequest'];
 export type RobotKeyView = components['schemas']['RobotKeyView'];
 export type RobotKeys = components['schemas']['RobotKeys'];
@@ -3197,10 +3340,13 @@ export type SetHomeCommand = components['schemas']['SetHomeCommand'];
 export type SetModeCommand = components['schemas']['SetModeCommand'];
 export type SetParametersCommand = components['schemas']['SetParametersCommand'];
 export type SetRelayCommand = components['schemas']['SetRelayCommand'];
+export type SetServoItem = components['schemas']['SetServoItem'];
 export type SettingsView = components['schemas']['SettingsView'];
 export type StartMissionCommand = components['schemas']['StartMissionCommand'];
 export type StreamTicket = components['schemas']['StreamTicket'];
 export type TakeOffCommand = components['schemas']['TakeOffCommand'];
+export type TakeOffItem = components['schemas']['TakeOffItem'];
+export type TakePhotoItem = components['schemas']['TakePhotoItem'];
 export type TakePictureCommand = components['schemas']['TakePictureCommand'];
 export type TourEffortView = components['schemas']['TourEffortView'];
 export type TourRequest = components['schemas']['TourRequest'];
@@ -3222,11 +3368,13 @@ export type VirtualDroneRunView = components['schemas']['VirtualDroneRunView'];
 export type VirtualDroneStartRequest = components['schemas']['VirtualDroneStartRequest'];
 export type VirtualDroneUnfitView = components['schemas']['VirtualDroneUnfitView'];
 export type VirtualDroneView = components['schemas']['VirtualDroneView'];
+export type WaitItem = components['schemas']['WaitItem'];
 export type WaitingView = components['schemas']['WaitingView'];
 export type Waitings = components['schemas']['Waitings'];
 export type WarehouseProspectView = components['schemas']['WarehouseProspectView'];
 export type WarehouseProspectsView = components['schemas']['WarehouseProspectsView'];
 export type WarehouseView = components['schemas']['WarehouseView'];
+export type WaypointItem = components['schemas']['WaypointItem'];
 export type ZoneCollection = components['schemas']['ZoneCollection'];
 export type ZoneFeature = components['schemas']['ZoneFeature'];
 export type ZoneGeometry = components['schemas']['ZoneGeometry'];

@@ -1,34 +1,17 @@
-// The items that missions are made of. Their description lists the members of all kinds; which are there depends on the kind.
+// The items that missions are made of, as the page has them: a waypoint always says what its altitude is measured from.
 
-import type { MissionItemView } from './contract';
+import type { MissionItemView, WaypointItem as DescribedWaypoint } from './contract';
 
-type Kind = NonNullable<MissionItemView['type']>;
+export type { LookAtItem } from './contract';
 
-/** A kind of item with the members that it always has. */
-type Item<K extends Kind, M extends keyof MissionItemView = never> = { type: K } & {
-  [N in M]: NonNullable<MissionItemView[N]>;
-};
+export type AltitudeReference = NonNullable<DescribedWaypoint['altitudeReference']>;
 
-export type AltitudeReference = NonNullable<MissionItemView['altitudeReference']>;
+export type WaypointItem = DescribedWaypoint & { altitudeReference: AltitudeReference };
 
-export type WaypointItem = Item<'waypoint', 'latitude' | 'longitude' | 'altitude' | 'altitudeReference'> &
-  Pick<MissionItemView, 'holdSeconds'>;
+export type MissionItem = Exclude<MissionItemView, { type: 'waypoint' }> | WaypointItem;
 
-/** The camera points there until it is to look ahead again. */
-export type LookAtItem = Item<'lookAt', 'latitude' | 'longitude' | 'altitude'> &
-  Pick<MissionItemView, 'altitudeReference'>;
-
-export type MissionItem =
-  | Item<'takeOff', 'altitude'>
-  | WaypointItem
-  | Item<'returnToLaunch'>
-  | Item<'land'>
-  | Item<'wait', 'holdSeconds'>
-  | Item<'takePhoto'>
-  | Item<'setServo', 'output' | 'pulse'>
-  | LookAtItem
-  | Item<'lookAhead'>
-  | Item<'other', 'description'>;
+/** One that may be written: not one of those that are only found on a vehicle. */
+export type PlannedItem = Exclude<MissionItem, { type: 'other' }>;
 
 /** What holds items, with their kinds told apart. */
 export type WithItems<T extends { items: unknown }> = Omit<T, 'items'> & {

@@ -19,7 +19,7 @@ import type {
   Command,
   CommandRequest,
   Drone,
-  MissionItem,
+  PlannedItem,
   ProblemBody,
   SavedMission,
   Settings,
@@ -153,11 +153,11 @@ export class RestClient {
     return answer.missions;
   }
 
-  saveMission(name: string, items: MissionItem[]): Promise<SavedMission> {
+  saveMission(name: string, items: PlannedItem[]): Promise<SavedMission> {
     return this.#call('POST', '/missions', { name, items });
   }
 
-  replaceMission(id: string, name: string, items: MissionItem[]): Promise<SavedMission> {
+  replaceMission(id: string, name: string, items: PlannedItem[]): Promise<SavedMission> {
     return this.#call('PUT', `/missions/${encodeURIComponent(id)}`, { name, items });
   }
 

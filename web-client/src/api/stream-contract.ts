@@ -601,50 +601,51 @@ export interface components {
             /** @enum {string} */
             type: "land";
         };
-        /** @description One step of a mission; which members are there depends on the type. */
-        MissionItemView: {
+        /** @description Land where it is. */
+        LandItem: {
+            /** @enum {string} */
+            type: "land";
+        };
+        /** @description No place is looked at any more. */
+        LookAheadItem: {
+            /** @enum {string} */
+            type: "lookAhead";
+        };
+        /** @description Camera and nose point to a place until the next lookAhead. */
+        LookAtItem: {
             /**
              * Format: double
-             * @description takeOff, waypoint, lookAt: metres
+             * @description Metres
              */
-            altitude?: number | null;
+            altitude: number;
             /**
-             * @description waypoint, lookAt: home (the default) or amsl
+             * @description home (the default) or amsl
              * @enum {string|null}
              */
             altitudeReference?: "home" | "amsl" | null;
-            /** @description other: what it is */
-            description?: string | null;
             /**
              * Format: double
-             * @description waypoint, wait: seconds to wait there
+             * @description Degrees
              */
-            holdSeconds?: number | null;
+            latitude: number;
             /**
              * Format: double
-             * @description waypoint, lookAt: degrees
+             * @description Degrees
              */
-            latitude?: number | null;
-            /**
-             * Format: double
-             * @description waypoint, lookAt: degrees
-             */
-            longitude?: number | null;
-            /**
-             * Format: int32
-             * @description setServo: which output, 1 to 32
-             */
-            output?: number | null;
-            /**
-             * Format: int32
-             * @description setServo: length of its pulses in microseconds, 500 to 2500
-             */
-            pulse?: number | null;
-            /**
-             * @description other: read only
-             * @enum {string|null}
-             */
-            type?: "takeOff" | "waypoint" | "returnToLaunch" | "land" | "wait" | "takePhoto" | "setServo" | "lookAt" | "lookAhead" | "other" | null;
+            longitude: number;
+            /** @enum {string} */
+            type: "lookAt";
+        };
+        /** @description One step of a mission; which members there are depends on the type. */
+        MissionItemRequest: components["schemas"]["TakeOffItem"] | components["schemas"]["WaypointItem"] | components["schemas"]["ReturnToLaunchItem"] | components["schemas"]["LandItem"] | components["schemas"]["WaitItem"] | components["schemas"]["TakePhotoItem"] | components["schemas"]["SetServoItem"] | components["schemas"]["LookAtItem"] | components["schemas"]["LookAheadItem"];
+        /** @description One step of a mission; which members there are depends on the type. */
+        MissionItemView: components["schemas"]["TakeOffItem"] | components["schemas"]["WaypointItem"] | components["schemas"]["ReturnToLaunchItem"] | components["schemas"]["LandItem"] | components["schemas"]["WaitItem"] | components["schemas"]["TakePhotoItem"] | components["schemas"]["SetServoItem"] | components["schemas"]["LookAtItem"] | components["schemas"]["LookAheadItem"] | components["schemas"]["OtherItem"];
+        /** @description Something found on a vehicle that the cloud does not plan: read only. */
+        OtherItem: {
+            /** @description What it is */
+            description: string;
+            /** @enum {string} */
+            type: "other";
         };
         /** @description What becomes of a drone in the air when whoever has it has it no more. */
         OutlookView: {
@@ -842,6 +843,20 @@ export interface components {
             /** @description failed: why */
             why: string | null;
         };
+        /** @description The middle of a circle. */
+        PointGeometry: {
+            /** @description Longitude and latitude in degrees */
+            coordinates: number[] | null;
+            /** @enum {string} */
+            type: "Point";
+        };
+        /** @description An area of 3 to 100 corners. */
+        PolygonGeometry: {
+            /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
+            coordinates: number[][][] | null;
+            /** @enum {string} */
+            type: "Polygon";
+        };
         /** @description Why a request was not carried out (RFC 9457); the detail is a sentence for people. */
         Problem: {
             allowed?: string;
@@ -921,6 +936,11 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
+            /** @enum {string} */
+            type: "returnToLaunch";
+        };
+        /** @description Fly home and land there. */
+        ReturnToLaunchItem: {
             /** @enum {string} */
             type: "returnToLaunch";
         };
@@ -1173,6 +1193,21 @@ export interface components {
             setting: "off" | "on" | "toggle";
             /** @enum {string} */
             type: "setRelay";
+        };
+        /** @description Set an output of the vehicle. */
+        SetServoItem: {
+            /**
+             * Format: int32
+             * @description Which output, 1 to 32 when written
+             */
+            output: number;
+            /**
+             * Format: int32
+             * @description Length of its pulses in microseconds, 500 to 2500 when written
+             */
+            pulse: number;
+            /** @enum {string} */
+            type: "setServo";
         };
         /** @description Fly the mission on the vehicle. */
         StartMissionCommand: {
@@ -1482,6 +1517,21 @@ export interface components {
             /** @enum {string} */
             type: "takeOff";
         };
+        /** @description Climb straight up. */
+        TakeOffItem: {
+            /**
+             * Format: double
+             * @description Metres above home, 1 to 500 when written
+             */
+            altitude: number;
+            /** @enum {string} */
+            type: "takeOff";
+        };
+        /** @description Take one picture. */
+        TakePhotoItem: {
+            /** @enum {string} */
+            type: "takePhoto";
+        };
         /** @description Take one picture. */
         TakePictureCommand: {
             /**
@@ -1521,7 +1571,7 @@ export interface components {
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
             /** @description 1 to 500 items */
-            items: components["schemas"]["MissionItemView"][];
+            items: components["schemas"]["MissionItemRequest"][];
             /** @enum {string} */
             type: "uploadMission";
         };
@@ -1637,6 +1687,46 @@ export interface components {
             /** @description Its mission as it was last asked for; null: never */
             run: components["schemas"]["VirtualDroneRunView"] | null;
         };
+        /** @description Wait in the air where it is. */
+        WaitItem: {
+            /**
+             * Format: double
+             * @description Seconds, 0.1 to 3600 when written
+             */
+            holdSeconds: number;
+            /** @enum {string} */
+            type: "wait";
+        };
+        /** @description Fly through a point, or wait there. */
+        WaypointItem: {
+            /**
+             * Format: double
+             * @description Metres
+             */
+            altitude: number;
+            /**
+             * @description home (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: double
+             * @description Seconds to wait there, 0 to 3600 when written; left out: 0
+             */
+            holdSeconds?: number | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude: number;
+            /** @enum {string} */
+            type: "waypoint";
+        };
         /** @description A zone as a GeoJSON feature: a Polygon, or a Point with a radius. */
         ZoneFeature: {
             geometry: components["schemas"]["ZoneGeometry"] | null;
@@ -1646,15 +1736,8 @@ export interface components {
             /** @enum {string|null} */
             type: "Feature" | null;
         };
-        ZoneGeometry: {
-            /** @description Degrees, longitude first */
-            coordinates: unknown;
-            /**
-             * @description Polygon: one ring; Point: the middle of a circle
-             * @enum {string|null}
-             */
-            type: "Polygon" | "Point" | null;
-        };
+        /** @description A geometry of GeoJSON. */
+        ZoneGeometry: components["schemas"]["PolygonGeometry"] | components["schemas"]["PointGeometry"];
         ZoneProperties: {
             /**
              * @description what floor and ceiling are measured from: home (the default) or amsl
@@ -1749,7 +1832,12 @@ export type GoToCommand = components['schemas']['GoToCommand'];
 export type GoToLocalCommand = components['schemas']['GoToLocalCommand'];
 export type HoldCommand = components['schemas']['HoldCommand'];
 export type LandCommand = components['schemas']['LandCommand'];
+export type LandItem = components['schemas']['LandItem'];
+export type LookAheadItem = components['schemas']['LookAheadItem'];
+export type LookAtItem = components['schemas']['LookAtItem'];
+export type MissionItemRequest = components['schemas']['MissionItemRequest'];
 export type MissionItemView = components['schemas']['MissionItemView'];
+export type OtherItem = components['schemas']['OtherItem'];
 export type OutlookView = components['schemas']['OutlookView'];
 export type PauseMissionCommand = components['schemas']['PauseMissionCommand'];
 export type PlanDroneName = components['schemas']['PlanDroneName'];
@@ -1763,12 +1851,15 @@ export type PlanStopView = components['schemas']['PlanStopView'];
 export type PlanTourView = components['schemas']['PlanTourView'];
 export type PlanUnservedView = components['schemas']['PlanUnservedView'];
 export type PlanView = components['schemas']['PlanView'];
+export type PointGeometry = components['schemas']['PointGeometry'];
+export type PolygonGeometry = components['schemas']['PolygonGeometry'];
 export type Problem = components['schemas']['Problem'];
 export type ReadHomeCommand = components['schemas']['ReadHomeCommand'];
 export type ReadLogsCommand = components['schemas']['ReadLogsCommand'];
 export type ReadMapCommand = components['schemas']['ReadMapCommand'];
 export type ReadParametersCommand = components['schemas']['ReadParametersCommand'];
 export type ReturnToLaunchCommand = components['schemas']['ReturnToLaunchCommand'];
+export type ReturnToLaunchItem = components['schemas']['ReturnToLaunchItem'];
 export type RunCountsView = components['schemas']['RunCountsView'];
 export type RunDroneView = components['schemas']['RunDroneView'];
 export type RunExplanationView = components['schemas']['RunExplanationView'];
@@ -1783,6 +1874,7 @@ export type SetHomeCommand = components['schemas']['SetHomeCommand'];
 export type SetModeCommand = components['schemas']['SetModeCommand'];
 export type SetParametersCommand = components['schemas']['SetParametersCommand'];
 export type SetRelayCommand = components['schemas']['SetRelayCommand'];
+export type SetServoItem = components['schemas']['SetServoItem'];
 export type StartMissionCommand = components['schemas']['StartMissionCommand'];
 export type SteeringSticks = components['schemas']['SteeringSticks'];
 export type SteeringVelocity = components['schemas']['SteeringVelocity'];
@@ -1818,6 +1910,8 @@ export type StreamVirtualDroneRemoved = components['schemas']['StreamVirtualDron
 export type StreamZoneChanged = components['schemas']['StreamZoneChanged'];
 export type StreamZoneRemoved = components['schemas']['StreamZoneRemoved'];
 export type TakeOffCommand = components['schemas']['TakeOffCommand'];
+export type TakeOffItem = components['schemas']['TakeOffItem'];
+export type TakePhotoItem = components['schemas']['TakePhotoItem'];
 export type TakePictureCommand = components['schemas']['TakePictureCommand'];
 export type TurnCommand = components['schemas']['TurnCommand'];
 export type UploadMissionCommand = components['schemas']['UploadMissionCommand'];
@@ -1829,6 +1923,8 @@ export type VirtualDronePlaceView = components['schemas']['VirtualDronePlaceView
 export type VirtualDroneRunView = components['schemas']['VirtualDroneRunView'];
 export type VirtualDroneUnfitView = components['schemas']['VirtualDroneUnfitView'];
 export type VirtualDroneView = components['schemas']['VirtualDroneView'];
+export type WaitItem = components['schemas']['WaitItem'];
+export type WaypointItem = components['schemas']['WaypointItem'];
 export type ZoneFeature = components['schemas']['ZoneFeature'];
 export type ZoneGeometry = components['schemas']['ZoneGeometry'];
 export type ZoneProperties = components['schemas']['ZoneProperties'];

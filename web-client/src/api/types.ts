@@ -3,7 +3,7 @@
 // What REST answers and takes comes from contract.ts, what is said on the stream from stream-contract.ts, both of which
 // are written from the descriptions. Written by hand is ProblemBody.
 
-import type { MissionItem, WithItems } from './items';
+import type { PlannedItem, WithItems } from './items';
 import type { MissionRun } from './runs';
 import type { StreamMessage as Said } from './stream-contract';
 import type { VirtualDrone } from './virtual';
@@ -67,9 +67,9 @@ export type Drone = Omit<DroneView, 'mission' | 'actions'> & {
 
 /** What a drone is asked for; the items of a mission as the page has them. */
 export type CommandRequest =
-  Exclude<Request, { type: 'uploadMission' }> | { type: 'uploadMission'; items: MissionItem[] };
+  Exclude<Request, { type: 'uploadMission' }> | { type: 'uploadMission'; items: PlannedItem[] };
 
-export type { AltitudeReference, LookAtItem, MissionItem, WaypointItem } from './items';
+export type { AltitudeReference, LookAtItem, MissionItem, PlannedItem, WaypointItem } from './items';
 
 /** Speeds from the vehicle's own nose, in m/s, and a turn in degrees a second, clockwise. */
 export type Velocity = { frame: 'vehicle' } & Record<'forward' | 'right' | 'down' | 'turn', number>;

@@ -1,4 +1,4 @@
-import type { AltitudeReference, MissionItem, WaypointItem } from '../api/types';
+import type { AltitudeReference, MissionItem, PlannedItem, WaypointItem } from '../api/types';
 import { parseCoordinateLines, type Coordinates } from '../geo/coordinates';
 import { wayLengthMeters } from '../geo/distance';
 
@@ -93,8 +93,8 @@ export function addPasted(
   return { draft: places.reduce((so, place) => addWaypoint(so, place, altitude), draft), unreadable };
 }
 
-export function itemsOf(draft: Draft): MissionItem[] {
-  const items: MissionItem[] = [];
+export function itemsOf(draft: Draft): PlannedItem[] {
+  const items: PlannedItem[] = [];
   if (draft.takeOff) {
     items.push({ type: 'takeOff', altitude: draft.takeOffAltitude ?? Number.NaN });
   }

@@ -1,5 +1,5 @@
 import { sentenceFor } from '../api/problem';
-import type { MissionItem } from '../api/types';
+import type { PlannedItem } from '../api/types';
 import type { DroneName, VirtualCalls, VirtualDrone, VirtualNeeds } from '../api/virtual';
 
 /** The virtual drones of the user, and the drones that may serve them. */
@@ -47,7 +47,7 @@ export class Virtuals {
     return this.#attempt(async () => this.hear(await this.#calls.add({ name, needs, items: null })));
   }
 
-  plan(drone: VirtualDrone, items: readonly MissionItem[]): Promise<boolean> {
+  plan(drone: VirtualDrone, items: readonly PlannedItem[]): Promise<boolean> {
     const request = { name: drone.name, needs: drone.needs, items: [...items] };
     return this.#attempt(async () => this.hear(await this.#calls.replace(drone.id, request)));
   }

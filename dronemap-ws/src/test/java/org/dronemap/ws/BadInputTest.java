@@ -171,10 +171,31 @@ class BadInputTest {
         assertThat(fault.getMessage()).isEqualTo(sentence);
     }
 
+    static Stream<Arguments> wrongItems() {
+        String kinds = "takeOff, waypoint, returnToLaunch, land, wait, takePhoto, setServo, lookAt or lookAhead";
+        return Stream.of(
+                Arguments.of(
+                        "{\"type\":\"land\",\"altitude\":5}",
+                        "There is no member \"items[0].altitude\" here; there are: type."),
+                Arguments.of(
+                        "{\"type\":\"other\",\"description\":\"a jump\"}",
+                        "\"items[0].type\" must be " + kinds + ", not \"other\"."),
+                Arguments.of("{\"altitude\":5}", "\"items[0].type\" is missing; it must be " + kinds + "."));
+    }
+
+    @ParameterizedTest
+    @MethodSource("wrongItems")
+    void namesWhatAnItemOfAMissionCannotBeOrHave(String item, String sentence) {
+        Http.Answer answer = operator.post("/api/v1/missions", "{\"name\":\"A\",\"items\":[" + item + "]}");
+
+        assertThat(answer.status()).isEqualTo(422);
+        assertThat(answer.text("detail")).isEqualTo(sentence);
+    }
+
     @Test
     void namesTheWaypointWithoutAltitudeInSoap() {
-        Map<String, Object> good = Map.of("type", "waypoint", "latitude", 47.0, "longitude", 8.0, "altitude", 20.0);
-        Map<String, Object> bad = Map.of("type", "waypoint", "latitude", 47.0, "longitude", 8.0);
+        Map<String, Object> good = Map.of("waypoint", Map.of("latitude", 47.0, "longitude", 8.0, "altitude", 20.0));
+        Map<String, Object> bad = Map.of("waypoint", Map.of("latitude", 47.0, "longitude", 8.0));
         SoapClient.Refused fault =
                 fault(operatorKey, "uploadMission", "droneId", vehicle.id(), "items", List.of(good, bad));
 

@@ -264,7 +264,7 @@ class CommandsTest {
                         "droneId",
                         vehicle.id(),
                         "items",
-                        List.of(Map.of("type", "waypoint", "latitude", 50.0, "longitude", 8.5456, "altitude", 35.0)));
+                        List.of(Map.of("waypoint", Map.of("latitude", 50.0, "longitude", 8.5456, "altitude", 35.0))));
         Http.Answer near = operator.post(commands + "?wait=10", far.replace(":50,", ":47.4,"));
         Http.Answer atOnce = operator.post(commands, far);
 

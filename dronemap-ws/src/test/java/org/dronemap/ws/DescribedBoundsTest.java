@@ -40,6 +40,7 @@ class DescribedBoundsTest {
     private String drone;
     private String copter;
     private String member;
+    private Member someone;
     private String run;
     private String follow;
 
@@ -68,7 +69,7 @@ class DescribedBoundsTest {
         administrator = tenant.http(Role.ADMINISTRATOR);
         operator = tenant.http(Role.OPERATOR);
         drone = tenant.vehicle().id();
-        Member someone = tenant.member("someone", Role.VIEWER);
+        someone = tenant.member("someone", Role.VIEWER);
         member = someone.name();
         copter = copter("Kestrel");
         run = run();
@@ -245,7 +246,35 @@ class DescribedBoundsTest {
     private List<Example> names() {
         Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         return List.of(
-                post("/missions", "{\"name\":\"a\",\"items\":[{\"type\":\"waypoint\",\"altitude\":10," + PLACE + "}]}"),
+                post("/outlet/ports", "{\"address\":\"nowhere\",\"hours\":1}"),
+                new Example(
+                        someone.http(),
+                        "put",
+                        API + "/outlet/passphrase",
+                        API + "/outlet/passphrase",
+                        "{\"passphrase\":\"just-a-passphrase\"}"),
+                new Example(
+                        someone.http(),
+                        "post",
+                        API + "/session/password",
+                        API + "/session/password",
+                        "{\"current\":\"another password\",\"next\":\"a-long-password\"}"),
+                post(
+                        "/registrations",
+                        "{\"name\":\"" + tenant.unique("guest") + "\",\"password\":\"a-long-password\"}"),
+                new Example(
+                        operator,
+                        "post",
+                        API + "/drones/{id}/control/request",
+                        API + "/drones/" + drone + "/control/request",
+                        "{\"reason\":\"a\"}"),
+                as(server, "/dtls-keys", "{\"label\":\"a\"}"),
+                new Example(
+                        server, "post", API + "/waiting/{id}/enrol", API + "/waiting/nobody/enrol", "{\"name\":\"a\"}"),
+                post(
+                        "/missions",
+                        "{\"name\":\"a\",\"items\":[{\"type\":\"waypoint\",\"altitude\":10," + PLACE
+                                + "},{\"type\":\"lookAt\",\"altitude\":10," + PLACE + "}]}"),
                 as(administrator, "/groups", "{\"name\":\"a\",\"members\":[\"" + member + "\"]}"),
                 as(administrator, "/fleets", "{\"name\":\"a\",\"drones\":[\"" + drone + "\"]}"),
                 as(administrator, "/invitations", "{\"label\":\"a\",\"role\":\"viewer\",\"days\":1}"),

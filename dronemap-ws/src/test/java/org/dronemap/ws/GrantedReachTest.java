@@ -39,8 +39,8 @@ class GrantedReachTest extends ReachTrial {
             "uploadMission",
                     Map.of(
                             "items",
-                            "<item><type>waypoint</type><latitude>47.4</latitude><longitude>8.5</longitude>"
-                                    + "<altitude>20</altitude></item>"));
+                            "<item><waypoint><latitude>47.4</latitude><longitude>8.5</longitude>"
+                                    + "<altitude>20</altitude></waypoint></item>"));
     /** Open to those who plan and to those who command. */
     private static final String RELEASE = "DELETE /api/v1/drones/{id}/control";
 

@@ -87,11 +87,11 @@ class SameProblemTest {
         Told told = toldByAll(
                 Role.OPERATOR,
                 vehicle.id(),
-                "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"loop\"}]}",
-                "<w:uploadMission>%s<items><item><type>loop</type></item></items></w:uploadMission>");
+                "{\"type\":\"setRelay\",\"relay\":1,\"setting\":\"loop\"}",
+                "<w:setRelay>%s<relay>1</relay><setting>loop</setting></w:setRelay>");
 
         assertThat(told.code()).isEqualTo("value-not-allowed");
-        assertThat(told.parameters()).containsEntry("field", "string items[0].type");
+        assertThat(told.parameters()).containsEntry("field", "string setting");
     }
 
     /** SOAP tells what the gate refuses as the outcome of the command, which the others look up. */

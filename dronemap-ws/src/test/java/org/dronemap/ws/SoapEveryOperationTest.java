@@ -127,8 +127,7 @@ class SoapEveryOperationTest {
                 String code = byRest.text("code");
                 boolean sameCode = eleven.raw().body().contains("<code>" + code + "</code>");
                 if (byRest.status() != 422 || !code.equals("member-unknown") || !sameCode) {
-                    wrong.add(operation + ": " + eleven.raw().body() + " / "
-                            + byRest.raw().body());
+                    wrong.add(operation + ": " + code + ", " + sentence);
                 }
             }
             if (!sentence(twelve).equals(sentence)

@@ -268,7 +268,7 @@ class VirtualDronesTest {
     }
 
     private static Map<String, Object> waypoint(double latitude) {
-        return Map.of("type", "waypoint", "latitude", latitude, "longitude", 8.5456, "altitude", 20.0);
+        return Map.of("waypoint", Map.of("latitude", latitude, "longitude", 8.5456, "altitude", 20.0));
     }
 
     @Test

@@ -6,6 +6,8 @@ import static org.awaitility.Awaitility.await;
 import java.net.http.HttpRequest;
 import java.time.Duration;
 import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.KeyScope;
@@ -19,6 +21,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
@@ -127,6 +130,16 @@ class ZonesTest {
                 "properties.until",
                 "later than now");
         assertWrong(feature("[]", "\"name\":\"A\""), "geometry.coordinates", "one ring of positions, not none");
+        assertWrong(feature("\"here\"", "\"name\":\"A\""), "geometry.coordinates", "a list");
+        assertWrong(feature("[[[8.5,\"east\"]]]", "\"name\":\"A\""), "geometry.coordinates[0][0][1]", "a number");
+        assertWrong(
+                feature(NORTH, "\"name\":\"A\"").replace("Polygon\"", "Polygon\",\"radius\":5"),
+                "geometry.radius",
+                "there are: type, coordinates.");
+        assertWrong(
+                feature(NORTH, "\"name\":\"A\"").replace("Polygon", "LineString"),
+                "geometry.type",
+                "Polygon or Point, not \"LineString\"");
         assertWrong(feature(NORTH, "\"name\":\"A\",\"onBreach\":\"explode\""), "properties.onBreach", "hold");
         assertWrong(
                 "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[8.5,47]},"
@@ -135,6 +148,43 @@ class ZonesTest {
                 "1 to 100000 m");
         assertThat(house.cloud().zones().zones())
                 .noneMatch(zone -> zone.organisation().equals(tenant.organisation()));
+    }
+
+    @Test
+    void saysWhereAFileOfAnotherProgramHasNothing() {
+        for (String coordinates : List.of("[null]", "[[null]]", "[[[8.5,null]]]", "null")) {
+            Http.Answer answer = supervisor.post(ZONES + "/import", feature(coordinates, "\"name\":\"A\""));
+            assertThat(answer.status()).as(coordinates).isEqualTo(422);
+            assertThat(answer.text("field")).startsWith("geometry.coordinates");
+        }
+        Http.Answer several = supervisor.post(
+                ZONES + "/import", feature("[null]", "\"name\":\"A\"").replace("Polygon", "MultiPolygon"));
+        assertThat(several.text("field")).isEqualTo("geometry.coordinates");
+    }
+
+    @Test
+    void haveTheirRingsAsItemsInSoap() {
+        SoapClient soap = SoapClient.withKey(house, tenant.key(Role.SUPERVISOR));
+        List<List<Double>> ring =
+                List.of(List.of(8.544, 47.4), List.of(8.547, 47.4), List.of(8.547, 47.402), List.of(8.544, 47.4));
+
+        SoapClient.Answer added = soap.call(
+                "addZone",
+                "type",
+                "Feature",
+                "geometry",
+                Map.of("Polygon", Map.of("coordinates", List.of(ring))),
+                "properties",
+                Map.of("name", "A corner"));
+
+        assertThat(added.texts("geometry.Polygon.coordinates.item.item.item"))
+                .containsExactly("8.544", "47.4", "8.547", "47.4", "8.547", "47.402", "8.544", "47.4");
+        assertThat(supervisor
+                        .get(ZONES + "/" + added.text("id"))
+                        .json()
+                        .at("/geometry/coordinates")
+                        .toString())
+                .isEqualTo("[[[8.544,47.4],[8.547,47.4],[8.547,47.402],[8.544,47.4]]]");
     }
 
     @Test

@@ -26,7 +26,9 @@ public record Alternatives(String member, Map<String, Class<?>> records) {
         }
         Map<String, Class<?>> records = new LinkedHashMap<>();
         for (JsonSubTypes.Type one : named.value()) {
-            records.put(one.name(), one.value());
+            of(one.value())
+                    .ifPresentOrElse(
+                            more -> records.putAll(more.records()), () -> records.put(one.name(), one.value()));
         }
         return Optional.of(new Alternatives(told.property(), records));
     }

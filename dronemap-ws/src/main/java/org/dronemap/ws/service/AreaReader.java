@@ -12,7 +12,6 @@ import org.jspecify.annotations.Nullable;
 final class AreaReader {
     static final String SHAPES = "Polygon or Point";
 
-    private static final String NOTHING = "nothing";
     private static final String CORNERS = "3 to 100 corners";
 
     private final String at;
@@ -24,21 +23,18 @@ final class AreaReader {
         this.radiusField = radiusField;
     }
 
-    FenceZone shape(boolean inside, ZoneFeature.ZoneGeometry geometry, @Nullable Double radius) {
-        FenceZone shape = switch (geometry.type() == null ? "" : geometry.type()) {
-            case "Polygon" -> new FenceZone.Polygon(inside, corners(geometry));
-            case "Point" ->
-                new FenceZone.Circle(
-                        inside,
-                        position(at + ".coordinates", geometry.coordinates()),
-                        Ranges.radius(radiusField, radius));
-            default ->
-                throw InvalidInput.outside(
-                        ValueProblem.VALUE_NOT_ALLOWED,
-                        at + ".type",
-                        SHAPES,
-                        geometry.type() == null ? NOTHING : "\"" + geometry.type() + "\"");
-        };
+    /** {@code rings}: of positions, longitude first. */
+    FenceZone polygon(boolean inside, @Nullable List<List<List<Double>>> rings) {
+        return sound(new FenceZone.Polygon(inside, corners(rings)));
+    }
+
+    /** {@code radius}: in metres. */
+    FenceZone circle(boolean inside, @Nullable List<Double> middle, @Nullable Double radius) {
+        return sound(new FenceZone.Circle(
+                inside, position(at + ".coordinates", middle), Ranges.radius(radiusField, radius)));
+    }
+
+    private FenceZone sound(FenceZone shape) {
         Optional<String> fault = ShapeFaults.of(shape);
         if (fault.isPresent()) {
             throw new InvalidInput(ValueProblem.AREA_UNUSABLE, at, "a simple area", fault.get());
@@ -46,9 +42,9 @@ final class AreaReader {
         return shape;
     }
 
-    private List<Geodetic> corners(ZoneFeature.ZoneGeometry geometry) {
+    private List<Geodetic> corners(@Nullable List<List<List<Double>>> written) {
         String field = at + ".coordinates";
-        List<?> rings = list(field, "one ring of positions", geometry.coordinates());
+        List<List<List<Double>>> rings = list(field, "one ring of positions", written);
         if (rings.isEmpty()) {
             throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "one ring of positions", "none");
         }
@@ -59,7 +55,7 @@ final class AreaReader {
                     "one ring",
                     "An area with holes cannot be guarded as one; draw it in parts without holes.");
         }
-        List<?> ring = list(field + "[0]", CORNERS, rings.get(0));
+        List<List<Double>> ring = list(field + "[0]", CORNERS, rings.get(0));
         List<Geodetic> corners = new ArrayList<>();
         for (int i = 0; i < ring.size(); i++) {
             corners.add(position(field + "[0][" + i + "]", ring.get(i)));
@@ -80,27 +76,19 @@ final class AreaReader {
         return corners;
     }
 
-    private static List<?> list(String field, String allowed, @Nullable Object value) {
-        if (value instanceof List<?> list) {
-            return list;
+    private static <T> List<T> list(String field, String allowed, @Nullable List<T> written) {
+        if (written == null) {
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, allowed, "nothing");
         }
-        throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, allowed, value == null ? NOTHING : value);
+        return written;
     }
 
-    private static Geodetic position(String field, @Nullable Object value) {
-        List<?> numbers = list(field, "longitude and latitude", value);
+    private static Geodetic position(String field, @Nullable List<Double> written) {
+        List<Double> numbers = list(field, "longitude and latitude", written);
         if (numbers.size() < 2) {
             throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "longitude and latitude", numbers);
         }
         return new Geodetic(
-                Ranges.latitude(field + "[1]", number(field + "[1]", numbers.get(1))),
-                Ranges.longitude(field + "[0]", number(field + "[0]", numbers.get(0))));
-    }
-
-    private static double number(String field, @Nullable Object value) {
-        if (value instanceof Number number) {
-            return number.doubleValue();
-        }
-        throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "a number", value == null ? NOTHING : value);
+                Ranges.latitude(field + "[1]", numbers.get(1)), Ranges.longitude(field + "[0]", numbers.get(0)));
     }
 }

@@ -1,42 +1,75 @@
 package org.dronemap.ws.service;
 
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import jakarta.validation.constraints.Max;
 import jakarta.validation.constraints.Min;
 import java.util.List;
 import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** The area that flights commanded with an access key stay within, as a geometry of GeoJSON. */
-@Schema(name = "KeyArea")
-public record KeyArea(
-        @Schema(
-                description = "Polygon: one ring; Point: the middle of a circle",
-                allowableValues = {"Polygon", "Point"})
-        @Nullable
-        String type,
+/** The area that flights commanded with an access key stay within, as a geometry of GeoJSON; one record for each type. */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
+@JsonTypeResolver(ObjectsOnly.class)
+@JsonSubTypes({
+    @JsonSubTypes.Type(value = KeyArea.Polygon.class, name = "Polygon"),
+    @JsonSubTypes.Type(value = KeyArea.Point.class, name = "Point")
+})
+@Schema(name = "KeyArea", description = "An area as a geometry of GeoJSON: a Polygon, or a Point with a radius.")
+public sealed interface KeyArea {
+    String FIELD = "area";
 
-        @Schema(description = "Degrees, longitude first") @Nullable
-        Object coordinates,
+    /** Throws {@link InvalidInput} where a member cannot be used. */
+    FenceZone shape();
 
-        @Schema(description = "Point: metres, 1 to 100000") @Min(Ranges.LEAST_RADIUS) @Max(Ranges.MOST_RADIUS) @Nullable
-        Double radius) {
-    static final String FIELD = "area";
+    /** An area within corners. */
+    @Schema(name = "PolygonKeyArea", description = "An area of 3 to 100 corners.")
+    record Polygon(
+            @Schema(
+                    requiredMode = Schema.RequiredMode.REQUIRED,
+                    description =
+                            "One ring of positions, the last as the first; each longitude and latitude in degrees")
+            @Nullable
+            List<List<List<Double>>> coordinates)
+            implements KeyArea {
+        @Override
+        public FenceZone shape() {
+            return reader().polygon(true, coordinates);
+        }
+    }
+
+    /** A circle. */
+    @Schema(name = "PointKeyArea", description = "A circle around a point.")
+    record Point(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Longitude and latitude in degrees")
+            @Nullable
+            List<Double> coordinates,
+
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres, 1 to 100000")
+            @Min(Ranges.LEAST_RADIUS)
+            @Max(Ranges.MOST_RADIUS)
+            @Nullable
+            Double radius)
+            implements KeyArea {
+        @Override
+        public FenceZone shape() {
+            return reader().circle(true, coordinates, radius);
+        }
+    }
+
+    private static AreaReader reader() {
+        return new AreaReader(FIELD, FIELD + ".radius");
+    }
 
     static @Nullable KeyArea of(@Nullable FenceZone area) {
         if (area == null) {
             return null;
         }
-        ZoneFeature.ZoneGeometry geometry = ZoneFeature.geometry(area);
-        return new KeyArea(
-                geometry.type(),
-                geometry.coordinates(),
-                area instanceof FenceZone.Circle circle ? circle.radiusMeters() : null);
-    }
-
-    FenceZone shape() {
-        return new AreaReader(FIELD, FIELD + ".radius")
-                .shape(true, new ZoneFeature.ZoneGeometry(type, coordinates), radius);
+        return area instanceof FenceZone.Circle circle
+                ? new Point(ZoneGeometry.position(circle.center()), circle.radiusMeters())
+                : new Polygon(ZoneGeometry.rings((FenceZone.Polygon) area));
     }
 
     /** "the circle of 500 m around 47.397700, 8.545600". */

@@ -53,11 +53,11 @@ final class KmlZones {
     }
 
     /** The outer one first, then those of holes, as GeoJSON has them. */
-    private static List<Object> rings(Element area, String at) {
+    private static List<List<List<Double>>> rings(Element area, String at) {
         NodeList coordinates = area.getElementsByTagNameNS("*", "coordinates");
-        List<Object> rings = new ArrayList<>();
+        List<List<List<Double>>> rings = new ArrayList<>();
         for (int i = 0; i < coordinates.getLength(); i++) {
-            List<Object> ring = new ArrayList<>();
+            List<List<Double>> ring = new ArrayList<>();
             for (String tuple : coordinates.item(i).getTextContent().strip().split("\\s+", -1)) {
                 ring.add(position(tuple, at));
             }

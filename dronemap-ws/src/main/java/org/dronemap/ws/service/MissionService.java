@@ -28,7 +28,7 @@ public final class MissionService {
             String name,
 
             @Size(min = 1, max = Mission.MAX_ITEMS) @Nullable
-            List<MissionItemView> items) {}
+            List<MissionItemRequest> items) {}
 
     /** A saved mission as clients see it. */
     @Schema(name = "SavedMissionView")

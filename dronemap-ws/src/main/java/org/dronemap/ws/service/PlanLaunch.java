@@ -81,7 +81,7 @@ final class PlanLaunch {
     }
 
     private CompletableFuture<Boolean> upload(Tour tour) {
-        List<MissionItemView> items = job.order()
+        List<MissionItemRequest> items = job.order()
                 .missions(tour.drone())
                 .map(missions -> missions.items(tour))
                 .orElse(List.of());

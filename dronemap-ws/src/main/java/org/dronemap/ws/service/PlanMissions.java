@@ -23,7 +23,7 @@ final class PlanMissions {
         return writer.fault(tour);
     }
 
-    List<MissionItemView> items(Tour tour) {
-        return MissionItemView.of(writer.write(tour).items());
+    List<MissionItemRequest> items(Tour tour) {
+        return MissionItemRequest.of(writer.write(tour).items());
     }
 }

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
@@ -36,6 +37,11 @@ final class Ranges {
 
     static double longitude(String field, @Nullable Double value) {
         return checked(field, value, -LONGITUDE, LONGITUDE, "degrees");
+    }
+
+    /** {@code at} is what stands before the names of its fields, such as {@code center.}. */
+    static Geodetic point(String at, @Nullable Double latitude, @Nullable Double longitude) {
+        return new Geodetic(latitude(at + "latitude", latitude), longitude(at + "longitude", longitude));
     }
 
     static double takeOffAltitude(String field, @Nullable Double value) {

@@ -21,7 +21,7 @@ public record VirtualDroneRequest(
 
         @Schema(description = "Its mission: perhaps a take-off, waypoints, perhaps return or land; left out: none yet")
         @Nullable
-        List<MissionItemView> items) {
+        List<MissionItemRequest> items) {
 
     /** What a drone must be to serve. */
     @Schema(name = "VirtualDroneNeedsView", description = "What a drone must be to serve.")

@@ -174,7 +174,7 @@ public final class VirtualDroneService {
         return Names.checked("name", request.name(), LONGEST_NAME);
     }
 
-    private static @Nullable Mission mission(@Nullable List<MissionItemView> items) {
+    private static @Nullable Mission mission(@Nullable List<MissionItemRequest> items) {
         if (items == null || items.isEmpty()) {
             return null;
         }

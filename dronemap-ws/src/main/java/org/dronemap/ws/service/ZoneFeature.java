@@ -5,11 +5,9 @@ import jakarta.validation.constraints.Max;
 import jakarta.validation.constraints.Min;
 import jakarta.validation.constraints.Size;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.organisation.OrganisationId;
@@ -28,18 +26,6 @@ public record ZoneFeature(
 
         @Nullable ZoneGeometry geometry,
         @Nullable ZoneProperties properties) {
-
-    /** Longitude comes before latitude. */
-    @Schema(name = "ZoneGeometry")
-    public record ZoneGeometry(
-            @Schema(
-                    description = "Polygon: one ring; Point: the middle of a circle",
-                    allowableValues = {"Polygon", "Point"})
-            @Nullable
-            String type,
-
-            @Schema(description = "Degrees, longitude first") @Nullable
-            Object coordinates) {}
 
     /** What GeoJSON has no word for. */
     @Schema(name = "ZoneProperties")
@@ -116,7 +102,7 @@ public record ZoneFeature(
         return new ZoneFeature(
                 "Feature",
                 zone.id(),
-                geometry(zone.shape()),
+                ZoneGeometry.of(zone.shape()),
                 properties(zone, zone.organisation().equals(to)));
     }
 
@@ -135,7 +121,7 @@ public record ZoneFeature(
         return new ZoneFeature(
                 "Feature",
                 null,
-                geometry(barrier.shape()),
+                ZoneGeometry.of(barrier.shape()),
                 new ZoneProperties(
                         barrier.name(),
                         kind(barrier.shape()),
@@ -158,22 +144,6 @@ public record ZoneFeature(
 
     private static @Nullable Double radius(FenceZone shape) {
         return shape instanceof FenceZone.Circle circle ? Double.valueOf(circle.radiusMeters()) : null;
-    }
-
-    static ZoneGeometry geometry(FenceZone shape) {
-        if (shape instanceof FenceZone.Circle circle) {
-            return new ZoneGeometry("Point", position(circle.center()));
-        }
-        List<Object> ring = new ArrayList<>();
-        if (shape instanceof FenceZone.Polygon polygon) {
-            polygon.corners().forEach(corner -> ring.add(position(corner)));
-            ring.add(ring.get(0));
-        }
-        return new ZoneGeometry("Polygon", List.of(ring));
-    }
-
-    private static List<Double> position(Geodetic point) {
-        return List.of(point.longitudeDegrees(), point.latitudeDegrees());
     }
 
     private static ZoneProperties properties(Zone zone, boolean namesMaker) {

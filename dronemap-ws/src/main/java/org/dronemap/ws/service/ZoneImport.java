@@ -1,9 +1,12 @@
 package org.dronemap.ws.service;
 
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.annotation.JsonTypeResolver;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
@@ -21,9 +24,25 @@ final class ZoneImport {
     /** Either a whole collection or one feature. */
     record Document(
             @Nullable String type,
-            @Nullable List<@Nullable ZoneFeature> features,
-            ZoneFeature.@Nullable ZoneGeometry geometry,
+            @Nullable List<@Nullable Feature> features,
+            @Nullable Geometry geometry,
             ZoneFeature.@Nullable ZoneProperties properties) {}
+
+    /** As others write them. */
+    record Feature(
+            @Nullable String type, @Nullable Geometry geometry, ZoneFeature.@Nullable ZoneProperties properties) {}
+
+    /** Of one zone, or of several. */
+    @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
+    @JsonTypeResolver(ObjectsOnly.class)
+    @JsonSubTypes({
+        @JsonSubTypes.Type(ZoneGeometry.class),
+        @JsonSubTypes.Type(value = MultiPolygon.class, name = "MultiPolygon")
+    })
+    sealed interface Geometry permits ZoneGeometry, MultiPolygon {}
+
+    /** Several areas. */
+    record MultiPolygon(@Nullable List<@Nullable List<List<List<Double>>>> coordinates) implements Geometry {}
 
     /** One zone to be, and where in the document it stands. */
     record Part(String at, ZoneFeature feature) {}
@@ -34,18 +53,18 @@ final class ZoneImport {
         }
         Document document = LENIENT.read(text, Document.class);
         if ("Feature".equals(document.type())) {
-            return parts("", new ZoneFeature("Feature", null, document.geometry(), document.properties()), 1);
+            return parts("", new Feature("Feature", document.geometry(), document.properties()), 1);
         }
         if (!"FeatureCollection".equals(document.type())) {
             throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "type", TYPES, String.valueOf(document.type()));
         }
-        List<@Nullable ZoneFeature> features = document.features();
+        List<@Nullable Feature> features = document.features();
         if (features == null || features.isEmpty()) {
             throw InvalidInput.missing("features", "a list with at least one feature");
         }
         List<Part> read = new ArrayList<>();
         for (int i = 0; i < features.size(); i++) {
-            ZoneFeature feature = features.get(i);
+            Feature feature = features.get(i);
             if (feature == null) {
                 throw InvalidInput.missing("features[" + i + "]", "a feature");
             }
@@ -55,30 +74,28 @@ final class ZoneImport {
     }
 
     /** An area that is nothing but its rings and a name. */
-    static ZoneFeature feature(List<Object> rings, String name) {
-        return named(
-                new ZoneFeature("Feature", null, null, null), new ZoneFeature.ZoneGeometry("Polygon", rings), name, "");
+    static ZoneFeature feature(List<List<List<Double>>> rings, String name) {
+        return named(new Feature("Feature", null, null), new ZoneGeometry.Polygon(rings), name, "");
     }
 
-    private static List<Part> parts(String at, ZoneFeature feature, int number) {
-        ZoneFeature.ZoneGeometry shape = feature.geometry();
-        if (shape == null || !"MultiPolygon".equals(shape.type())) {
+    private static List<Part> parts(String at, Feature feature, int number) {
+        if (!(feature.geometry() instanceof MultiPolygon several)) {
+            ZoneGeometry shape = feature.geometry() instanceof ZoneGeometry one ? one : null;
             return List.of(new Part(at, named(feature, shape, "Zone " + number, "")));
         }
-        if (!(shape.coordinates() instanceof List<?> polygons)) {
+        List<@Nullable List<List<List<Double>>>> polygons = several.coordinates();
+        if (polygons == null) {
             throw InvalidInput.missing(at + "geometry.coordinates", "a list of polygons");
         }
         List<Part> parts = new ArrayList<>();
-        for (Object polygon : polygons) {
+        for (List<List<List<Double>>> polygon : polygons) {
             String part = polygons.size() > 1 ? " (" + (parts.size() + 1) + ")" : "";
-            ZoneFeature.ZoneGeometry one = new ZoneFeature.ZoneGeometry("Polygon", polygon);
-            parts.add(new Part(at, named(feature, one, "Zone " + number, part)));
+            parts.add(new Part(at, named(feature, new ZoneGeometry.Polygon(polygon), "Zone " + number, part)));
         }
         return List.copyOf(parts);
     }
 
-    private static ZoneFeature named(
-            ZoneFeature feature, ZoneFeature.@Nullable ZoneGeometry shape, String fallback, String part) {
+    private static ZoneFeature named(Feature feature, @Nullable ZoneGeometry shape, String fallback, String part) {
         ZoneFeature.ZoneProperties p = feature.properties();
         if (p == null) {
             p = new ZoneFeature.ZoneProperties(

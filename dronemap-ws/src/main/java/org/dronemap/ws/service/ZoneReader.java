@@ -18,7 +18,7 @@ final class ZoneReader {
     private static final String MOMENT = "a time such as 2026-05-04T10:00:00Z";
 
     private final String at;
-    private final ZoneFeature.ZoneGeometry geometry;
+    private final ZoneGeometry geometry;
     private final ZoneFeature.ZoneProperties properties;
 
     /** {@code at} is what stands before the names of fields, such as {@code features[2].}. */
@@ -52,7 +52,7 @@ final class ZoneReader {
                         "exclusion or inclusion",
                         quoted(properties.kind()));
         };
-        return new AreaReader(at + "geometry", at + "properties.radius").shape(inside, geometry, properties.radius());
+        return geometry.shape(new AreaReader(at + "geometry", at + "properties.radius"), inside, properties.radius());
     }
 
     AltitudeBand band() {

@@ -103,21 +103,21 @@ final class DescribedTypes {
         }
         return switch (typeOf(schema)) {
             case "array" -> new XmlType.Listed(type(schema.path("items")));
-            case "object" ->
-                schema.has("additionalProperties")
-                        ? new XmlType.Mapped(type(schema.path("additionalProperties")))
-                        : new XmlType.Json();
+            case "object" -> new XmlType.Mapped(type(schema.path("additionalProperties")));
             case "boolean" -> XmlType.Text.of("boolean");
             case "integer" -> XmlType.Text.of(schema.path("format").asString("").equals("int64") ? "long" : "int");
             case "number" -> XmlType.Text.of("double");
             case "string" -> text(schema);
-            default -> isPlain(schema) ? new XmlType.Plain() : new XmlType.Json();
+            default -> plain(schema);
         };
     }
 
-    private static boolean isPlain(JsonNode schema) {
+    private static XmlType plain(JsonNode schema) {
         JsonNode either = schema.path("oneOf");
-        return !either.isEmpty() && either.valueStream().allMatch(one -> PLAIN.contains(typeOf(one)));
+        if (either.isEmpty() || !either.valueStream().allMatch(one -> PLAIN.contains(typeOf(one)))) {
+            throw new IllegalStateException("XML needs the type of what is described as " + schema);
+        }
+        return new XmlType.Plain();
     }
 
     private static XmlType text(JsonNode schema) {

@@ -46,8 +46,6 @@ final class JsonToXml {
             }
         } else if (type instanceof XmlType.Named named) {
             complex(out, types.get(named.name()), value);
-        } else {
-            out.writeCharacters(plain(value.toString()));
         }
     }
 

@@ -136,15 +136,11 @@ final class TypeSchema {
             return;
         }
         String of = PREFIX + ":" + name(type);
-        String told = words;
         if (type instanceof XmlType.Text text) {
             of = "xs:" + text.xsd();
-        } else if (type instanceof XmlType.Json) {
-            of = "xs:string";
-            told = (words + " As JSON.").strip();
         }
         described(
-                told,
+                words,
                 "name",
                 name,
                 "type",

@@ -11,7 +11,6 @@ import org.dronemap.ws.service.ValueProblem;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
-import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -81,7 +80,7 @@ final class XmlToJson {
         if (type instanceof XmlType.Named named) {
             return complex(named.name(), field, element);
         }
-        return type instanceof XmlType.Plain ? untold(field, element) : anything(field, element);
+        return untold(field, element);
     }
 
     private JsonNode untold(String field, Element element) {
@@ -182,14 +181,6 @@ final class XmlToJson {
             children(chosen).forEach(child -> put(object, types.structure(kind), field, child));
         }
         return object;
-    }
-
-    private JsonNode anything(String field, Element element) {
-        try {
-            return mapper.readTree(text(field, element));
-        } catch (JacksonException notJson) {
-            throw new InvalidInput(ValueProblem.VALUE_MALFORMED, field, "JSON", "\"" + field + "\" must be JSON.");
-        }
     }
 
     static List<Element> children(Element element) {

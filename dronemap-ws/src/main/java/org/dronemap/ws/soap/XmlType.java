@@ -28,7 +28,4 @@ sealed interface XmlType {
 
     /** What {@link XmlTypes} has under the name. */
     record Named(String name) implements XmlType {}
-
-    /** Any JSON, as a text: where no type is described. */
-    record Json() implements XmlType {}
 }

@@ -19,7 +19,7 @@ import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.WireTap;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.InvalidInput;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -54,8 +54,8 @@ class BadCommandTest {
         assertThat(copter.craft().armed()).isFalse();
     }
 
-    private static MissionItemView waypoint(double latitude, double longitude, @Nullable Double altitude) {
-        return new MissionItemView("waypoint", latitude, longitude, altitude, null, null, null, null, null);
+    private static MissionItemRequest waypoint(double latitude, double longitude, @Nullable Double altitude) {
+        return new MissionItemRequest.Waypoint(latitude, longitude, altitude, null, null);
     }
 
     static Stream<Arguments> badValues() {

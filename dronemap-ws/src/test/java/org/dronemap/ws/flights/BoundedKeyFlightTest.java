@@ -21,7 +21,7 @@ import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.KeyArea;
 import org.dronemap.ws.service.KeyRequest;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -38,7 +38,7 @@ class BoundedKeyFlightTest {
         Geodetic home = copter.place(0, 0);
         KeyArea area = radius == null
                 ? null
-                : new KeyArea("Point", List.of(home.longitudeDegrees(), home.latitudeDegrees()), radius);
+                : new KeyArea.Point(List.of(home.longitudeDegrees(), home.latitudeDegrees()), radius);
         return new KeyRequest(
                 "field",
                 null,
@@ -61,7 +61,7 @@ class BoundedKeyFlightTest {
         for (double north : norths) {
             items.add(new MissionItem.Waypoint(copter.place(north, 0), Altitude.aboveHome(10), 0));
         }
-        return Commands.uploadMission(MissionItemView.of(items));
+        return Commands.uploadMission(MissionItemRequest.of(items));
     }
 
     /** It was told to go somewhere. */

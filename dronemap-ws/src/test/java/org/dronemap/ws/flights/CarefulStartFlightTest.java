@@ -21,7 +21,7 @@ import org.dronemap.ws.lab.Phone;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RunFlight;
 import org.dronemap.ws.service.FollowRequest;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.PlanRequest;
 import org.dronemap.ws.service.VirtualDroneRequest;
 import org.junit.jupiter.api.AfterEach;
@@ -71,7 +71,7 @@ class CarefulStartFlightTest {
                 .toList();
         String id = lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Survey", null, MissionItemView.of(items)))
+                .add(chief.principal(), new VirtualDroneRequest("Survey", null, MissionItemRequest.of(items)))
                 .id();
         lab.server().virtuals().start(chief.principal(), id, null);
         lab.server().warehouse().put(chief.principal(), drone.id().value());

@@ -16,7 +16,7 @@ import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.OtherStation;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -44,7 +44,7 @@ class CrashFlightTest {
         List<MissionItem> items = corners.stream()
                 .<MissionItem>map(corner -> new MissionItem.Waypoint(corner, Altitude.aboveHome(METERS), 0))
                 .toList();
-        ann.does(copter, Commands.uploadMission(MissionItemView.of(items)))
+        ann.does(copter, Commands.uploadMission(MissionItemRequest.of(items)))
                 .does(copter, Commands.startMission(onCloudLoss));
         lab.until(
                 "it heads for the first waypoint",

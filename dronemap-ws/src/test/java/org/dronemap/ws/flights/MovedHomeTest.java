@@ -16,8 +16,9 @@ import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.KeyRequest;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.ZoneFeature;
+import org.dronemap.ws.service.ZoneGeometry;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -50,8 +51,7 @@ class MovedHomeTest {
                         new ZoneFeature(
                                 "Feature",
                                 null,
-                                new ZoneFeature.ZoneGeometry(
-                                        "Point", List.of(middle.longitudeDegrees(), middle.latitudeDegrees())),
+                                new ZoneGeometry.Point(List.of(middle.longitudeDegrees(), middle.latitudeDegrees())),
                                 new ZoneFeature.ZoneProperties(
                                         "Field",
                                         "inclusion",
@@ -132,7 +132,7 @@ class MovedHomeTest {
 
         assertThat(ann.refusalByGate(
                         drone,
-                        Commands.uploadMission(MissionItemView.of(List.of(
+                        Commands.uploadMission(MissionItemRequest.of(List.of(
                                 new MissionItem.TakeOff(40),
                                 new MissionItem.Waypoint(drone.place(60, 0), Altitude.aboveHome(40), 0))))))
                 .contains("over the ceiling of");

@@ -30,7 +30,7 @@ import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FenceView;
 import org.dronemap.ws.service.InvalidInput;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -51,7 +51,7 @@ class OnBoardMissionsTest {
     }
 
     private record Place(int x, int y, long z) {
-        static Place of(MissionItemView item) {
+        static Place of(MissionItemRequest.Waypoint item) {
             return new Place(
                     (int) Math.round(Objects.requireNonNull(item.latitude()) * 1e7),
                     (int) Math.round(Objects.requireNonNull(item.longitude()) * 1e7),
@@ -59,11 +59,11 @@ class OnBoardMissionsTest {
         }
     }
 
-    private static MissionItemView waypoint(double latitude, double longitude, double altitude) {
-        return new MissionItemView("waypoint", latitude, longitude, altitude, null, null, null, null, null);
+    private static MissionItemRequest.Waypoint waypoint(double latitude, double longitude, double altitude) {
+        return new MissionItemRequest.Waypoint(latitude, longitude, altitude, null, null);
     }
 
-    private static List<MissionItemView> waypoints(int count, int other) {
+    private static List<MissionItemRequest.Waypoint> waypoints(int count, int other) {
         return IntStream.range(0, count)
                 .mapToObj(number -> waypoint(
                         Math.rint((47.3977 + (number + 1 + other) * 1e-5) * 1e7) / 1e7,
@@ -76,8 +76,8 @@ class OnBoardMissionsTest {
         return lab.ready(lab.add(kit));
     }
 
-    private CommandView begin(LabDrone drone, List<MissionItemView> items) {
-        return ann.give(drone, Commands.uploadMission(items));
+    private CommandView begin(LabDrone drone, List<MissionItemRequest.Waypoint> items) {
+        return ann.give(drone, Commands.uploadMission(List.copyOf(items)));
     }
 
     /** What the vehicle itself has last in its mission, whatever stands before. */
@@ -88,7 +88,7 @@ class OnBoardMissionsTest {
         return all.subList(Math.max(0, all.size() - count), all.size());
     }
 
-    private static void assertHolds(LabDrone drone, List<MissionItemView> items) {
+    private static void assertHolds(LabDrone drone, List<MissionItemRequest.Waypoint> items) {
         assertThat(held(drone, items.size()))
                 .isEqualTo(items.stream().map(Place::of).toList());
     }
@@ -104,7 +104,7 @@ class OnBoardMissionsTest {
     void aLinkThatBreaksAtAnyItemOnlyDelaysTheUpload(VehicleKit kit) {
         LabDrone drone = drone(kit);
         for (int done : new int[] {0, 3, 7, 11}) {
-            List<MissionItemView> items = waypoints(12, 100 * done);
+            List<MissionItemRequest.Waypoint> items = waypoints(12, 100 * done);
             drone.wire().is(Wire.Quality.late(50));
             CommandView upload = begin(drone, items);
             lab.until("it is that far", Duration.ofSeconds(20), () -> done(upload) >= done);
@@ -123,10 +123,10 @@ class OnBoardMissionsTest {
     void anItemThatTheVehicleSilentlyAlteredIsTold(VehicleKit kit) {
         LabDrone drone = drone(kit);
         drone.vehicle().alterations().alterItem(4);
-        List<MissionItemView> items = waypoints(8, 0);
+        List<MissionItemRequest.Waypoint> items = waypoints(8, 0);
 
         CommandView.OutcomeView outcome = Objects.requireNonNull(
-                ann.outcome(drone, Commands.uploadMission(items)).outcome());
+                ann.outcome(drone, Commands.uploadMission(List.copyOf(items))).outcome());
 
         assertThat(outcome.result()).isEqualTo("failed");
         assertThat(outcome.reason()).contains("another mission than the one sent");
@@ -148,7 +148,7 @@ class OnBoardMissionsTest {
 
     private void goesUpABadLink(VehicleKit kit, int count, Duration longest) {
         LabDrone drone = drone(kit);
-        List<MissionItemView> items = waypoints(count, 0);
+        List<MissionItemRequest.Waypoint> items = waypoints(count, 0);
         drone.wire().is(Wire.Quality.BAD);
         drone.wire().doubles(0.02);
 
@@ -163,11 +163,11 @@ class OnBoardMissionsTest {
     @MethodSource(AUTOPILOTS)
     void onlyWhatDiffersGoesUpWhereTheVehicleTakesParts(VehicleKit kit) {
         LabDrone drone = drone(kit);
-        List<MissionItemView> items = new ArrayList<>(waypoints(30, 0));
+        List<MissionItemRequest.Waypoint> items = new ArrayList<>(waypoints(30, 0));
         ann.succeeds(begin(drone, items));
         String firstHash = drone.state().mission().hash();
         assertThat(firstHash).isNotEmpty();
-        MissionItemView old = items.get(7);
+        MissionItemRequest.Waypoint old = items.get(7);
         items.set(7, waypoint(Objects.requireNonNull(old.latitude()), Objects.requireNonNull(old.longitude()), 44));
         WireTap tap = drone.wire().tap();
 

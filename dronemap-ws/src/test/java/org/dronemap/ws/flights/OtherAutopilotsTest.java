@@ -20,7 +20,7 @@ import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.WireTap;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.junit.jupiter.api.Test;
 
 /** The same flight with PX4 and over MAVLink 1. */
@@ -43,7 +43,7 @@ class OtherAutopilotsTest {
         assertThat(drone.height()).isBetween(HEIGHT - 1, HEIGHT + 1);
         List<MissionItem> items = new ArrayList<>();
         corners.forEach(corner -> items.add(new MissionItem.Waypoint(corner, Altitude.aboveHome(HEIGHT), 0)));
-        ann.does(drone, Commands.uploadMission(MissionItemView.of(items))).does(drone, Commands.startMission(null));
+        ann.does(drone, Commands.uploadMission(MissionItemRequest.of(items))).does(drone, Commands.startMission(null));
         int last = drone.state().mission().items().size() - 1;
         for (Geodetic corner : corners) {
             lab.until("it is at the next corner", Duration.ofSeconds(60), () -> drone.distanceTo(corner) < 2);

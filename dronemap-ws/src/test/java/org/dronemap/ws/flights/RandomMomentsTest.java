@@ -22,7 +22,7 @@ import org.dronemap.ws.lab.RunFlight;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.FollowRequest.PlaceRequest;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.SteeringRequest;
 import org.dronemap.ws.service.VirtualDroneRequest;
@@ -184,7 +184,8 @@ class RandomMomentsTest {
             List<MissionItem> items = List.of(
                     new MissionItem.Waypoint(drone.place(30, 0), Altitude.aboveHome(HEIGHT), 0),
                     new MissionItem.Waypoint(drone.place(60, 0), Altitude.aboveHome(HEIGHT), 0));
-            VirtualDroneRequest asked = new VirtualDroneRequest("V " + drone.name(), null, MissionItemView.of(items));
+            VirtualDroneRequest asked =
+                    new VirtualDroneRequest("V " + drone.name(), null, MissionItemRequest.of(items));
             String made = lab.server().virtuals().add(pilot.principal(), asked).id();
             lab.server().virtuals().start(pilot.principal(), made, null);
             lab.server().warehouse().put(chief.principal(), drone.id().value());

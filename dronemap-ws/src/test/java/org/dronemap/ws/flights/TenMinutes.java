@@ -15,7 +15,7 @@ import org.dronemap.ws.lab.RunFlight;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.service.FollowRequest;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.PlanRequest;
 import org.dronemap.ws.service.RunView;
 import org.dronemap.ws.service.VirtualDroneRequest;
@@ -124,7 +124,7 @@ final class TenMinutes {
         lab.server().warehouse().put(chief.principal(), stock.id().value());
         String id = lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Survey", null, MissionItemView.of(items)))
+                .add(chief.principal(), new VirtualDroneRequest("Survey", null, MissionItemRequest.of(items)))
                 .id();
         return lab.server().virtuals().start(chief.principal(), id, null).id();
     }

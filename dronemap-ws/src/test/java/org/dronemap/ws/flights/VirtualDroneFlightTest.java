@@ -17,7 +17,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.VirtualDroneRequest;
 import org.dronemap.ws.service.VirtualDroneView;
 import org.junit.jupiter.api.AfterEach;
@@ -58,7 +58,7 @@ class VirtualDroneFlightTest {
                 .forEach(place -> items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(height(number)), 0)));
         return lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Survey " + number, null, MissionItemView.of(items)))
+                .add(chief.principal(), new VirtualDroneRequest("Survey " + number, null, MissionItemRequest.of(items)))
                 .id();
     }
 
@@ -167,7 +167,7 @@ class VirtualDroneFlightTest {
         MissionItem there = new MissionItem.Waypoint(drones.get(0).place(0, 20), Altitude.aboveHome(20), seconds);
         return lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Watch", null, MissionItemView.of(List.of(there))))
+                .add(chief.principal(), new VirtualDroneRequest("Watch", null, MissionItemRequest.of(List.of(there))))
                 .id();
     }
 

@@ -19,7 +19,7 @@ import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.Zones;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.ZoneFeature;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -45,7 +45,7 @@ class ZoneFlightTest {
         for (Geodetic place : places) {
             items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(10), 0));
         }
-        return Commands.uploadMission(MissionItemView.of(items));
+        return Commands.uploadMission(MissionItemRequest.of(items));
     }
 
     private CommandRequest goTo(double north, double east) {

@@ -2,7 +2,7 @@ package org.dronemap.ws.lab;
 
 import java.util.List;
 import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.jspecify.annotations.Nullable;
 
 /** Commands as clients ask for them, without ids and epochs of their own. */
@@ -45,7 +45,7 @@ public final class Commands {
         return new CommandRequest.GoToLocal(x, y, null, null);
     }
 
-    public static CommandRequest uploadMission(List<MissionItemView> items) {
+    public static CommandRequest uploadMission(List<MissionItemRequest> items) {
         return new CommandRequest.UploadMission(items, null, null);
     }
 

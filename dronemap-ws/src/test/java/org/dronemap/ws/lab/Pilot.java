@@ -18,7 +18,7 @@ import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.KeyRequest;
-import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.OutletService;
 import org.dronemap.ws.service.Rejection;
 import org.jspecify.annotations.Nullable;
@@ -236,6 +236,6 @@ public final class Pilot {
             items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(meters), 0));
         }
         items.add(new MissionItem.ReturnToLaunch());
-        return does(drone, Commands.uploadMission(MissionItemView.of(items)));
+        return does(drone, Commands.uploadMission(MissionItemRequest.of(items)));
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.service.ZoneFeature;
+import org.dronemap.ws.service.ZoneGeometry;
 import org.jspecify.annotations.Nullable;
 
 /** No-fly zones as a person draws them. */
@@ -29,7 +30,7 @@ public final class Zones {
         return new ZoneFeature(
                 "Feature",
                 null,
-                new ZoneFeature.ZoneGeometry("Polygon", List.of(ring)),
+                new ZoneGeometry.Polygon(List.of(ring)),
                 properties("School", null, floor, drone, onBreach));
     }
 
@@ -39,7 +40,7 @@ public final class Zones {
         return new ZoneFeature(
                 "Feature",
                 null,
-                new ZoneFeature.ZoneGeometry("Point", position(middle)),
+                new ZoneGeometry.Point(position(middle)),
                 properties(name, radius, null, drone, onBreach));
     }
 

@@ -49,40 +49,45 @@ class PlanMissionsTest {
 
     @Test
     void keepHeightsAboveTheSeaAndTakeOffAboveHome() {
-        List<MissionItemView> items = missions(VehicleKind.MULTICOPTER).items(plain(518, 107));
+        List<MissionItemRequest> items = missions(VehicleKind.MULTICOPTER).items(plain(518, 107));
 
-        assertThat(items).extracting(MissionItemView::type).containsExactly("takeOff", "waypoint", "waypoint", "land");
-        assertThat(items.get(0).altitude()).isEqualTo(30);
-        assertThat(items.get(1).altitude()).isEqualTo(518);
-        assertThat(items.get(1).altitudeReference()).isEqualTo("amsl");
-        assertThat(items.get(1).holdSeconds()).isEqualTo(7);
-        assertThat(items.get(2).latitude()).isEqualTo(47);
-        assertThat(items.get(2).holdSeconds()).isZero();
+        assertThat(items).hasSize(4);
+        assertThat(items.get(0)).isEqualTo(new MissionItemRequest.TakeOff(30.0));
+        assertThat(waypoint(items, 1).altitude()).isEqualTo(518);
+        assertThat(waypoint(items, 1).altitudeReference()).isEqualTo("amsl");
+        assertThat(waypoint(items, 1).holdSeconds()).isEqualTo(7);
+        assertThat(waypoint(items, 2).latitude()).isEqualTo(47);
+        assertThat(waypoint(items, 2).holdSeconds()).isZero();
+        assertThat(items.get(3)).isEqualTo(new MissionItemRequest.Land());
+    }
+
+    private static MissionItemRequest.Waypoint waypoint(List<MissionItemRequest> items, int index) {
+        return (MissionItemRequest.Waypoint) items.get(index);
     }
 
     @Test
     void visitAWaypointStraightAboveTheStart() {
-        List<MissionItemView> items =
+        List<MissionItemRequest> items =
                 missions(VehicleKind.MULTICOPTER).items(tour(518, 15, fix(HOME, HOME_METERS, 0), fix(HOME, 518, 10)));
 
-        assertThat(items.get(1).latitude()).isEqualTo(47);
-        assertThat(items.get(1).holdSeconds()).isEqualTo(5);
+        assertThat(waypoint(items, 1).latitude()).isEqualTo(47);
+        assertThat(waypoint(items, 1).holdSeconds()).isEqualTo(5);
     }
 
     @Test
     void climbStraightUpAlsoWhereATakeOffCannotGoSoHigh() {
-        List<MissionItemView> items = missions(VehicleKind.MULTICOPTER).items(plain(1_288, 100));
+        List<MissionItemRequest> items = missions(VehicleKind.MULTICOPTER).items(plain(1_288, 100));
 
-        assertThat(items.get(0).altitude()).isEqualTo(500);
-        assertThat(items.get(1).altitude()).isEqualTo(1_288);
-        assertThat(items.get(1).latitude()).isEqualTo(47);
+        assertThat(items.get(0)).isEqualTo(new MissionItemRequest.TakeOff(500.0));
+        assertThat(waypoint(items, 1).altitude()).isEqualTo(1_288);
+        assertThat(waypoint(items, 1).latitude()).isEqualTo(47);
     }
 
     @Test
     void leaveTheLandingOfAnAeroplaneToItself() {
-        List<MissionItemView> items = missions(VehicleKind.FIXED_WING).items(plain(588, 100));
+        List<MissionItemRequest> items = missions(VehicleKind.FIXED_WING).items(plain(588, 100));
 
-        assertThat(items.get(items.size() - 1).type()).isEqualTo("returnToLaunch");
+        assertThat(items.get(items.size() - 1)).isEqualTo(new MissionItemRequest.ReturnToLaunch());
     }
 
     @Test
