@@ -1522,6 +1522,7 @@ export interface components {
             total: number;
         };
         PassphraseRequest: {
+            /** @description 16 to 64 printable ASCII characters, without blanks at the ends */
             passphrase?: string | null;
         };
         PassphraseView: {

@@ -40,6 +40,7 @@ class DescribedBoundsTest {
     private String drone;
     private String copter;
     private String member;
+    private Member someone;
     private String run;
     private String follow;
 
@@ -68,7 +69,7 @@ class DescribedBoundsTest {
         administrator = tenant.http(Role.ADMINISTRATOR);
         operator = tenant.http(Role.OPERATOR);
         drone = tenant.vehicle().id();
-        Member someone = tenant.member("someone", Role.VIEWER);
+        someone = tenant.member("someone", Role.VIEWER);
         member = someone.name();
         copter = copter("Kestrel");
         run = run();
@@ -108,7 +109,8 @@ class DescribedBoundsTest {
     }
 
     Stream<Example> examples() {
-        return Stream.of(commands(), plans(), operations(), areas(), names()).flatMap(List::stream);
+        return Stream.of(commands(), plans(), operations(), areas(), access(), names())
+                .flatMap(List::stream);
     }
 
     private Example post(String path, String body) {
@@ -240,6 +242,40 @@ class DescribedBoundsTest {
 
     private Example as(Http who, String path, String body) {
         return new Example(who, "post", API + path, API + path, body);
+    }
+
+    private List<Example> access() {
+        Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        return List.of(
+                post("/outlet/ports", "{\"address\":\"nowhere\",\"hours\":1}"),
+                new Example(
+                        someone.http(),
+                        "put",
+                        API + "/outlet/passphrase",
+                        API + "/outlet/passphrase",
+                        "{\"passphrase\":\"just-a-passphrase\"}"),
+                new Example(
+                        someone.http(),
+                        "post",
+                        API + "/session/password",
+                        API + "/session/password",
+                        "{\"current\":\"another password\",\"next\":\"a-long-password\"}"),
+                post(
+                        "/registrations",
+                        "{\"name\":\"" + tenant.unique("guest") + "\",\"password\":\"a-long-password\"}"),
+                new Example(
+                        operator,
+                        "post",
+                        API + "/drones/{id}/control/request",
+                        API + "/drones/" + drone + "/control/request",
+                        "{\"reason\":\"a\"}"),
+                as(server, "/dtls-keys", "{\"label\":\"a\"}"),
+                new Example(
+                        server,
+                        "post",
+                        API + "/waiting/{id}/enrol",
+                        API + "/waiting/nobody/enrol",
+                        "{\"name\":\"a\"}"));
     }
 
     private List<Example> names() {

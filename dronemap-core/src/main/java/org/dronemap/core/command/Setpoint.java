@@ -91,7 +91,8 @@ public sealed interface Setpoint {
      * @param facing where it looks meanwhile
      */
     record Velocity(Frame frame, double forward, double right, double down, Facing facing) implements Setpoint {
-        private static final double FASTEST = 100;
+        /** m/s in each direction. */
+        public static final double FASTEST = 100;
 
         public Velocity {
             within("forward", forward, FASTEST);

@@ -6,7 +6,10 @@ import org.dronemap.core.stored.Stored;
 /** A value that a parameter shall get. */
 @Stored(names = "name value")
 public record ParameterValue(String name, double value) {
-    private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_.-]{1,16}");
+    /** What the name of a parameter looks like, as a regular expression. */
+    public static final String NAME = "^[A-Za-z0-9_.-]{1,16}$";
+
+    private static final Pattern NAMED = Pattern.compile(NAME);
 
     public ParameterValue {
         if (!isName(name)) {
@@ -18,7 +21,7 @@ public record ParameterValue(String name, double value) {
     }
 
     public static boolean isName(String name) {
-        return NAME.matcher(name).matches();
+        return NAMED.matcher(name).matches();
     }
 
     /** For people: "RTL_ALT = 1500". */

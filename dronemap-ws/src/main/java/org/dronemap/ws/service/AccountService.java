@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
@@ -18,7 +19,10 @@ public final class AccountService {
     /** A change of one's own password. */
     @Schema(name = "PasswordRequest")
     public record PasswordRequest(
-            @Nullable String current, @Nullable String next) {}
+            @Nullable String current,
+
+            @Size(min = PasswordRule.SHORTEST, max = PasswordRule.LONGEST) @Nullable
+            String next) {}
 
     public AccountService(
             AccessStore store,
@@ -46,6 +50,7 @@ public final class AccountService {
         if (current == null) {
             throw InvalidInput.missing("current", "your present password");
         }
+        String next = PasswordRule.acceptable("next", request.next());
         if (!ownPassword.isOf(user, current, address)) {
             throw new InvalidInput(
                     ValueProblem.PRESENT_PASSWORD_WRONG,
@@ -53,7 +58,6 @@ public final class AccountService {
                     "your present password",
                     "The present password is not right.");
         }
-        String next = PasswordRule.acceptable("next", request.next());
         if (next.equals(current)) {
             throw new InvalidInput(
                     ValueProblem.PASSWORD_UNCHANGED,

@@ -12,6 +12,7 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
+import org.dronemap.core.parameter.ParameterValue;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
@@ -375,5 +376,7 @@ public sealed interface CommandRequest {
 
     /** A parameter and the value that it shall get. */
     @Schema(name = "CommandParameterRequest")
-    record ParameterRequest(@Nullable String name, @Nullable Double value) {}
+    record ParameterRequest(
+            @Pattern(regexp = ParameterValue.NAME) @Nullable String name,
+            @Nullable Double value) {}
 }

@@ -22,7 +22,7 @@ import org.slf4j.LoggerFactory;
 /** Use cases around who commands a drone: take, ask, grant, hand over, give back. Any thread. */
 public final class ControlService {
     private static final Logger LOG = LoggerFactory.getLogger(ControlService.class);
-    private static final int LONGEST_REASON = 200;
+    static final int LONGEST_REASON = 200;
 
     private final CloudManager cloud;
     private final DroneService drones;

@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import java.security.SecureRandom;
 import java.time.Clock;
 import java.time.Instant;
@@ -22,6 +23,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Use cases around the keys that vehicles prove themselves with, for administrators. Any thread. */
 public final class DtlsKeyService {
+    private static final int LONGEST_LABEL = 60;
     private static final int SECRET_BYTES = 32;
 
     private final DtlsKeyRing ring;
@@ -33,7 +35,8 @@ public final class DtlsKeyService {
     /** A new key: for a drone that is known, whose key before is revoked, or for a vehicle still to come. */
     @Schema(name = "DtlsKeyRequest")
     public record DtlsKeyRequest(
-            @Nullable String label, @Nullable String drone) {}
+            @Size(min = 1, max = LONGEST_LABEL) @Nullable String label,
+            @Nullable String drone) {}
 
     /**
      * A key as administrators see it.
@@ -73,8 +76,8 @@ public final class DtlsKeyService {
         String drone = request.drone();
         DroneState known = drone == null ? null : known(principal, drone);
         String identity = known == null ? fresh() : known.id().value();
-        String label =
-                Names.checked("label", request.label() == null && known != null ? known.name() : request.label(), 60);
+        String label = Names.checked(
+                "label", request.label() == null && known != null ? known.name() : request.label(), LONGEST_LABEL);
         byte[] secret = new byte[SECRET_BYTES];
         random.nextBytes(secret);
         DtlsKey key = new DtlsKey(identity, label, "", principal.name(), clock.instant());

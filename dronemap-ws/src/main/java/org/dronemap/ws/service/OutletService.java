@@ -1,6 +1,9 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -35,7 +38,9 @@ public final class OutletService {
 
     /** A passphrase of one's own choice; without one it is made up. */
     @Schema(name = "PassphraseRequest")
-    public record PassphraseRequest(@Nullable String passphrase) {
+    public record PassphraseRequest(
+            @Schema(description = FORM) @Size(min = SHORTEST, max = LONGEST) @Nullable
+            String passphrase) {
 
         /** It holds a secret. */
         @Override
@@ -62,7 +67,8 @@ public final class OutletService {
      */
     @Schema(name = "OutletPortRequest")
     public record PortRequest(
-            @Nullable String address, @Nullable Integer hours) {}
+            @Nullable String address,
+            @Min(1) @Max(MOST_HOURS) @Nullable Integer hours) {}
 
     /** One's own side of the outlet. */
     @Schema(name = "OwnOutletView")

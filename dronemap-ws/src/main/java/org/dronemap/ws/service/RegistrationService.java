@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import java.time.Clock;
 import java.time.Duration;
 import java.util.Optional;
@@ -30,7 +31,10 @@ public final class RegistrationService {
     @Schema(name = "RegistrationRequest")
     public record Request(
             @Nullable String name,
-            @Nullable String password,
+
+            @Size(min = PasswordRule.SHORTEST, max = PasswordRule.LONGEST) @Nullable
+            String password,
+
             @Nullable String invitation) {}
 
     /** What came of it: {@code active}, or {@code waiting} for an administrator. */

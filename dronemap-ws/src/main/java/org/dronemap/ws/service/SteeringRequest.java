@@ -1,6 +1,8 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
 import java.util.Objects;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
@@ -16,6 +18,8 @@ public record SteeringRequest(
         @Nullable Velocity velocity,
         @Nullable Sticks sticks,
         @Nullable Long epoch) {
+    private static final int FASTEST = (int) Setpoint.Velocity.FASTEST;
+    private static final int WHOLE_TURN = (int) Setpoint.WHOLE_TURN;
     private static final String FRAMES = "vehicle (the default) or earth";
 
     /**
@@ -33,23 +37,29 @@ public record SteeringRequest(
             @Nullable
             String frame,
 
-            @Nullable Double forward,
-            @Nullable Double right,
-            @Nullable Double down,
+            @Min(-FASTEST) @Max(FASTEST) @Nullable Double forward,
+            @Min(-FASTEST) @Max(FASTEST) @Nullable Double right,
+            @Min(-FASTEST) @Max(FASTEST) @Nullable Double down,
 
-            @Schema(description = "degrees a second, clockwise seen from above") @Nullable
+            @Schema(description = "degrees a second, clockwise seen from above")
+            @Min(-WHOLE_TURN)
+            @Max(WHOLE_TURN)
+            @Nullable
             Double turn,
 
-            @Schema(description = "degrees clockwise from true north, where it shall look; not beside turn") @Nullable
+            @Schema(description = "degrees clockwise from true north, where it shall look; not beside turn")
+            @Min(-WHOLE_TURN)
+            @Max(WHOLE_TURN)
+            @Nullable
             Double heading) {}
 
     /** Each −1 to 1, with 0 in the middle; what is left out is there. */
     @Schema(name = "SteeringSticks", description = "Each -1 to 1, with 0 in the middle; what is left out is there.")
     public record Sticks(
-            @Nullable Double forward,
-            @Nullable Double right,
-            @Nullable Double up,
-            @Nullable Double turn) {}
+            @Min(-1) @Max(1) @Nullable Double forward,
+            @Min(-1) @Max(1) @Nullable Double right,
+            @Min(-1) @Max(1) @Nullable Double up,
+            @Min(-1) @Max(1) @Nullable Double turn) {}
 
     /** Throws {@link InvalidInput} for what is none. */
     Setpoint setpoint() {

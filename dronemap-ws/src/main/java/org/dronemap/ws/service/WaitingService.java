@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -19,7 +20,8 @@ public final class WaitingService {
     /** How a vehicle is let in; without a name it is called after what it is. */
     @Schema(name = "EnrolRequest")
     public record EnrolRequest(
-            @Nullable String name, @Nullable String organisation) {
+            @Size(min = 1, max = LONGEST_NAME) @Nullable String name,
+            @Nullable String organisation) {
         public static final EnrolRequest PLAIN = new EnrolRequest(null, null);
     }
 
