@@ -109,7 +109,8 @@ class DescribedBoundsTest {
     }
 
     Stream<Example> examples() {
-        return Stream.of(commands(), plans(), operations(), areas(), names()).flatMap(List::stream);
+        return Stream.of(commands(), plans(), operations(), areas(), access(), names())
+                .flatMap(List::stream);
     }
 
     private Example post(String path, String body) {
@@ -241,6 +242,40 @@ class DescribedBoundsTest {
 
     private Example as(Http who, String path, String body) {
         return new Example(who, "post", API + path, API + path, body);
+    }
+
+    private List<Example> access() {
+        Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        return List.of(
+                post("/outlet/ports", "{\"address\":\"nowhere\",\"hours\":1}"),
+                new Example(
+                        someone.http(),
+                        "put",
+                        API + "/outlet/passphrase",
+                        API + "/outlet/passphrase",
+                        "{\"passphrase\":\"just-a-passphrase\"}"),
+                new Example(
+                        someone.http(),
+                        "post",
+                        API + "/session/password",
+                        API + "/session/password",
+                        "{\"current\":\"another password\",\"next\":\"a-long-password\"}"),
+                post(
+                        "/registrations",
+                        "{\"name\":\"" + tenant.unique("guest") + "\",\"password\":\"a-long-password\"}"),
+                new Example(
+                        operator,
+                        "post",
+                        API + "/drones/{id}/control/request",
+                        API + "/drones/" + drone + "/control/request",
+                        "{\"reason\":\"a\"}"),
+                as(server, "/dtls-keys", "{\"label\":\"a\"}"),
+                new Example(
+                        server,
+                        "post",
+                        API + "/waiting/{id}/enrol",
+                        API + "/waiting/nobody/enrol",
+                        "{\"name\":\"a\"}"));
     }
 
     private List<Example> names() {
