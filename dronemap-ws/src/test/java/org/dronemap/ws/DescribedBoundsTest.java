@@ -281,31 +281,6 @@ class DescribedBoundsTest {
     private List<Example> names() {
         Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         return List.of(
-                post("/outlet/ports", "{\"address\":\"nowhere\",\"hours\":1}"),
-                new Example(
-                        someone.http(),
-                        "put",
-                        API + "/outlet/passphrase",
-                        API + "/outlet/passphrase",
-                        "{\"passphrase\":\"just-a-passphrase\"}"),
-                new Example(
-                        someone.http(),
-                        "post",
-                        API + "/session/password",
-                        API + "/session/password",
-                        "{\"current\":\"another password\",\"next\":\"a-long-password\"}"),
-                post(
-                        "/registrations",
-                        "{\"name\":\"" + tenant.unique("guest") + "\",\"password\":\"a-long-password\"}"),
-                new Example(
-                        operator,
-                        "post",
-                        API + "/drones/{id}/control/request",
-                        API + "/drones/" + drone + "/control/request",
-                        "{\"reason\":\"a\"}"),
-                as(server, "/dtls-keys", "{\"label\":\"a\"}"),
-                new Example(
-                        server, "post", API + "/waiting/{id}/enrol", API + "/waiting/nobody/enrol", "{\"name\":\"a\"}"),
                 post(
                         "/missions",
                         "{\"name\":\"a\",\"items\":[{\"type\":\"waypoint\",\"altitude\":10," + PLACE

@@ -12,8 +12,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The fence on board of a vehicle, read and written in the same form; {@code zones} is null until it was read. */
 @Schema(name = "FenceView")
-public record FenceView(
-        @Size(max = FenceReader.MOST) @Nullable List<ZoneView> zones) {
+public record FenceView(@Nullable List<ZoneView> zones) {
     /** {@code type} is polygon (with corners) or circle (with center and radius in metres). */
     @Schema(name = "FenceZoneView")
     public record ZoneView(
@@ -45,8 +44,7 @@ public record FenceView(
 
     /** Rally points; null until they were read. */
     @Schema(name = "FenceRallyView")
-    public record RallyView(
-            @Size(max = FenceReader.MOST) @Nullable List<RallyPointView> points) {
+    public record RallyView(@Nullable List<RallyPointView> points) {
         static RallyView of(@Nullable List<RallyPoint> points) {
             return new RallyView(
                     points == null

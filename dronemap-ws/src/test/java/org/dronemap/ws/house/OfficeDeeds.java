@@ -1,6 +1,7 @@
 package org.dronemap.ws.house;
 
 import java.net.URI;
+import java.net.http.HttpRequest;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.organisation.OrganisationId;
 
@@ -80,15 +81,29 @@ public final class OfficeDeeds extends Deeds {
                         "DELETE", "invitations/" + made("invitations", "{\"label\":\"x\",\"role\":\"viewer\"}"), ""));
         can("PUT /api/v1/outlet/passphrase", () -> deed("PUT", "outlet/passphrase", "{}"));
         can("DELETE /api/v1/outlet/passphrase", () -> deed("DELETE", "outlet/passphrase", ""));
-        can("POST /api/v1/outlet/ports", () -> deed("POST", "outlet/ports", "{\"address\":\"192.0.2.7\"}"));
-        can(
-                "DELETE /api/v1/outlet/ports/{id}",
-                () -> deed("DELETE", "outlet/ports/" + made("outlet/ports", "{\"address\":\"192.0.2.7\"}"), ""));
+        can("POST /api/v1/outlet/ports", () -> {
+            closePorts();
+            return deed("POST", "outlet/ports", "{\"address\":\"192.0.2.7\"}");
+        });
+        can("DELETE /api/v1/outlet/ports/{id}", () -> {
+            closePorts();
+            return deed("DELETE", "outlet/ports/" + made("outlet/ports", "{\"address\":\"192.0.2.7\"}"), "");
+        });
         can("DELETE /api/v1/outlet/clients/{id}", () -> deed("DELETE", "outlet/clients/client-1", ""));
         can("POST /api/v1/dtls-keys", () -> deed("POST", "dtls-keys", "{\"label\":\"a copter\"}"));
         can(
                 "DELETE /api/v1/dtls-keys/{identity}",
                 () -> deed("DELETE", "dtls-keys/" + made("dtls-keys", "{\"label\":\"a copter\"}", "identity"), ""));
+    }
+
+    /** A user may have few of them, and each deed may be done more than once. */
+    private void closePorts() {
+        root.http()
+                .get("/api/v1/outlet")
+                .json()
+                .path("ports")
+                .forEach(port -> root.http()
+                        .send("/api/v1/outlet/ports/" + port.path("id").asString(), HttpRequest.Builder::DELETE));
     }
 
     private void robotKeys() {
