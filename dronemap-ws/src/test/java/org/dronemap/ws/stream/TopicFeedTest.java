@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 /** What each topic does with changes, whatever its things are; here they are names, and their subject is the first letter. */
 class TopicFeedTest {
     private static final long MILLI = 1_000_000L;
-    private static final Subject A = new Subject("name", "a");
+    private static final String A = "a";
 
     private final Set<String> hidden = new HashSet<>();
     private final List<String> things = new ArrayList<>(List.of("a1"));
@@ -40,7 +40,7 @@ class TopicFeedTest {
         Topic<String> topic = new Topic<>(
                 StreamMessage.Hello.class,
                 rate,
-                name -> new Subject("name", name.substring(0, 1)),
+                new Topic.About<>("name", name -> name.substring(0, 1)),
                 Topic.Audience.of("all but some", (who, name) -> !hidden.contains(who.name() + name)),
                 (name, who) -> new StreamMessage.Hello(name, "shown"),
                 () -> things,
