@@ -27,6 +27,7 @@ import org.dronemap.ws.service.RunService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.SteeringService;
 import org.dronemap.ws.service.VirtualDroneViews;
+import org.dronemap.ws.setting.SetupException;
 import org.dronemap.ws.stream.StreamCrowd;
 import org.dronemap.ws.stream.StreamDescription;
 import org.dronemap.ws.stream.StreamFace;
