@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.ws.service.Alternatives;
+import org.dronemap.ws.setting.SetupException;
 
 /**
  * All messages that this server says, by their types: those of {@link StreamMessage}, and those that topics have of their own.
@@ -28,7 +29,7 @@ record SaidMessages(Map<String, Class<?>> records) {
                 Class<?> other = records.putIfAbsent(type, message);
                 boolean isTaken = other != null && other != message;
                 if (isTaken || !told.add(message)) {
-                    throw new IllegalStateException("Two topics of the stream tell messages of the type " + type + ": "
+                    throw new SetupException("Two topics of the stream tell messages of the type " + type + ": "
                             + (other == null ? message : other).getName() + " and " + message.getName()
                             + "; each message needs a type of its own.");
                 }
@@ -49,14 +50,13 @@ record SaidMessages(Map<String, Class<?>> records) {
         boolean ofUseCase = StreamMessage.OfUseCase.class.isAssignableFrom(message);
         JsonTypeName type = message.getDeclaredAnnotation(JsonTypeName.class);
         if (ofUseCase && (type == null || type.value().isEmpty())) {
-            throw new IllegalStateException(
-                    message.getName() + " has no type for clients: say @JsonTypeName(...) there.");
+            throw new SetupException(message.getName() + " has no type for clients: say @JsonTypeName(...) there.");
         }
         Schema said = message.getDeclaredAnnotation(Schema.class);
         if (said == null
                 || !said.name().matches(NAME + "\\w+")
                 || said.description().isEmpty()) {
-            throw new IllegalStateException(message.getName()
+            throw new SetupException(message.getName()
                     + " has no name for clients that begins with Stream, or no description: say @Schema(name = ...,"
                     + " description = ...) there.");
         }
@@ -72,7 +72,7 @@ record SaidMessages(Map<String, Class<?>> records) {
             boolean keepsPictures = !(topic.rate() instanceof Rate.EveryChange) || topic.isTakenBack();
             Topic<?> other = keepsPictures ? known.putIfAbsent(topic.about().kind(), topic) : null;
             if (other != null) {
-                throw new IllegalStateException("Two topics of the stream are about things of the kind "
+                throw new SetupException("Two topics of the stream are about things of the kind "
                         + topic.about().kind() + ": those of " + other.message().getName() + " and of "
                         + topic.message().getName() + "; each topic needs a kind of its own.");
             }

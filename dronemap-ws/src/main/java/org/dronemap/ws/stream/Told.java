@@ -12,7 +12,7 @@ public interface Told<T> {
     /** Its newest state is told now. */
     void changedAtOnce(String id, Supplier<Optional<T>> thing);
 
-    /** Whoever was shown it is told that it is gone. */
+    /** Whoever was shown it is told that it is gone, where the topic says something of that. */
     void removed(String id);
 
     /** Something that must arrive. */
@@ -20,7 +20,7 @@ public interface Told<T> {
 
     /**
      * The same, of a thing that had another form before or is none any more: whoever saw that and does not see this is told
-     * that it is gone.
+     * that it is gone, where the topic says something of that.
      */
     void tell(@Nullable T former, @Nullable T now);
 }

@@ -63,6 +63,7 @@ final class TopicFeed<T> implements Told<T> {
             if (who != null
                     && !tell(client, who, now, written)
                     && former != null
+                    && isTakenBack()
                     && sight(client, who, former) != null) {
                 client.outbox().add(removal(topic.about().subject(former)));
             }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.ws.service.Alternatives;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.setting.SetupException;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -123,6 +124,8 @@ class SaidMessagesTest {
     @ParameterizedTest
     @MethodSource("faulty")
     void doNotStartWhereTheyCouldNotBeToldFromEachOther(Faulty faulty) {
-        assertThatThrownBy(() -> SaidMessages.of(faulty.topics())).hasMessage(faulty.sentence());
+        assertThatThrownBy(() -> SaidMessages.of(faulty.topics()))
+                .isInstanceOf(SetupException.class)
+                .hasMessage(faulty.sentence());
     }
 }

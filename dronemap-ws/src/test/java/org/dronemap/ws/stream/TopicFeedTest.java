@@ -13,6 +13,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.JsonReader;
 import org.java_websocket.WebSocket;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** What each topic does with changes, whatever its things are; here they are names, and their subject is the first letter. */
@@ -37,6 +38,10 @@ class TopicFeedTest {
     }
 
     private TopicFeed<String> feed(Rate rate) {
+        return feed(rate, new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new));
+    }
+
+    private TopicFeed<String> feed(Rate rate, Topic.@Nullable Removal removal) {
         Topic<String> topic = new Topic<>(
                 StreamMessage.Hello.class,
                 rate,
@@ -44,7 +49,7 @@ class TopicFeedTest {
                 Topic.Audience.of("all but some", (who, name) -> !hidden.contains(who.name() + name)),
                 (name, who) -> new StreamMessage.Hello(name, "shown"),
                 () -> things,
-                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new),
+                removal,
                 feed -> {});
         return new TopicFeed<>(topic, new JsonReader(), clients, () -> {});
     }
@@ -120,5 +125,16 @@ class TopicFeedTest {
 
         assertThat(heard(anna)).containsExactly("a1", "a2", "a");
         assertThat(heard(bert)).containsExactly("a1", "a");
+    }
+
+    @Test
+    void saysNothingOfWhatIsGoneWhereATopicHasNothingToSay() {
+        TopicFeed<String> feed = feed(new Rate.EveryChange(), null);
+        feed.tell("a1");
+        feed.tell("a1", null);
+        feed.removed(A);
+        feed.tellRemoved();
+
+        assertThat(heard(anna)).containsExactly("a1");
     }
 }
