@@ -114,7 +114,14 @@ function actionsOf(drone: MockDrone): Record<CommandKind, Action> {
     'pauseMission',
     'clearMission',
   ];
-  return Object.fromEntries(
-    kinds.map((kind) => [kind, { allowed: drone.why(kind) === null, why: drone.why(kind), mode: null }]),
-  ) as Record<CommandKind, Action>;
+  const action = (why: string | null): Action => ({
+    allowed: why === null,
+    why,
+    code: why === null ? null : 'command-refused',
+    mode: null,
+  });
+  return Object.fromEntries(kinds.map((kind) => [kind, action(drone.why(kind))])) as Record<
+    CommandKind,
+    Action
+  >;
 }

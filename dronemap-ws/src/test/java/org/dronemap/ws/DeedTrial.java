@@ -14,6 +14,7 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.ws.house.Deeds;
+import org.dronemap.ws.house.DescribedDeeds;
 import org.dronemap.ws.house.DroneDeeds;
 import org.dronemap.ws.house.Estate;
 import org.dronemap.ws.house.Faces;
@@ -64,7 +65,8 @@ abstract class DeedTrial {
                 new OfficeDeeds(house, estate.administrator(), provider),
                 new DroneDeeds(house, estate, other),
                 new RunDeeds(house, estate),
-                new FollowDeeds(house, estate));
+                new FollowDeeds(house, estate),
+                new DescribedDeeds(house, estate, other));
     }
 
     @AfterAll

@@ -167,6 +167,8 @@ final class HouseRules {
 
     static final ArchRule FLOORS_OF_WS = layeredArchitecture()
             .consideringOnlyDependenciesInLayers()
+            .layer("setting")
+            .definedBy("org.dronemap.ws.setting..")
             .layer("service")
             .definedBy("org.dronemap.ws.service..")
             .layer("access")
@@ -183,6 +185,8 @@ final class HouseRules {
             .definedBy("org.dronemap.ws.guard..")
             .layer("wiring")
             .definedBy("org.dronemap.ws.wiring..")
+            .whereLayer("setting")
+            .mayNotAccessAnyLayer()
             .whereLayer("wiring")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("rest")

@@ -2,11 +2,13 @@ package org.dronemap.ws.service;
 
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import com.fasterxml.jackson.annotation.JsonTypeName;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * The records that a body, or a part of one, may be, and the member that tells them apart.
@@ -33,11 +35,26 @@ public record Alternatives(String member, Map<String, Class<?>> records) {
         return Optional.of(new Alternatives(told.property(), records));
     }
 
-    /** Those that a record is one of; empty: it is none. */
+    /**
+     * Those that a record is one of, and itself where it is declared elsewhere and named by {@code @JsonTypeName}; empty: it
+     * is none.
+     */
     public static Optional<Alternatives> with(Class<?> record) {
-        return Arrays.stream(record.getInterfaces())
-                .flatMap(type -> of(type).stream())
-                .findFirst();
+        return interfaces(record).flatMap(type -> of(type).stream()).findFirst().map(all -> all.and(record));
+    }
+
+    private static Stream<Class<?>> interfaces(Class<?> type) {
+        return Arrays.stream(type.getInterfaces()).flatMap(one -> Stream.concat(Stream.of(one), interfaces(one)));
+    }
+
+    private Alternatives and(Class<?> record) {
+        JsonTypeName own = record.getDeclaredAnnotation(JsonTypeName.class);
+        if (own == null || records.containsValue(record)) {
+            return this;
+        }
+        Map<String, Class<?>> more = new LinkedHashMap<>(records);
+        more.putIfAbsent(own.value(), record);
+        return new Alternatives(member, more);
     }
 
     /** What the member says where it is that record. */

@@ -1,7 +1,9 @@
 package org.dronemap.ws.stream;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
+import io.swagger.v3.core.converter.AnnotatedType;
 import io.swagger.v3.core.converter.ModelConverters;
+import io.swagger.v3.core.converter.ResolvedSchema;
 import io.swagger.v3.core.util.Json31;
 import io.swagger.v3.oas.models.Components;
 import io.swagger.v3.oas.models.OpenAPI;
@@ -15,6 +17,7 @@ import io.swagger.v3.oas.models.parameters.RequestBody;
 import io.swagger.v3.oas.models.responses.ApiResponses;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 import tools.jackson.databind.JsonNode;
@@ -25,15 +28,17 @@ import tools.jackson.databind.node.ObjectNode;
 /** The JSON schemas of all messages of the stream, made as those of REST are: by the same readers of records. */
 final class DescribedSchemas {
     private static final String REFERENCE = "#/components/schemas/";
+    private static final String SAID = "StreamMessage";
     private static final String DISCRIMINATOR = "discriminator";
 
     private DescribedSchemas() {}
 
     /** By name, in the order of their names; {@code customizers}: those of the description of REST. */
     @SuppressWarnings("rawtypes")
-    static ObjectNode of(List<OpenApiCustomizer> customizers, JsonMapper json) {
+    static ObjectNode of(SaidMessages said, List<OpenApiCustomizer> customizers, JsonMapper json) {
         Map<String, Schema> schemas = new TreeMap<>();
         schemas.putAll(ModelConverters.getInstance(true).readAll(StreamMessage.class));
+        said.ofUseCases().forEach((type, record) -> add(schemas, type, record));
         schemas.putAll(ModelConverters.getInstance(true).readAll(StreamRequest.class));
         OpenAPI description = asRest(schemas);
         customizers.forEach(customizer -> customizer.customise(description));
@@ -44,6 +49,17 @@ final class DescribedSchemas {
         } catch (JsonProcessingException e) {
             throw new IllegalStateException("the schemas of the stream cannot be written", e);
         }
+    }
+
+    /** A message that is declared beside its use case is one of those that the server says. */
+    @SuppressWarnings("rawtypes")
+    private static void add(Map<String, Schema> schemas, String type, Class<?> record) {
+        ResolvedSchema one =
+                ModelConverters.getInstance(true).readAllAsResolvedSchema(new AnnotatedType(record).resolveAsRef(true));
+        schemas.putAll(one.referencedSchemas);
+        Schema<?> choice = Objects.requireNonNull(schemas.get(SAID));
+        choice.addOneOfItem(one.schema);
+        choice.getDiscriminator().mapping(type, one.schema.get$ref());
     }
 
     /** What is sent and what is answered differ in what has to be there: as if requests were bodies of one operation. */

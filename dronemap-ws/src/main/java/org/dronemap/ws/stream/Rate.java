@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /** How often clients are told of each thing of a topic. */
-sealed interface Rate {
+public sealed interface Rate {
     /** Nobody misses one: they wait in order, and who lets too many of them wait is closed. */
     record EveryChange() implements Rate {
         @Override
@@ -20,8 +20,15 @@ sealed interface Rate {
         }
     }
 
-    /** Of each thing the newest state, at most so many times a second. */
+    /** Of each thing the newest state, at most so many times a second: 1 to {@value Turns#MOST_PER_SECOND}. */
     record Newest(int perSecond) implements Rate {
+        public Newest {
+            if (perSecond < 1 || perSecond > Turns.MOST_PER_SECOND) {
+                throw new IllegalArgumentException("A topic is told of 1 to " + Turns.MOST_PER_SECOND
+                        + " times a second, not " + perSecond + " times.");
+            }
+        }
+
         @Override
         public String words() {
             return "the newest state, at most " + perSecond + " times a second";

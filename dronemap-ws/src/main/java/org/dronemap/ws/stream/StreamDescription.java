@@ -5,7 +5,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.Set;
 import org.dronemap.ws.service.Alternatives;
 import org.dronemap.ws.service.JsonReader;
@@ -18,12 +17,11 @@ import tools.jackson.databind.node.ObjectNode;
 /** The stream as AsyncAPI 3 describes it: what is told of each topic, and what may be said. Any thread. */
 public final class StreamDescription {
     private static final String CHANNEL = "#/channels/stream";
-    private static final Map<String, Class<?>> SAID =
-            Alternatives.of(StreamMessage.class).orElseThrow().records();
     private static final Map<String, Class<?>> HEARD =
             Alternatives.of(StreamRequest.class).orElseThrow().records();
 
     private final List<Topic<?>> topics;
+    private final SaidMessages said;
     private final List<OpenApiCustomizer> customizers;
     private final JsonMapper json;
     private final String version;
@@ -33,6 +31,7 @@ public final class StreamDescription {
     /** {@code customizers}: those of the description of REST, whose schemas are made in the same way. */
     public StreamDescription(StreamFace face, List<OpenApiCustomizer> customizers, JsonReader json, String version) {
         this.topics = face.topics();
+        this.said = face.messages();
         this.customizers = customizers;
         this.json = json.mapper();
         this.version = version;
@@ -79,10 +78,10 @@ public final class StreamDescription {
         return all;
     }
 
-    private static void channel(ObjectNode channel) {
+    private void channel(ObjectNode channel) {
         channel.put("address", StreamServer.PATH);
         ObjectNode messages = channel.putObject("messages");
-        SAID.values().forEach(record -> reference(messages.putObject(name(record)), message(record)));
+        said.records().values().forEach(record -> reference(messages.putObject(name(record)), message(record)));
         HEARD.values().forEach(record -> reference(messages.putObject(name(record)), message(record)));
         ObjectNode query = channel.putObject("bindings")
                 .putObject("ws")
@@ -100,7 +99,7 @@ public final class StreamDescription {
     private void operations(ObjectNode operations) {
         Set<Class<?>> told = new HashSet<>();
         topics.forEach(topic -> {
-            List<Class<?>> messages = messages(topic);
+            List<Class<?>> messages = List.copyOf(topic.messages());
             told.addAll(messages);
             ObjectNode operation = operation(operations.putObject("tell" + word(topic.message())), "send", messages);
             operation.put(
@@ -120,16 +119,11 @@ public final class StreamDescription {
             });
             reference(answers.addObject(), CHANNEL + "/messages/" + name(StreamMessage.Failure.class));
         }
-        List<Class<?>> others =
-                SAID.values().stream().filter(record -> !told.contains(record)).toList();
+        List<Class<?>> others = said.records().values().stream()
+                .filter(record -> !told.contains(record))
+                .toList();
         operation(operations.putObject("tellOfConnection"), "send", others)
                 .put("summary", "Told of the connection itself.");
-    }
-
-    private static List<Class<?>> messages(Topic<?> topic) {
-        return Optional.ofNullable(topic.removal())
-                .<List<Class<?>>>map(removal -> List.of(topic.message(), removal.message()))
-                .orElse(List.of(topic.message()));
     }
 
     private static ObjectNode operation(ObjectNode operation, String action, List<Class<?>> messages) {
@@ -142,9 +136,9 @@ public final class StreamDescription {
 
     private void components(ObjectNode components) {
         ObjectNode messages = components.putObject("messages");
-        SAID.forEach((type, record) -> message(messages, type, record));
+        said.records().forEach((type, record) -> message(messages, type, record));
         HEARD.forEach((type, record) -> message(messages, type, record));
-        components.set("schemas", DescribedSchemas.of(customizers, json));
+        components.set("schemas", DescribedSchemas.of(said, customizers, json));
         ObjectNode schemes = components.putObject("securitySchemes");
         schemes.putObject("accessKey").put("type", "http").put("scheme", "bearer");
         schemes.putObject("ticket")
@@ -155,7 +149,7 @@ public final class StreamDescription {
 
     private static void message(ObjectNode messages, String type, Class<?> record) {
         ObjectNode message = messages.putObject(name(record));
-        message.put("name", type).put("summary", said(record).description());
+        message.put("name", type).put("summary", schema(record).description());
         reference(message.putObject("payload"), "#/components/schemas/" + name(record));
     }
 
@@ -172,10 +166,10 @@ public final class StreamDescription {
     }
 
     private static String name(Class<?> record) {
-        return said(record).name();
+        return schema(record).name();
     }
 
-    private static Schema said(Class<?> record) {
+    private static Schema schema(Class<?> record) {
         return Objects.requireNonNull(record.getAnnotation(Schema.class));
     }
 

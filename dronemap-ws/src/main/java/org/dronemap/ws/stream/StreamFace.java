@@ -37,7 +37,7 @@ import org.java_websocket.WebSocketServerFactory;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.framing.CloseFrame;
 
-/** The WebSocket face as a whole. One pump thread carries to the clients what {@link Topics} declares. */
+/** The WebSocket face as a whole. One pump thread carries to the clients what topics declare. */
 public final class StreamFace implements AutoCloseable {
     public static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
 
@@ -49,6 +49,7 @@ public final class StreamFace implements AutoCloseable {
     private final StreamRequests requests;
     private final CloudNews cloudNews = new CloudNews();
     private final List<Topic<?>> topics;
+    private final SaidMessages messages;
     private final StreamNews news;
     private final StreamPhones phones;
     private final Clock clock;
@@ -91,11 +92,13 @@ public final class StreamFace implements AutoCloseable {
             RunService runs,
             FollowService follows) {}
 
-    public StreamFace(CloudManager cloud, Services services, Port port, Clock clock) {
+    /** {@code ofUseCases}: the topics that are declared beside their use cases. */
+    public StreamFace(CloudManager cloud, Services services, List<Topic<?>> ofUseCases, Port port, Clock clock) {
         this.cloud = cloud;
         this.clock = clock;
         this.beat = new StreamBeat(services.json(), clock, System.nanoTime());
-        this.topics = Topics.all(cloud, cloudNews, services.pictures());
+        this.topics = Topics.all(cloud, cloudNews, services.pictures(), ofUseCases);
+        this.messages = SaidMessages.of(topics);
         this.news = new StreamNews(
                 topics,
                 services.entrance().grants(),
@@ -190,8 +193,13 @@ public final class StreamFace implements AutoCloseable {
         return cloudNews;
     }
 
-    List<Topic<?>> topics() {
+    /** In the order in which a client that has come in is told of them. */
+    public List<Topic<?>> topics() {
         return topics;
+    }
+
+    SaidMessages messages() {
+        return messages;
     }
 
     /** How many clients are connected. */

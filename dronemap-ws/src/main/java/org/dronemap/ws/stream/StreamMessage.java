@@ -49,7 +49,10 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
     @JsonSubTypes.Type(value = StreamMessage.Pong.class, name = "pong")
 })
 @Schema(name = "StreamMessage", description = "What the server says.")
-sealed interface StreamMessage {
+public sealed interface StreamMessage {
+    /** A message of a topic that is declared beside its use case; {@code @JsonTypeName} says its type. */
+    non-sealed interface OfUseCase extends StreamMessage {}
+
     @Schema(name = "StreamHello", description = "The first message: who you are.")
     record Hello(String user, @ValuesOf(Role.class) String role) implements StreamMessage {}
 

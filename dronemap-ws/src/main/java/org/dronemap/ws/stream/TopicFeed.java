@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * Carries one topic to the clients. Of what changes often the newest state alone waits here, one of each thing, until its
  * turn. {@link #tell}, {@link #changed} and {@link #removed} from any thread, the rest from the pump alone.
  */
-final class TopicFeed<T> {
+final class TopicFeed<T> implements Told<T> {
     private static final long SHORTEST_REST_NANOS = 500_000L;
     private static final long RESTS_IN_A_GAP = 20;
 
@@ -50,24 +50,22 @@ final class TopicFeed<T> {
         topic.source().accept(this);
     }
 
-    /** Something that must arrive. */
-    void tell(T now) {
+    @Override
+    public void tell(T now) {
         tell(null, now);
     }
 
-    /**
-     * The same, of a thing that had another form before or is none any more: whoever saw that and does not see this is told
-     * that it is gone.
-     */
-    void tell(@Nullable T former, @Nullable T now) {
+    @Override
+    public void tell(@Nullable T former, @Nullable T now) {
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : clients) {
             Principal who = client.principal().orElse(null);
             if (who != null
                     && !tell(client, who, now, written)
                     && former != null
+                    && isTakenBack()
                     && sight(client, who, former) != null) {
-                client.outbox().add(removal(topic.subject().apply(former)));
+                client.outbox().add(removal(topic.about().subject(former)));
             }
         }
     }
@@ -77,24 +75,25 @@ final class TopicFeed<T> {
         if (now == null || sight == null) {
             return false;
         }
-        client.outbox().add(topic.subject().apply(now), written.computeIfAbsent(sight, unused -> picture(now, who)));
+        client.outbox().add(topic.about().subject(now), written.computeIfAbsent(sight, unused -> picture(now, who)));
         return true;
     }
 
-    /** Its newest state is told at its next turn. */
-    void changed(Subject subject, Supplier<Optional<T>> thing) {
-        changed.merge(subject, new News<>(thing, false), News::before);
+    @Override
+    public void changed(String id, Supplier<Optional<T>> thing) {
+        changed.merge(topic.about().subject(id), new News<>(thing, false), News::before);
         wake.run();
     }
 
-    /** Its newest state is told now. */
-    void changedAtOnce(Subject subject, Supplier<Optional<T>> thing) {
-        changed.put(subject, new News<>(thing, true));
+    @Override
+    public void changedAtOnce(String id, Supplier<Optional<T>> thing) {
+        changed.put(topic.about().subject(id), new News<>(thing, true));
         wake.run();
     }
 
-    void removed(Subject subject) {
-        removed.add(subject);
+    @Override
+    public void removed(String id) {
+        removed.add(topic.about().subject(id));
         wake.run();
     }
 
@@ -115,7 +114,7 @@ final class TopicFeed<T> {
 
     /** Whether clients are told when a thing is out of sight. */
     boolean isTakenBack() {
-        return topic.removal() != null;
+        return topic.isTakenBack();
     }
 
     /**
@@ -134,7 +133,7 @@ final class TopicFeed<T> {
     }
 
     private void settle(StreamClient client, Principal who, T thing) {
-        Subject subject = topic.subject().apply(thing);
+        Subject subject = topic.about().subject(thing);
         Object sight = topic.audience().sight().of(who, thing);
         Object before = client.shown().get(subject);
         if (sight != null && !sight.equals(before)) {
@@ -179,7 +178,7 @@ final class TopicFeed<T> {
     }
 
     private void show(Collection<StreamClient> some, T thing) {
-        Subject subject = topic.subject().apply(thing);
+        Subject subject = topic.about().subject(thing);
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : some) {
             Principal who = client.principal().orElse(null);
@@ -195,7 +194,7 @@ final class TopicFeed<T> {
     }
 
     private @Nullable Object sight(StreamClient client, Principal who, T thing) {
-        return client.wants(topic.subject().apply(thing))
+        return client.wants(topic.about().subject(thing))
                 ? topic.audience().sight().of(who, thing)
                 : null;
     }

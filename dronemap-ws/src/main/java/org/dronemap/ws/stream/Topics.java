@@ -1,5 +1,6 @@
 package org.dronemap.ws.stream;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,7 +38,7 @@ import org.dronemap.ws.service.ZoneFeature;
 import org.dronemap.ws.service.ZoneService;
 import org.jspecify.annotations.Nullable;
 
-/** All topics of the stream. */
+/** The topics of the stream, but for those that are declared beside their use cases. */
 final class Topics {
     private static final Rate.EveryChange EVERY_CHANGE = new Rate.EveryChange();
     private static final Rate.Newest FOUR_A_SECOND = new Rate.Newest(4);
@@ -48,8 +49,15 @@ final class Topics {
 
     private Topics() {}
 
-    /** In the order in which a client that has come in is told of them. */
-    static List<Topic<?>> all(CloudManager cloud, CloudNews news, StreamFace.Pictures pictures) {
+    /** In the order in which a client that has come in is told of them; at last of those of use cases. */
+    static List<Topic<?>> all(
+            CloudManager cloud, CloudNews news, StreamFace.Pictures pictures, List<Topic<?>> ofUseCases) {
+        List<Topic<?>> all = new ArrayList<>(ofCloud(cloud, news, pictures));
+        all.addAll(ofUseCases);
+        return List.copyOf(all);
+    }
+
+    private static List<Topic<?>> ofCloud(CloudManager cloud, CloudNews news, StreamFace.Pictures pictures) {
         return List.of(
                 zones(cloud.zones()),
                 virtualDrones(pictures.virtuals(), pictures.virtualViews(), news),
@@ -72,14 +80,14 @@ final class Topics {
         return new Topic<>(
                 StreamMessage.Drone.class,
                 new Rate.NewestAsAsked(),
-                drone -> Subject.drone(drone.id()),
+                new Topic.About<>(Subject.DRONE, drone -> drone.id().value()),
                 new Topic.Audience<>("whoever sees the drone", (who, drone) -> sightOf(who, drone.id())),
                 (drone, who) -> new StreamMessage.Drone(views.view(drone, who)),
                 cloud::drones,
                 new Topic.Removal(StreamMessage.DroneRemoved.class, StreamMessage.DroneRemoved::new),
                 feed -> {
-                    news.onChange(drone -> feed.changed(Subject.drone(drone.id()), () -> Optional.of(drone)));
-                    news.onRemoval(id -> feed.removed(Subject.drone(id)));
+                    news.onChange(drone -> feed.changed(drone.id().value(), () -> Optional.of(drone)));
+                    news.onRemoval(id -> feed.removed(id.value()));
                 });
     }
 
@@ -87,7 +95,7 @@ final class Topics {
         return new Topic<>(
                 StreamMessage.ZoneChanged.class,
                 EVERY_CHANGE,
-                Subject::zone,
+                new Topic.About<>("zone", Zone::id),
                 new Topic.Audience<>(
                         "the organisation that it is of, without those who do not see the drone that it is for; a global one"
                                 + " everybody",
@@ -99,7 +107,7 @@ final class Topics {
     }
 
     /** Former forms go together with the new ones. */
-    private static void tell(TopicFeed<Zone> feed, ZoneBook.Change change) {
+    private static void tell(Told<Zone> feed, ZoneBook.Change change) {
         Map<String, Zone> put = new LinkedHashMap<>();
         change.put().forEach(zone -> put.put(zone.id(), zone));
         change.former().forEach(former -> feed.tell(former, put.remove(former.id())));
@@ -110,7 +118,7 @@ final class Topics {
         return new Topic<>(
                 StreamMessage.VirtualDroneChanged.class,
                 TWICE_A_SECOND,
-                Subject::virtualDrone,
+                new Topic.About<>("virtualDrone", drone -> drone.id().value()),
                 new Topic.Audience<>(
                         "whose it is, and supervisors of the organisation",
                         (who, drone) -> VirtualDroneService.isShownTo(who, drone) ? who : null),
@@ -121,13 +129,12 @@ final class Topics {
                     virtuals.addListener(new VirtualNews(virtuals, feed));
                     news.onMoves(drones -> virtuals.all().stream()
                             .filter(drone -> drone.boundTo() != null && drones.contains(drone.boundTo()))
-                            .forEach(drone ->
-                                    feed.changed(Subject.virtualDrone(drone), () -> virtuals.find(drone.id()))));
+                            .forEach(drone -> feed.changed(drone.id().value(), () -> virtuals.find(drone.id()))));
                 });
     }
 
     /** Its missions go on: that is told at once. */
-    private record VirtualNews(VirtualDrones virtuals, TopicFeed<VirtualDrone> feed) implements VirtualListener {
+    private record VirtualNews(VirtualDrones virtuals, Told<VirtualDrone> feed) implements VirtualListener {
         @Override
         public void changed(VirtualDrone drone) {
             tell(drone);
@@ -138,12 +145,12 @@ final class Topics {
         }
 
         private void tell(VirtualDrone drone) {
-            feed.changedAtOnce(Subject.virtualDrone(drone), () -> virtuals.find(drone.id()));
+            feed.changedAtOnce(drone.id().value(), () -> virtuals.find(drone.id()));
         }
 
         @Override
         public void removed(VirtualDrone drone) {
-            feed.removed(Subject.virtualDrone(drone));
+            feed.removed(drone.id().value());
         }
     }
 
@@ -151,7 +158,7 @@ final class Topics {
         return new Topic<>(
                 StreamMessage.PlanChanged.class,
                 FOUR_A_SECOND,
-                Subject::plan,
+                new Topic.About<>("plan", PlanJob::id),
                 Topic.Audience.of("whoever asked for it, and sees all of its drones", PlanService::isShownTo),
                 (job, who) -> new StreamMessage.PlanChanged(PlanViews.whole(job)),
                 desk::everybodys,
@@ -159,15 +166,15 @@ final class Topics {
                 feed -> desk.addListener(new PlanNews(desk, feed)));
     }
 
-    private record PlanNews(PlanDesk desk, TopicFeed<PlanJob> feed) implements PlanListener {
+    private record PlanNews(PlanDesk desk, Told<PlanJob> feed) implements PlanListener {
         @Override
         public void changed(PlanJob job) {
-            feed.changed(Subject.plan(job), () -> desk.find(job.id()));
+            feed.changed(job.id(), () -> desk.find(job.id()));
         }
 
         @Override
         public void removed(PlanJob job) {
-            feed.removed(Subject.plan(job));
+            feed.removed(job.id());
         }
     }
 
@@ -175,33 +182,33 @@ final class Topics {
         return new Topic<>(
                 StreamMessage.RunChanged.class,
                 FOUR_A_SECOND,
-                run -> Subject.run(run.saved()),
+                new Topic.About<>("run", run -> run.saved().id().value()),
                 Topic.Audience.of("the organisation, whoever sees all drones of the run", RunService::isShownTo),
                 (run, who) -> new StreamMessage.RunChanged(RunViews.view(run)),
                 runs::underWay,
                 null,
                 feed -> runs.addListener(
-                        (operation, why) -> feed.changed(Subject.run(operation), () -> runs.picture(operation))));
+                        (operation, why) -> feed.changed(operation.id().value(), () -> runs.picture(operation))));
     }
 
     private static Topic<Picture<FollowState>> follows(FollowService follows) {
         return new Topic<>(
                 StreamMessage.FollowChanged.class,
                 FOUR_A_SECOND,
-                follow -> Subject.follow(follow.saved()),
+                new Topic.About<>("follow", follow -> follow.saved().id().value()),
                 Topic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
                 (follow, who) -> new StreamMessage.FollowChanged(follows.view(follow)),
                 follows::underWay,
                 null,
                 feed -> follows.addListener(
-                        (operation, why) -> feed.changed(Subject.follow(operation), () -> follows.picture(operation))));
+                        (operation, why) -> feed.changed(operation.id().value(), () -> follows.picture(operation))));
     }
 
     private static Topic<Picture<FollowState>> followsNow(FollowService follows, CloudNews news) {
         return new Topic<>(
                 StreamMessage.FollowNow.class,
                 FOUR_A_SECOND,
-                follow -> Subject.followNow(follow.saved()),
+                new Topic.About<>("followNow", follow -> follow.saved().id().value()),
                 Topic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
                 (follow, who) -> new StreamMessage.FollowNow(
                         follow.saved().id().value(), follows.view(follow).now()),
@@ -209,15 +216,14 @@ final class Topics {
                 null,
                 feed -> news.onMoves(drones -> follows.underWay().stream()
                         .filter(follow -> drones.contains(follow.state().drone()))
-                        .forEach(
-                                follow -> feed.changed(Subject.followNow(follow.saved()), () -> Optional.of(follow)))));
+                        .forEach(follow -> feed.changed(follow.saved().id().value(), () -> Optional.of(follow)))));
     }
 
     private static Topic<CommandRecord> commands(CloudNews news) {
         return new Topic<>(
                 StreamMessage.Command.class,
                 EVERY_CHANGE,
-                command -> Subject.drone(command.drone()),
+                new Topic.About<>(Subject.DRONE, command -> command.drone().value()),
                 Topic.Audience.of("whoever sees the drone", (who, command) -> who.sees(command.drone())),
                 (command, who) -> new StreamMessage.Command(CommandView.of(command)),
                 List::of,
@@ -229,7 +235,7 @@ final class Topics {
         return new Topic<>(
                 StreamMessage.Control.class,
                 EVERY_CHANGE,
-                told -> Subject.drone(told.drone()),
+                new Topic.About<>(Subject.DRONE, told -> told.drone().value()),
                 Topic.Audience.of("whoever sees the drone", (who, told) -> who.sees(told.drone())),
                 (told, who) -> new StreamMessage.Control(
                         told.drone().value(), ControlView.of(told.now()), ControlView.ChangeView.of(told.change())),

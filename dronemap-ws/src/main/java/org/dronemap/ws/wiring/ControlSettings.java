@@ -5,6 +5,7 @@ import java.util.Map;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.virtual.RunMachine;
+import org.dronemap.ws.setting.SetupException;
 
 /** What the environment says about the control of drones. */
 final class ControlSettings {

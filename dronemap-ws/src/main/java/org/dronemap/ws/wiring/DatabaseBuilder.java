@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
+import org.dronemap.ws.setting.SetupException;
 
 /** Opens the database that the settings name, or the server's own. */
 final class DatabaseBuilder {

@@ -6,6 +6,7 @@ import org.dronemap.core.time.SystemTime;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.door.PhoneDoor;
 import org.dronemap.ws.process.ThisProcess;
+import org.dronemap.ws.setting.Variables;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ConfigurableApplicationContext;
@@ -30,7 +31,7 @@ public final class Dronemap {
                 closing.close();
                 return code;
             }
-            start(settings, environment.getOrDefault("DRONEMAP_LAST_EXIT", ""), closing);
+            start(settings, environment, closing);
         } catch (RuntimeException | LinkageError e) {
             closing.close();
             System.err.println(StartFailure.sentence(e));
@@ -39,15 +40,16 @@ public final class Dronemap {
         return waitForTheEnd(closing);
     }
 
-    private static void start(Settings settings, String lastExit, Closing closing) {
+    private static void start(Settings settings, Map<String, String> environment, Closing closing) {
         Time time = new SystemTime();
+        String lastExit = environment.getOrDefault("DRONEMAP_LAST_EXIT", "");
         ThisProcess process = ThisProcess.begin(settings.dataDirectory(), lastExit, time);
         closing.add("the mark of a process that runs", process);
         HouseBuilder builder = new HouseBuilder(settings, closing, time, process.beginning());
         closing.add("the check of itself", process.lookAfter(builder.lanes()));
         House house = builder.open(new DatabaseBuilder(settings).open(closing));
         builder.hear();
-        ConfigurableApplicationContext faces = FacesServer.start(settings, house);
+        ConfigurableApplicationContext faces = FacesServer.start(settings, new Variables(environment), house);
         closing.add("the faces", faces);
         builder.serve();
         openPhoneDoor(settings, closing);

@@ -2,22 +2,14 @@ package org.dronemap.ws.wiring;
 
 import org.springframework.boot.SpringBootConfiguration;
 import org.springframework.boot.autoconfigure.EnableAutoConfiguration;
-import org.springframework.context.annotation.Import;
+import org.springframework.context.annotation.ComponentScan;
+import org.springframework.context.annotation.Configuration;
 
-/** The web server with all faces; wants a {@link House} and {@link Settings} in its context. */
+/**
+ * The web server with all faces: whatever a {@code @Configuration} of this package constructs. Wants a {@link House} and
+ * {@link Settings} in its context.
+ */
 @SpringBootConfiguration(proxyBeanMethods = false)
 @EnableAutoConfiguration
-@Import({
-    ServiceConfiguration.class,
-    AccessConfiguration.class,
-    RestConfiguration.class,
-    GrantConfiguration.class,
-    StreamConfiguration.class,
-    SoapConfiguration.class,
-    OriginalAddressConfiguration.class,
-    VirtualConfiguration.class,
-    PlanConfiguration.class,
-    RunConfiguration.class,
-    FollowConfiguration.class
-})
+@ComponentScan(useDefaultFilters = false, includeFilters = @ComponentScan.Filter(Configuration.class))
 public class FacesApplication {}

@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.dronemap.ws.setting.Variables;
 import org.springframework.boot.Banner;
 import org.springframework.boot.SpringApplication;
 import org.springframework.boot.builder.SpringApplicationBuilder;
@@ -14,7 +15,13 @@ public final class FacesServer {
 
     private FacesServer() {}
 
+    /** With nothing set that use cases read for themselves. */
     public static ConfigurableApplicationContext start(Settings settings, House house) {
+        return start(settings, new Variables(Map.of()), house);
+    }
+
+    /** {@code variables}: what use cases read for themselves. */
+    static ConfigurableApplicationContext start(Settings settings, Variables variables, House house) {
         SpringApplication application = new SpringApplicationBuilder(FacesApplication.class)
                 .bannerMode(Banner.Mode.OFF)
                 .logStartupInfo(false)
@@ -23,6 +30,7 @@ public final class FacesServer {
                 .initializers(context -> {
                     if (context instanceof GenericApplicationContext generic) {
                         generic.registerBean(Settings.class, () -> settings);
+                        generic.registerBean(Variables.class, () -> variables);
                         generic.registerBean(House.class, () -> house);
                     }
                 })

@@ -3,6 +3,7 @@ package org.dronemap.ws.wiring;
 import java.util.Locale;
 import java.util.Map;
 import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.ws.setting.SetupException;
 
 /** What the environment says about drones that follow. */
 final class FollowSettings {

@@ -4,6 +4,8 @@ import java.time.Duration;
 import java.util.Map;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.history.Retention;
+import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.setting.Variables;
 
 /** What the environment says about what is remembered of drones. */
 final class HistorySettings {
@@ -17,6 +19,7 @@ final class HistorySettings {
     private HistorySettings() {}
 
     static HistoryPolicy of(Map<String, String> environment) {
+        Variables variables = new Variables(environment);
         HistoryPolicy otherwise = HistoryPolicy.DEFAULT;
         Duration flying = flying(environment, otherwise.flying());
         Duration resting = flying.compareTo(otherwise.resting()) > 0 ? flying : otherwise.resting();
@@ -25,8 +28,8 @@ final class HistorySettings {
                 flying,
                 resting,
                 new Retention(
-                        days(environment, FULL_DAYS, usual.fullDays()),
-                        days(environment, DAYS, usual.keepDays()),
+                        variables.whole(FULL_DAYS, 0, MOST_DAYS, usual.fullDays()),
+                        variables.whole(DAYS, 0, MOST_DAYS, usual.keepDays()),
                         usual.thinned()));
     }
 
@@ -42,16 +45,5 @@ final class HistorySettings {
             }
         }
         throw new SetupException(RATE + " must be a number from 0.1 to 50 (states a second), not \"" + value + "\".");
-    }
-
-    private static int days(Map<String, String> environment, String name, int otherwise) {
-        String value = environment.getOrDefault(name, "").strip();
-        if (value.isEmpty()) {
-            return otherwise;
-        }
-        if (value.matches("\\d{1,5}") && Integer.parseInt(value) <= MOST_DAYS) {
-            return Integer.parseInt(value);
-        }
-        throw new SetupException(name + " must be a whole number from 0 to " + MOST_DAYS + ", not \"" + value + "\".");
     }
 }

@@ -49,6 +49,7 @@ import org.dronemap.store.secret.ServerSecret;
 import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.RobotKeyRing;
+import org.dronemap.ws.setting.SetupException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

@@ -9,6 +9,7 @@ import java.util.Map;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.security.oidc.OidcSettings;
+import org.dronemap.ws.setting.SetupException;
 import org.jspecify.annotations.Nullable;
 
 /** What the environment says about signing in with an OpenID Connect provider. */

@@ -19,6 +19,7 @@ import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.outlet.Outlet;
 import org.dronemap.proxy.outlet.OutletPolicy;
 import org.dronemap.proxy.outlet.OutletRights;
+import org.dronemap.ws.setting.SetupException;
 
 /** Builds where ground stations of other makers attach. */
 final class OutletBuilder {

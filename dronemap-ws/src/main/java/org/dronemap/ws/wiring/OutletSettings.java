@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronemap.proxy.outlet.PortRange;
+import org.dronemap.ws.setting.SetupException;
 
 /**
  * Where ground stations of other makers attach.

@@ -12,6 +12,7 @@ import org.dronemap.store.postgres.BackupSummary;
 import org.dronemap.store.postgres.Database;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.ReceiptView;
+import org.dronemap.ws.setting.SetupException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.io.IOException;
 import org.dronemap.ws.door.PhoneDoor;
+import org.dronemap.ws.setting.SetupException;
 import org.jspecify.annotations.Nullable;
 
 /** Where the settings want a door for phones, if anywhere. */

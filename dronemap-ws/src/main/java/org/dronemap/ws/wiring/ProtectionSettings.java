@@ -6,6 +6,7 @@ import java.util.Map;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Work;
+import org.dronemap.ws.setting.Variables;
 
 /** What the environment says about how much clients may cost. */
 final class ProtectionSettings {
@@ -24,41 +25,27 @@ final class ProtectionSettings {
     private ProtectionSettings() {}
 
     static Settings.Protection of(Map<String, String> environment) {
+        Variables variables = new Variables(environment);
         ClientLimits otherwise = ClientLimits.DEFAULT;
         ClientLimits clients = new ClientLimits(
-                number(environment, CONNECTIONS, otherwise.connectionsPerHost(), 1, MOST_CONNECTIONS),
+                variables.whole(CONNECTIONS, 1, MOST_CONNECTIONS, otherwise.connectionsPerHost()),
                 otherwise.requestsPerHost(),
-                Duration.ofSeconds(
-                        number(environment, PATIENCE, (int) otherwise.patience().toSeconds(), 1, MOST_PATIENCE)));
-        int streams = number(environment, STREAMS, Settings.Protection.DEFAULT_STREAMS, 1, MOST_CONNECTIONS);
-        return new Settings.Protection(clients, rates(environment), streams);
+                Duration.ofSeconds(variables.whole(
+                        PATIENCE, 1, MOST_PATIENCE, (int) otherwise.patience().toSeconds())));
+        int streams = variables.whole(STREAMS, 1, MOST_CONNECTIONS, Settings.Protection.DEFAULT_STREAMS);
+        return new Settings.Protection(clients, rates(variables), streams);
     }
 
     /** 0: no bound. */
-    private static Rates rates(Map<String, String> environment) {
+    private static Rates rates(Variables variables) {
         Map<Work, Double> rates = new EnumMap<>(Work.class);
         RATES.forEach((work, name) -> {
             double otherwise = Rates.DEFAULT.perSecond().getOrDefault(work, 0.0);
-            int rate = number(environment, name, (int) otherwise, 0, MOST_PER_SECOND);
+            int rate = variables.whole(name, 0, MOST_PER_SECOND, (int) otherwise);
             if (rate > 0) {
                 rates.put(work, (double) rate);
             }
         });
         return new Rates(rates);
-    }
-
-    private static int number(Map<String, String> environment, String name, int otherwise, int least, int most) {
-        String value = environment.getOrDefault(name, "").strip();
-        if (value.isEmpty()) {
-            return otherwise;
-        }
-        if (value.matches("\\d{1,9}")) {
-            int number = Integer.parseInt(value);
-            if (number >= least && number <= most) {
-                return number;
-            }
-        }
-        throw new SetupException(
-                name + " must be a whole number from " + least + " to " + most + ", not \"" + value + "\".");
     }
 }

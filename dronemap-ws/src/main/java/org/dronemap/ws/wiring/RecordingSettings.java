@@ -3,24 +3,27 @@ package org.dronemap.ws.wiring;
 import java.util.Locale;
 import java.util.Map;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.setting.Variables;
 
 /** What the environment says about recordings. */
 final class RecordingSettings {
     private static final String WHEN = "DRONEMAP_RECORD";
     private static final String MEGABYTES = "DRONEMAP_RECORD_MEGABYTES";
     private static final String DAYS = "DRONEMAP_RECORD_DAYS";
-    private static final long MOST_MEGABYTES = 10_000_000;
-    private static final long MOST_DAYS = 10_000;
+    private static final int MOST_MEGABYTES = 10_000_000;
+    private static final int MOST_DAYS = 10_000;
     private static final long BYTES = 1_000_000;
 
     private RecordingSettings() {}
 
     static RecordingPolicy of(Map<String, String> environment) {
+        Variables variables = new Variables(environment);
         RecordingPolicy otherwise = RecordingPolicy.DEFAULT;
         return new RecordingPolicy(
                 when(environment.getOrDefault(WHEN, "flights").strip()),
-                number(environment, MEGABYTES, otherwise.mostBytes() / BYTES, 1, MOST_MEGABYTES) * BYTES,
-                (int) number(environment, DAYS, otherwise.keepDays(), 0, MOST_DAYS));
+                variables.whole(MEGABYTES, 1, MOST_MEGABYTES, (int) (otherwise.mostBytes() / BYTES)) * BYTES,
+                variables.whole(DAYS, 0, MOST_DAYS, otherwise.keepDays()));
     }
 
     private static RecordingPolicy.When when(String value) {
@@ -30,20 +33,5 @@ final class RecordingSettings {
             case "never" -> RecordingPolicy.When.NEVER;
             default -> throw new SetupException(WHEN + " must be flights, always or never, not \"" + value + "\".");
         };
-    }
-
-    private static long number(Map<String, String> environment, String name, long otherwise, long least, long most) {
-        String value = environment.getOrDefault(name, "").strip();
-        if (value.isEmpty()) {
-            return otherwise;
-        }
-        if (value.matches("\\d{1,9}")) {
-            long number = Long.parseLong(value);
-            if (number >= least && number <= most) {
-                return number;
-            }
-        }
-        throw new SetupException(
-                name + " must be a whole number from " + least + " to " + most + ", not \"" + value + "\".");
     }
 }

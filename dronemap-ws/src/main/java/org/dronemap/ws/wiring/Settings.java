@@ -17,6 +17,7 @@ import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.security.oidc.OidcSettings;
 import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Registration;
+import org.dronemap.ws.setting.SetupException;
 import org.jspecify.annotations.Nullable;
 
 /**

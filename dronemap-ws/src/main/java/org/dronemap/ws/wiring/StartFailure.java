@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import org.dronemap.store.StoreException;
+import org.dronemap.ws.setting.SetupException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.boot.web.server.PortInUseException;

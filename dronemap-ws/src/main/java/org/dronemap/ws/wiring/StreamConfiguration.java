@@ -27,11 +27,14 @@ import org.dronemap.ws.service.RunService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.SteeringService;
 import org.dronemap.ws.service.VirtualDroneViews;
+import org.dronemap.ws.setting.SetupException;
 import org.dronemap.ws.stream.StreamCrowd;
 import org.dronemap.ws.stream.StreamDescription;
 import org.dronemap.ws.stream.StreamFace;
+import org.dronemap.ws.stream.Topic;
 import org.jspecify.annotations.Nullable;
 import org.springdoc.core.customizers.OpenApiCustomizer;
+import org.springframework.beans.factory.ObjectProvider;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
@@ -103,10 +106,15 @@ public class StreamConfiguration {
 
     @Bean
     StreamFace streamFace(
-            House house, StreamFace.Services services, Settings settings, WebSocketDoor door, Clock clock) {
+            House house,
+            StreamFace.Services services,
+            ObjectProvider<Topic<?>> topics,
+            Settings settings,
+            WebSocketDoor door,
+            Clock clock) {
         InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.streamPort());
         StreamFace.Port port = new StreamFace.Port(address, door, new BoundedDraft(StreamFace.LARGEST_MESSAGE_BYTES));
-        return new StreamFace(house.cloud(), services, port, clock);
+        return new StreamFace(house.cloud(), services, topics.orderedStream().toList(), port, clock);
     }
 
     @Bean

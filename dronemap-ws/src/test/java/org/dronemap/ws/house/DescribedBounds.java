@@ -135,7 +135,7 @@ public final class DescribedBounds {
         return reference.substring(reference.lastIndexOf('/') + 1);
     }
 
-    private static boolean isBounded(JsonNode schema) {
+    static boolean isBounded(JsonNode schema) {
         return Stream.of("minimum", "maximum", "minLength", "maxLength", "minItems", "maxItems", "pattern")
                 .anyMatch(schema::has);
     }

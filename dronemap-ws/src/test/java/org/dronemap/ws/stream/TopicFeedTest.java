@@ -13,12 +13,13 @@ import org.dronemap.core.access.Role;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.JsonReader;
 import org.java_websocket.WebSocket;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** What each topic does with changes, whatever its things are; here they are names, and their subject is the first letter. */
 class TopicFeedTest {
     private static final long MILLI = 1_000_000L;
-    private static final Subject A = new Subject("name", "a");
+    private static final String A = "a";
 
     private final Set<String> hidden = new HashSet<>();
     private final List<String> things = new ArrayList<>(List.of("a1"));
@@ -37,14 +38,18 @@ class TopicFeedTest {
     }
 
     private TopicFeed<String> feed(Rate rate) {
+        return feed(rate, new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new));
+    }
+
+    private TopicFeed<String> feed(Rate rate, Topic.@Nullable Removal removal) {
         Topic<String> topic = new Topic<>(
                 StreamMessage.Hello.class,
                 rate,
-                name -> new Subject("name", name.substring(0, 1)),
+                new Topic.About<>("name", name -> name.substring(0, 1)),
                 Topic.Audience.of("all but some", (who, name) -> !hidden.contains(who.name() + name)),
                 (name, who) -> new StreamMessage.Hello(name, "shown"),
                 () -> things,
-                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new),
+                removal,
                 feed -> {});
         return new TopicFeed<>(topic, new JsonReader(), clients, () -> {});
     }
@@ -120,5 +125,16 @@ class TopicFeedTest {
 
         assertThat(heard(anna)).containsExactly("a1", "a2", "a");
         assertThat(heard(bert)).containsExactly("a1", "a");
+    }
+
+    @Test
+    void saysNothingOfWhatIsGoneWhereATopicHasNothingToSay() {
+        TopicFeed<String> feed = feed(new Rate.EveryChange(), null);
+        feed.tell("a1");
+        feed.tell("a1", null);
+        feed.removed(A);
+        feed.tellRemoved();
+
+        assertThat(heard(anna)).containsExactly("a1");
     }
 }

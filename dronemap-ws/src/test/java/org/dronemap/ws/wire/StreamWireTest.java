@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SharedServer;
@@ -14,6 +15,9 @@ import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.service.Alternatives;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.stream.StreamFace;
+import org.dronemap.ws.stream.StreamMessage;
+import org.dronemap.ws.stream.Topic;
 import org.dronemap.ws.wiring.StreamPort;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
@@ -25,8 +29,8 @@ class StreamWireTest {
     private final JsonMapper json = new JsonReader().mapper();
 
     @Test
-    void saysWhatIsApproved() throws ClassNotFoundException {
-        Map<String, String> kinds = shapes("StreamMessage");
+    void saysWhatIsApproved() {
+        Map<String, String> kinds = shapes(said());
 
         assertThat(kinds).hasSizeGreaterThan(20);
         Approved.checkFolder("stream/says", kinds);
@@ -34,7 +38,7 @@ class StreamWireTest {
 
     @Test
     void hearsWhatIsApproved() throws ClassNotFoundException {
-        Approved.checkFolder("stream/hears", shapes("StreamRequest"));
+        Approved.checkFolder("stream/hears", shapes(closed("StreamRequest")));
     }
 
     /** The description that programs are written from, to the letter. */
@@ -50,11 +54,31 @@ class StreamWireTest {
         Approved.check("asyncapi.json", PrettyJson.of(PrettyJson.sorted(PrettyJson.tree(served))));
     }
 
-    private Map<String, String> shapes(String sealed) throws ClassNotFoundException {
-        Map<String, String> shapes = new TreeMap<>();
+    /** Those of the cloud itself, and those that topics of use cases have of their own. */
+    private static Map<String, Class<?>> said() {
+        Map<String, Class<?>> records =
+                new TreeMap<>(Alternatives.of(StreamMessage.class).orElseThrow().records());
+        assertThat(StreamMessage.class.getPermittedSubclasses())
+                .containsExactlyInAnyOrderElementsOf(
+                        Stream.concat(records.values().stream(), Stream.of(StreamMessage.OfUseCase.class))
+                                .toList());
+        for (Topic<?> topic : SharedServer.get().bean(StreamFace.class).topics()) {
+            for (Class<?> message : topic.messages()) {
+                records.put(Alternatives.with(message).orElseThrow().nameOf(message), message);
+            }
+        }
+        return records;
+    }
+
+    private static Map<String, Class<?>> closed(String sealed) throws ClassNotFoundException {
         Class<?> type = Class.forName(PACKAGE + sealed);
         Map<String, Class<?>> records = Alternatives.of(type).orElseThrow().records();
         assertThat(records.values()).containsExactlyInAnyOrder(type.getPermittedSubclasses());
+        return records;
+    }
+
+    private Map<String, String> shapes(Map<String, Class<?>> records) {
+        Map<String, String> shapes = new TreeMap<>();
         records.forEach((kind, record) -> shapes.put(kind + ".txt", RecordShape.of(record, json)));
         return shapes;
     }

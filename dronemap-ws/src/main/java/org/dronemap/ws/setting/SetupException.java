@@ -1,4 +1,4 @@
-package org.dronemap.ws.wiring;
+package org.dronemap.ws.setting;
 
 /** The server cannot start; the message is the one sentence that the person at the terminal sees. */
 public final class SetupException extends RuntimeException {

@@ -1,0 +1,5 @@
+/** What the environment sets: read and checked once, when the server starts. */
+@NullMarked
+package org.dronemap.ws.setting;
+
+import org.jspecify.annotations.NullMarked;
