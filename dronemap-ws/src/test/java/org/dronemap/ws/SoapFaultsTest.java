@@ -96,15 +96,13 @@ class SoapFaultsTest {
     @Test
     void namesMisspeltElementsHoweverManyCameBefore() {
         IntStream.range(0, 15)
-                .forEach(
-                        attempt -> assertThat(fault("<w:uploadMission><droneId>" + vehicle.id()
-                                        + "</droneId><items><item><waypoint><latitude>47</latitude><longitude>8</longitude>"
-                                        + "<altitude>20</altitude><altitudereference>amsl</altitudereference></waypoint>"
-                                        + "</item></items></w:uploadMission>"))
-                                .containsPattern(OF_THE_CALLER)
-                                .contains("<field>items[0].altitudereference</field>")
-                                .contains(
-                                        "<allowed>type, latitude, longitude, altitude, altitudeReference, holdSeconds</allowed>"));
+                .forEach(attempt -> assertThat(fault("<w:uploadMission><droneId>" + vehicle.id()
+                                + "</droneId><items><item><waypoint><latitude>47</latitude><longitude>8</longitude>"
+                                + "<altitude>20</altitude><altitudereference>amsl</altitudereference></waypoint>"
+                                + "</item></items></w:uploadMission>"))
+                        .containsPattern(OF_THE_CALLER)
+                        .contains("<field>items[0].altitudereference</field>")
+                        .contains("<allowed>latitude, longitude, altitude, altitudeReference, holdSeconds</allowed>"));
         assertThat(fault("<w:takeoff><droneId>x</droneId><altitud>5</altitud></w:takeoff>"))
                 .contains("<field>altitud</field>", "<allowed>droneId, altitude, id, epoch, wait</allowed>");
         assertThat(vehicle.performed()).isEmpty();
@@ -127,9 +125,13 @@ class SoapFaultsTest {
                 .contains("There is no element \"altitud\" here; there are: droneId, altitude,")
                 .doesNotContain("type, altitude");
         assertThat(fault("<w:uploadMission>" + drone
-                        + "<items><item><type>land</type><hight>20</hight></item></items></w:uploadMission>"))
+                        + "<items><item><takeOff><hight>20</hight></takeOff></item></items></w:uploadMission>"))
                 .contains(
-                        "<code>member-unknown</code>", "There is no element \"items[0].hight\" here; there are: type,");
+                        "<code>member-unknown</code>",
+                        "There is no element \"items[0].hight\" here; there are: altitude");
+        assertThat(fault("<w:uploadMission>" + drone
+                        + "<items><item><type>land</type></item></items></w:uploadMission>"))
+                .contains("must be takeOff, waypoint,", ", not \"type\".");
     }
 
     @Test
