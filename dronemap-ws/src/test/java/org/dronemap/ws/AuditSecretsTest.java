@@ -71,7 +71,9 @@ class AuditSecretsTest extends DeedTrial {
         boolean kept = SECRET_MEMBER.matcher(at).matches()
                 || NOT_UNDERSTOOD.contains(answer.status())
                 || !secret.equals(PASSWORD);
-        if (since(before).isEmpty() || (kept && left.contains(bare(secret)))) {
+        // Signs that the holder is there come all the time and are left out.
+        boolean recorded = !operation.endsWith("/control/heartbeat");
+        if ((recorded && since(before).isEmpty()) || (kept && left.contains(bare(secret)))) {
             wrong.add(operation + " with " + secret + " at " + at + ", answered " + answer.status() + ": " + left);
         }
         return answer.status() < 400;
