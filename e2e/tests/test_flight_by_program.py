@@ -88,10 +88,11 @@ def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> No
                 items={
                     "item": [
                         {
-                            "type": "waypoint",
-                            "latitude": p.latitude,
-                            "longitude": p.longitude,
-                            "altitude": p.altitude,
+                            "waypoint": {
+                                "latitude": p.latitude,
+                                "longitude": p.longitude,
+                                "altitude": p.altitude,
+                            }
                         }
                         for p in points
                     ]

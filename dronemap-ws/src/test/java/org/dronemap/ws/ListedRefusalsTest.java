@@ -23,6 +23,7 @@ import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ListedStatuses;
 import org.dronemap.ws.house.RawClient;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
@@ -113,9 +114,10 @@ class ListedRefusalsTest {
                 .filter(which)
                 .toList();
         assertThat(tried).isNotEmpty();
-        assertThat(tried)
-                .allSatisfy(
-                        one -> assertThat(first.apply(one)).as(one.toString()).startsWith("HTTP/1.1 " + status));
+        assertThat(tried).allSatisfy(one -> {
+            assertThat(first.apply(one)).as(one.toString()).startsWith("HTTP/1.1 " + status);
+            ListedStatuses.check(one.method(), one.address(), status);
+        });
     }
 
     /** The first line of the answer. */

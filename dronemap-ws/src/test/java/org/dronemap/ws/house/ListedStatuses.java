@@ -15,7 +15,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Holds each answer of REST that any test gets against the statuses that the description lists for its operation. */
-final class ListedStatuses {
+public final class ListedStatuses {
     private static final Path DESCRIPTION = Path.of("src", "test", "resources", "wire", "openapi.json");
     private static final List<Listed> ALL = read();
 
@@ -48,7 +48,8 @@ final class ListedStatuses {
     }
 
     /** {@code path}: without its query. */
-    static void check(String method, String path, int status) {
+    public static void check(String method, String path, int status) {
+        SeenStatuses.seen(method, path, status);
         find(method, path).filter(one -> !one.statuses().contains(status)).ifPresent(one -> {
             throw new AssertionError("The description of " + method + " " + one.path() + " lists " + one.statuses()
                     + ", and not " + status + ", with which it answered.");

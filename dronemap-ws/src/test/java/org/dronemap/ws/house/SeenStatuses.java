@@ -28,12 +28,10 @@ final class SeenStatuses extends ValveBase implements AccessLog {
 
     private static final Set<String> SEEN = ConcurrentHashMap.newKeySet();
 
-    private final Path file;
     private boolean attributesRead;
 
-    private SeenStatuses(Path file) {
+    private SeenStatuses() {
         super(true);
-        this.file = file;
     }
 
     /** Watches a server that nobody has asked anything yet. */
@@ -43,8 +41,7 @@ final class SeenStatuses extends ValveBase implements AccessLog {
         }
         if (faces instanceof WebServerApplicationContext context
                 && context.getWebServer() instanceof TomcatWebServer server) {
-            Path file = Path.of(FOLDER, "java-" + ProcessHandle.current().pid() + ".txt");
-            server.getTomcat().getEngine().getPipeline().addValve(new SeenStatuses(file));
+            server.getTomcat().getEngine().getPipeline().addValve(new SeenStatuses());
             return faces;
         }
         throw new IllegalStateException("The server is not a Tomcat whose answers can be watched.");
@@ -61,14 +58,22 @@ final class SeenStatuses extends ValveBase implements AccessLog {
         if (request == null || response == null || request.getRequestURI() == null) {
             return;
         }
-        ListedStatuses.operation(request.getMethod(), request.getRequestURI())
-                .map(operation -> operation + " " + response.getStatus())
-                .filter(SEEN::add)
-                .ifPresent(this::write);
+        seen(request.getMethod(), request.getRequestURI(), response.getStatus());
+    }
+
+    /** A client has it: who ends the connection at once may have an answer that the server does not log any more. */
+    static void seen(String method, String path, int status) {
+        if (FOLDER != null) {
+            ListedStatuses.operation(method, path)
+                    .map(operation -> operation + " " + status)
+                    .filter(SEEN::add)
+                    .ifPresent(line -> write(FOLDER, line));
+        }
     }
 
     /** Several servers of a JVM write into one file, each line at once. */
-    private void write(String line) {
+    private static void write(String folder, String line) {
+        Path file = Path.of(folder, "java-" + ProcessHandle.current().pid() + ".txt");
         try {
             Files.writeString(file, line + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
         } catch (IOException e) {
