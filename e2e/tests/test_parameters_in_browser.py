@@ -75,7 +75,10 @@ def open_panel(server: Server, api: Api, page: Page, bench: Bench) -> Station:
 
 
 def disclose(station: Station, title: str) -> None:
-    station.hands.press(station.page, station.page.get_by_role("button").filter(has_text=title).first)
+    # Other buttons may have the word, too, such as what is told of a drone that flies home.
+    section = station.page.locator("button[aria-expanded][aria-controls]").filter(has_text=title).first
+    station.hands.press(station.page, section)
+    expect(section).to_have_attribute("aria-expanded", "true")
 
 
 def change_size(station: Station, size: ViewportSize) -> None:
