@@ -21,7 +21,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 
-/** What cannot be done with things as they are is refused by 409, by each operation that lists it. */
+/** Refusals by 409: each operation that lists it answers so where things as they are forbid it. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class ConflictsTest {
     private static final String API = "/api/v1/";

@@ -9,13 +9,13 @@ import java.util.List;
  * @param about exactly what the code declares, in its order
  */
 public record Objection(ObjectionCode code, String sentence, List<About> about) {
-    /** What it is about. */
+    /** A thing that an objection is about. */
     public enum Subject {
         /** Id of a drone. */
         DRONE,
         /** Id of a waypoint. */
         WAYPOINT,
-        /** What has become of that: visited, cancelled or unserved. */
+        /** The state of that waypoint: visited, cancelled or unserved. */
         STATE,
         /** Number of a proposal. */
         PROPOSAL,
@@ -43,9 +43,10 @@ public record Objection(ObjectionCode code, String sentence, List<About> about) 
 
     public Objection {
         about = List.copyOf(about);
-        if (!about.stream().map(About::subject).toList().equals(code.subjects())) {
+        ObjectionEntry entry = code.entry();
+        if (!about.stream().map(About::subject).toList().equals(entry.subjects())) {
             throw new IllegalArgumentException(
-                    "\"" + code.word() + "\" is told with " + code.subjects() + ", not with " + about);
+                    "\"" + entry.word() + "\" is told with " + entry.subjects() + ", not with " + about);
         }
     }
 

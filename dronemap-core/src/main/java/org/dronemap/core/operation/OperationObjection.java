@@ -1,6 +1,5 @@
 package org.dronemap.core.operation;
 
-import java.util.List;
 import org.dronemap.core.operation.Objection.Subject;
 
 /** Reasons why no operation, of whichever kind, takes a wish. */
@@ -11,37 +10,15 @@ public enum OperationObjection implements ObjectionCode {
             "A fault of the server: it does not conduct operations of this kind.",
             "The cloud does not conduct operations of the kind run: a fault of its own, which is logged for its makers.");
 
-    private final String word;
-    private final String meaning;
-    private final String example;
-
-    @SuppressWarnings("ImmutableEnumChecker") // never changes
-    private final List<Subject> subjects;
+    @SuppressWarnings("ImmutableEnumChecker") // its list never changes
+    private final ObjectionEntry entry;
 
     OperationObjection(String word, String meaning, String example, Subject... subjects) {
-        this.word = word;
-        this.meaning = meaning;
-        this.example = example;
-        this.subjects = List.of(subjects);
+        entry = ObjectionEntry.of(word, meaning, example, subjects);
     }
 
     @Override
-    public String word() {
-        return word;
-    }
-
-    @Override
-    public String meaning() {
-        return meaning;
-    }
-
-    @Override
-    public String example() {
-        return example;
-    }
-
-    @Override
-    public List<Subject> subjects() {
-        return subjects;
+    public ObjectionEntry entry() {
+        return entry;
     }
 }

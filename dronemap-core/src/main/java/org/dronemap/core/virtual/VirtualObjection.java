@@ -1,8 +1,8 @@
 package org.dronemap.core.virtual;
 
-import java.util.List;
 import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.ObjectionCode;
+import org.dronemap.core.operation.ObjectionEntry;
 
 /** Reasons why a virtual drone cannot be changed now as a user wants. */
 public enum VirtualObjection implements ObjectionCode {
@@ -28,37 +28,15 @@ public enum VirtualObjection implements ObjectionCode {
             "The virtual drone was removed meanwhile.",
             "There is no virtual drone v12345678901.");
 
-    private final String word;
-    private final String meaning;
-    private final String example;
-
-    @SuppressWarnings("ImmutableEnumChecker") // never changes
-    private final List<Subject> subjects;
+    @SuppressWarnings("ImmutableEnumChecker") // its list never changes
+    private final ObjectionEntry entry;
 
     VirtualObjection(String word, String meaning, String example, Subject... subjects) {
-        this.word = word;
-        this.meaning = meaning;
-        this.example = example;
-        this.subjects = List.of(subjects);
+        entry = ObjectionEntry.of(word, meaning, example, subjects);
     }
 
     @Override
-    public String word() {
-        return word;
-    }
-
-    @Override
-    public String meaning() {
-        return meaning;
-    }
-
-    @Override
-    public String example() {
-        return example;
-    }
-
-    @Override
-    public List<Subject> subjects() {
-        return subjects;
+    public ObjectionEntry entry() {
+        return entry;
     }
 }

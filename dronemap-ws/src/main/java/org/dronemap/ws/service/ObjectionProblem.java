@@ -6,6 +6,7 @@ import org.dronemap.cognitive.operation.follow.FollowObjection;
 import org.dronemap.cognitive.operation.run.RunObjection;
 import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.ObjectionCode;
+import org.dronemap.core.operation.ObjectionEntry;
 import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.virtual.VirtualObjection;
 
@@ -37,10 +38,11 @@ public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
 
     @Override
     public ProblemEntry entry() {
-        return ProblemEntry.of(code.word(), RejectionKind.CONFLICT, code.meaning(), code.example())
+        ObjectionEntry reason = code.entry();
+        return ProblemEntry.of(reason.word(), RejectionKind.CONFLICT, reason.meaning(), reason.example())
                 .with(Stream.concat(
                                 Stream.of(ProblemParameter.ID),
-                                code.subjects().stream().map(ObjectionProblem::parameter))
+                                reason.subjects().stream().map(ObjectionProblem::parameter))
                         .toArray(ProblemParameter[]::new));
     }
 

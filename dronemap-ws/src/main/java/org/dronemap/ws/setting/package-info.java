@@ -1,4 +1,4 @@
-/** What the environment sets: read and checked once, when the server starts. */
+/** Settings as the environment says them: read and checked once, when the server starts. */
 @NullMarked
 package org.dronemap.ws.setting;
 

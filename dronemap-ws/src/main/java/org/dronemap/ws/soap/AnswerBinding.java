@@ -9,7 +9,7 @@ import org.apache.cxf.interceptor.Fault;
 import org.apache.cxf.service.model.MessagePartInfo;
 import org.jspecify.annotations.Nullable;
 
-/** How messages of this face become XML: calls as CXF does it by itself, answers without a copy that is read again. */
+/** Reads calls as CXF does by itself, and writes answers without a copy that is read again. */
 final class AnswerBinding extends SourceDataBinding {
     @Override
     @SuppressWarnings("unchecked") // it is asked for a writer to exactly this

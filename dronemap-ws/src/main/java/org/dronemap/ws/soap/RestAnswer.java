@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.ws.service.RejectionKind;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.mock.web.MockHttpServletResponse;
@@ -23,7 +24,7 @@ final class RestAnswer extends MockHttpServletResponse {
     // The mock's own takes one byte at a time.
     private final ByteArrayOutputStream content = new ByteArrayOutputStream();
     private final ServletOutputStream bounded = new Bounded();
-    private final PrintWriter writer = new PrintWriter(bounded, false, StandardCharsets.UTF_8);
+    private @Nullable PrintWriter writer;
     private boolean tooLong;
 
     @Override
@@ -33,12 +34,19 @@ final class RestAnswer extends MockHttpServletResponse {
 
     @Override
     public PrintWriter getWriter() {
-        return writer;
+        PrintWriter texts = writer;
+        if (texts == null) {
+            texts = new PrintWriter(bounded, false, StandardCharsets.UTF_8);
+            writer = texts;
+        }
+        return texts;
     }
 
     @Override
     public byte[] getContentAsByteArray() {
-        writer.flush();
+        if (writer != null) {
+            writer.flush();
+        }
         return content.toByteArray();
     }
 

@@ -10,7 +10,7 @@ import org.dronemap.core.access.Principal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What clients of the stream are told of one kind of thing. {@link Topics} has those of what the cloud itself does; a use
+ * One kind of thing that clients of the stream are told of. {@link Topics} has those of what the cloud itself does; a use
  * case declares its own beside it, as a bean. {@link TopicFeed} carries them.
  *
  * @param message what is said of one that has changed

@@ -1,8 +1,8 @@
 package org.dronemap.cognitive.operation.follow;
 
-import java.util.List;
 import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.ObjectionCode;
+import org.dronemap.core.operation.ObjectionEntry;
 
 /** Reasons why a follow cannot do at its stage what a user wants. */
 public enum FollowObjection implements ObjectionCode {
@@ -27,37 +27,15 @@ public enum FollowObjection implements ObjectionCode {
             "The drone of the follow need not be replaced, or not by this one.",
             "Nobody has to replace Kestrel now.");
 
-    private final String word;
-    private final String meaning;
-    private final String example;
-
-    @SuppressWarnings("ImmutableEnumChecker") // never changes
-    private final List<Subject> subjects;
+    @SuppressWarnings("ImmutableEnumChecker") // its list never changes
+    private final ObjectionEntry entry;
 
     FollowObjection(String word, String meaning, String example, Subject... subjects) {
-        this.word = word;
-        this.meaning = meaning;
-        this.example = example;
-        this.subjects = List.of(subjects);
+        entry = ObjectionEntry.of(word, meaning, example, subjects);
     }
 
     @Override
-    public String word() {
-        return word;
-    }
-
-    @Override
-    public String meaning() {
-        return meaning;
-    }
-
-    @Override
-    public String example() {
-        return example;
-    }
-
-    @Override
-    public List<Subject> subjects() {
-        return subjects;
+    public ObjectionEntry entry() {
+        return entry;
     }
 }

@@ -1,8 +1,8 @@
 package org.dronemap.cognitive.operation.run;
 
-import java.util.List;
 import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.ObjectionCode;
+import org.dronemap.core.operation.ObjectionEntry;
 
 /** Reasons why a mission run cannot do now what a user wants. */
 public enum RunObjection implements ObjectionCode {
@@ -74,37 +74,15 @@ public enum RunObjection implements ObjectionCode {
             "That place is more than 100 km away.",
             Subject.MOST);
 
-    private final String word;
-    private final String meaning;
-    private final String example;
-
-    @SuppressWarnings("ImmutableEnumChecker") // never changes
-    private final List<Subject> subjects;
+    @SuppressWarnings("ImmutableEnumChecker") // its list never changes
+    private final ObjectionEntry entry;
 
     RunObjection(String word, String meaning, String example, Subject... subjects) {
-        this.word = word;
-        this.meaning = meaning;
-        this.example = example;
-        this.subjects = List.of(subjects);
+        entry = ObjectionEntry.of(word, meaning, example, subjects);
     }
 
     @Override
-    public String word() {
-        return word;
-    }
-
-    @Override
-    public String meaning() {
-        return meaning;
-    }
-
-    @Override
-    public String example() {
-        return example;
-    }
-
-    @Override
-    public List<Subject> subjects() {
-        return subjects;
+    public ObjectionEntry entry() {
+        return entry;
     }
 }
