@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.VehicleLog;
@@ -287,7 +288,7 @@ public final class DroneDeeds extends Deeds {
                 + "{\"latitude\":47.4077,\"longitude\":8.5476,\"altitude\":20}]}");
         root.http().post("/api/v1/plans/" + id + "/accept", "{\"start\":true}");
         Waiting.until(
-                "one of them waits, and the record of what the other was told is written",
+                "one of them waits, and the record that the other was told to start is written",
                 () -> Optional.of(root.http().get("/api/v1/plans/" + id))
                         .filter(answer -> oneWaits(answer.json().path("launch").path("drones"))));
         return id;
@@ -299,8 +300,11 @@ public final class DroneDeeds extends Deeds {
         for (JsonNode drone : drones) {
             waits |= drone.path("stage").asString("").equals("waiting");
             String command = drone.path("command").asString("");
+            // It is the last command that a drone is told.
             told |= house.records().stream()
-                    .anyMatch(record -> command.equals(record.entry().command()));
+                    .map(AuditRecord::entry)
+                    .anyMatch(entry ->
+                            command.equals(entry.command()) && entry.operation().equals("startMission"));
         }
         return waits && told;
     }
