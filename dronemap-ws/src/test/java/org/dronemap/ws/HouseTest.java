@@ -252,7 +252,8 @@ class HouseTest {
 
     @Test
     void switchesOverKindsWithoutADefault() throws IOException {
-        assertThat(CaseRules.defaults(CaseRules.sources(all -> true))).isEmpty();
+        assertThat(CaseRules.defaults(CaseRules.sources(all -> true)))
+                .containsExactlyElementsOf(CaseRules.CANNOT_BY_DEFAULT.keySet());
         assertThat(CaseRules.defaults(Map.of("planted", planted(PlantedCases.class))))
                 .hasSize(1);
     }
