@@ -5,12 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.http.HttpRequest;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.command.CommandKind;
+import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
@@ -39,18 +41,6 @@ class AuditedDeedsTest extends DeedTrial {
     private static final String CANNOT = "goToLocal|emergencyStop|readMap";
 
     private static final Set<AuditOutcome> DONE = Set.of(AuditOutcome.SUCCEEDED, AuditOutcome.UNDER_WAY);
-    private static final String HERE = "<latitude>47.3978</latitude><longitude>8.5457</longitude>";
-
-    /** What operations of SOAP take beside the drone. */
-    private static final Map<String, String> ELEMENTS = Map.of(
-            "disarm", "<force>false</force>",
-            "setMode", "<mode>GUIDED</mode>",
-            "takeoff", "<altitude>20</altitude>",
-            "goto", HERE + "<altitude>20</altitude>",
-            "uploadMission", "<items><item><type>waypoint</type>" + HERE + "<altitude>20</altitude></item></items>",
-            "turn", "<degrees>90</degrees>",
-            "setRelay", "<relay>1</relay><setting>on</setting>",
-            "setParameters", "<parameters><item><name>RTL_ALT</name><value>2000</value></item></parameters>");
 
     @Test
     void eachOperationOfRestThatSucceedsLeavesOneRecordThatSaysSo() {
@@ -129,7 +119,7 @@ class AuditedDeedsTest extends DeedTrial {
             }
             int before = house.records().size();
             Http.Answer answer = isCommand
-                    ? faces.call(estate.administrator().http(), operation, elements(operation))
+                    ? faces.command(estate.administrator().http(), operation, vehicle.id())
                     : faces.soap(deed, operation);
             List<AuditEntry> left = since(before);
             boolean right = answer.status() == 200
@@ -145,12 +135,19 @@ class AuditedDeedsTest extends DeedTrial {
         assertThat(done).isGreaterThan(90);
     }
 
+    private static String constant(String type) {
+        return type.replaceAll("(?=[A-Z])", "_").toUpperCase(Locale.ROOT);
+    }
+
     private void beReadyFor(String operation) {
         String control = "/api/v1/drones/" + vehicle.id() + "/control";
         for (Member one : List.of(estate.administrator(), other)) {
             one.http().send(control, HttpRequest.Builder::DELETE);
         }
-        boolean flying = Set.of("goto", "turn").contains(operation);
+        boolean flying = CommandKind.valueOf(constant(faces.commandOf(operation)))
+                        .needs()
+                        .readiness()
+                == Capability.Readiness.UNDER_WAY;
         FlightPhase phase = flying ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND;
         vehicle.says(new DroneEvent.ModeHeard("GUIDED", !operation.equals("arm")));
         vehicle.says(new DroneEvent.PhaseHeard(phase));
@@ -158,10 +155,6 @@ class AuditedDeedsTest extends DeedTrial {
         Waiting.until(
                 "it is heard",
                 () -> house.cloud().drone(new DroneId(vehicle.id())).filter(state -> state.phase() == phase));
-    }
-
-    private String elements(String operation) {
-        return "<droneId>" + vehicle.id() + "</droneId>" + ELEMENTS.getOrDefault(operation, "");
     }
 
     @Test

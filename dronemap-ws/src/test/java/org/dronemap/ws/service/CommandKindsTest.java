@@ -41,7 +41,6 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Each way in knows each kind of command, mission item and outcome, or says here why it does not. */
 class CommandKindsTest {
-    private static final Path PAGE = Path.of("../web-client/src/api");
     private static final DroneState UNKNOWN = new DroneState(
             new DroneId("d-1"),
             "d-1",
@@ -148,22 +147,18 @@ class CommandKindsTest {
         assertThat(described).isEqualTo(TYPES);
     }
 
+    /** From which the page's table is written: whether it needs control to give one. */
     @Test
-    void hasAPageThatKnowsWhichNeedControl() throws IOException {
-        String controls = Files.readString(PAGE.resolve("../state/controls.svelte.ts"));
-        String table = controls.substring(controls.indexOf("const PURPOSES"));
+    void saysWhatEachCommandIsFor() throws IOException {
+        JsonNode purposes =
+                schema("CommandView").path("properties").path("type").path("x-purposes");
 
-        for (CommandKind kind : CommandKind.values()) {
-            String type = WireNames.lowerFirst(kind.word());
-            String purpose = switch (kind.purpose()) {
-                case READ -> "read";
-                case SAFETY, PAUSE -> "safety";
-                case FLY, CHANGE -> "control";
-            };
-            if (TYPES.contains(type)) {
-                assertThat(table).contains("  " + type + ": '" + purpose + "',");
-            }
-        }
+        assertThat(purposes.propertyStream().map(Map.Entry::getKey))
+                .containsExactlyInAnyOrderElementsOf(described("CommandView", "type"));
+        assertThat(CommandKind.values())
+                .allSatisfy(kind -> assertThat(
+                                purposes.path(WireNames.lowerFirst(kind.word())).asString())
+                        .isEqualTo(WireNames.camel(kind.purpose())));
     }
 
     @Test
