@@ -42,8 +42,9 @@ function fail(sentence: string): void {
 
 /** What each type of command is for, as the description of REST says it. */
 function purposes({ components }: OpenAPI3): string {
-  const type = components?.schemas?.['CommandView']?.properties?.['type'];
-  const said = (type as Record<string, unknown>)['x-purposes'] as Record<string, string>;
+  const command = components?.schemas?.['CommandView'] as Record<string, unknown>;
+  const { type } = command['properties'] as { type: { 'x-purposes': Record<string, string> } };
+  const said = type['x-purposes'];
   const lines = Object.entries(said).map(([command, purpose]) => `  ${command}: '${purpose}',\n`);
   return `// Written by npm run types: what each command is for.\n\nexport const PURPOSES = {\n${lines.join('')}} as const;\n`;
 }
