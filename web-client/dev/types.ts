@@ -42,8 +42,16 @@ function fail(sentence: string): void {
   process.exitCode = 1;
 }
 
-async function handOut(name: string, description: OpenAPI3): Promise<void> {
-  const types = await written(description);
+/** What each type of command is for, as the description of REST says it. */
+function purposes({ components }: OpenAPI3): string {
+  const command = components?.schemas?.['CommandView'] as Record<string, unknown>;
+  const { type } = command['properties'] as { type: { 'x-purposes': Record<string, string> } };
+  const said = type['x-purposes'];
+  const lines = Object.entries(said).map(([command, purpose]) => `  ${command}: '${purpose}',\n`);
+  return `// Written by npm run types: what each command is for.\n\nexport const PURPOSES = {\n${lines.join('')}} as const;\n`;
+}
+
+function handOut(name: string, types: string): void {
   if (!process.argv.includes('--check')) {
     writeFileSync(new URL(name, API), types);
   } else if (readFileSync(new URL(name, API), 'utf8') !== types) {
@@ -57,5 +65,6 @@ async function handOut(name: string, description: OpenAPI3): Promise<void> {
 [...faultsOf(stream), ...brokenReferences(stream)].forEach((fault) => {
   fail(`wire/asyncapi.json is no description by AsyncAPI 3: ${fault}`);
 });
-await handOut('contract.ts', rest);
-await handOut('stream-contract.ts', asRest(stream));
+handOut('contract.ts', await written(rest));
+handOut('stream-contract.ts', await written(asRest(stream)));
+handOut('purposes.ts', purposes(rest));

@@ -1,48 +1,10 @@
 import type { Control, ControlCalls } from '../api/control';
 import { Problem } from '../api/problem';
+import { PURPOSES } from '../api/purposes';
 import type { CommandKind, Drone } from '../api/types';
 
 /** The server misses three of these before it calls a holder lost. */
 export const HEARTBEAT_MILLISECONDS = 2000;
-
-/**
- * What commands are for: `safety` supervisors may give whoever has control, `read` changes nothing, and all others need
- * control. A new one does not compile here until that is said of it.
- */
-const PURPOSES: Record<CommandKind, 'safety' | 'read' | 'control'> = {
-  arm: 'control',
-  disarm: 'control',
-  setMode: 'control',
-  takeOff: 'control',
-  land: 'safety',
-  returnToLaunch: 'safety',
-  hold: 'safety',
-  pauseMission: 'safety',
-  emergencyStop: 'safety',
-  goTo: 'control',
-  goToLocal: 'control',
-  turn: 'control',
-  uploadMission: 'control',
-  startMission: 'control',
-  clearMission: 'control',
-  takePicture: 'control',
-  setRelay: 'control',
-  setHome: 'control',
-  setParameters: 'control',
-  setReturnHeight: 'control',
-  returnOnLoss: 'control',
-  setCloudLoss: 'control',
-  putBack: 'control',
-  setFence: 'control',
-  setRallyPoints: 'control',
-  readHome: 'read',
-  readParameters: 'read',
-  readLogs: 'read',
-  readMap: 'read',
-  downloadLog: 'read',
-  readFence: 'read',
-  readRallyPoints: 'read',
-};
 
 /** How control of a drone looks from here. `here`: kept by this window; `elsewhere`: by another one of mine. */
 export type Standing = 'free' | 'here' | 'implicit' | 'elsewhere' | 'other' | 'pilot';
@@ -83,7 +45,7 @@ export class Controls {
   whyNot(drone: Drone, type: CommandKind, user: string | undefined, supervisor: boolean): string | null {
     const standing = this.standing(drone, user);
     const purpose = PURPOSES[type];
-    if (purpose === 'read' || (supervisor && purpose === 'safety')) {
+    if (purpose === 'read' || (supervisor && (purpose === 'safety' || purpose === 'pause'))) {
       return null;
     }
     if (standing === 'pilot') {

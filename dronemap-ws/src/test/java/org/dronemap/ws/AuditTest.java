@@ -17,6 +17,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.ws.house.AddressedHttp;
+import org.dronemap.ws.house.CommandBodies;
 import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.RightsTable.Caller;
@@ -39,16 +40,6 @@ class AuditTest {
     private static final Set<String> DECIDED_BY_THE_SERVER = Set.of("rule", "safety", "virtual", "operation", "server");
     private static final List<Caller> CALLERS =
             List.of(Caller.NOBODY, Caller.REPORTER, Caller.VIEWER, Caller.OPERATOR, Caller.ADMINISTRATOR);
-    private static final Map<String, String> MEMBERS = Map.of(
-            "takeOff", ",\"altitude\":20",
-            "setMode", ",\"mode\":\"GUIDED\"",
-            "goTo", ",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20",
-            "uploadMission", ",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]",
-            "goToLocal", ",\"x\":1,\"y\":2",
-            "turn", ",\"degrees\":90",
-            "setRelay", ",\"relay\":1,\"setting\":\"on\"",
-            "setParameters", ",\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":2000}]");
-
     private TestHouse house;
     private ScriptedVehicle vehicle;
     private JsonNode description;
@@ -155,12 +146,13 @@ class AuditTest {
     @Test
     void takesDownEachCommandOnceWithWhoWhichDroneAndHowItEnds() {
         Http operator = http(Caller.OPERATOR);
+        CommandBodies bodies = new CommandBodies(description);
         Set<String> types =
                 words(operator.post(commands(), "{\"type\":\"nosuchtype\"}").text("allowed"));
         assertThat(types).hasSizeGreaterThan(15);
         for (String type : types) {
-            List<AuditEntry> left = left(() -> operator.post(
-                    commands() + "?wait=30", "{\"type\":\"" + type + "\"" + MEMBERS.getOrDefault(type, "") + "}"));
+            List<AuditEntry> left = left(() ->
+                    operator.post(commands() + "?wait=30", bodies.least(type).toString()));
             // What a rule does before it is no call of anybody.
             List<AuditEntry> asked =
                     left.stream().filter(entry -> !entry.face().equals("rule")).toList();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.http.HttpRequest;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -12,6 +13,8 @@ import java.util.function.Function;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.command.CommandKind;
+import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
@@ -41,21 +44,6 @@ class AuditedDeedsTest extends DeedTrial {
     private static final String CANNOT = "goToLocal|emergencyStop|readMap";
 
     private static final Set<AuditOutcome> DONE = Set.of(AuditOutcome.SUCCEEDED, AuditOutcome.UNDER_WAY);
-    private static final String HERE = "\"latitude\":47.3978,\"longitude\":8.5457,\"altitude\":20";
-
-    /** What commands say beside their type, by their operations of SOAP. */
-    private static final Map<String, String> MEMBERS = Map.of(
-            "disarm", "\"force\":false",
-            "setMode", "\"mode\":\"GUIDED\"",
-            "takeoff", "\"altitude\":20",
-            "goto", HERE,
-            "uploadMission", "\"items\":[{\"type\":\"waypoint\"," + HERE + "}]",
-            "turn", "\"degrees\":90",
-            "setRelay", "\"relay\":1,\"setting\":\"on\"",
-            "setParameters", "\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":2000}]");
-
-    /** The types of commands that are called otherwise in SOAP. */
-    private static final Map<String, String> TYPES = Map.of("takeoff", "takeOff", "goto", "goTo");
 
     @Test
     void eachOperationOfRestThatSucceedsLeavesOneRecordThatSaysSo() {
@@ -127,8 +115,8 @@ class AuditedDeedsTest extends DeedTrial {
                 // Of somebody at a browser.
                 continue;
             }
-            Left byRest = left(operation, "rest", Deeds.Deed::make);
-            Left bySoap = left(operation, "soap", deed -> faces.soap(deed, operation));
+            Left byRest = left(operation, Deeds.Deed::make);
+            Left bySoap = left(operation, deed -> faces.soap(deed, operation));
             boolean right = bySoap.answer().status() == 200
                     && bySoap.entries().size() == 1
                     && isOf(bySoap.entries().get(0), rest, Set.of("soap"))
@@ -152,19 +140,21 @@ class AuditedDeedsTest extends DeedTrial {
         }
     }
 
-    private Left left(String operation, String face, Function<Deeds.Deed, Http.Answer> call) {
-        boolean isCommand = faces.restOf(operation).equals(COMMANDS);
-        Deeds.Deed deed = deed(faces.restOf(operation)).orElseThrow();
-        if (isCommand) {
+    private Left left(String operation, Function<Deeds.Deed, Http.Answer> call) {
+        String rest = faces.restOf(operation);
+        Deeds.Deed deed = deed(rest).orElseThrow();
+        if (rest.equals(COMMANDS)) {
             beReadyFor(operation);
-            String members = MEMBERS.getOrDefault(operation, "");
-            String type = "\"type\":\"" + TYPES.getOrDefault(operation, operation) + "\"";
             deed = deed.saying(
-                    "{" + (face.equals("soap") ? members : members.isEmpty() ? type : type + "," + members) + "}");
+                    faces.commands().least(faces.commandOf(operation)).toString());
         }
         int before = house.records().size();
         Http.Answer answer = call.apply(deed);
-        return new Left(new SameRecords(faces.restOf(operation), deed), answer, since(before));
+        return new Left(new SameRecords(rest, deed), answer, since(before));
+    }
+
+    private static String constant(String type) {
+        return type.replaceAll("(?=[A-Z])", "_").toUpperCase(Locale.ROOT);
     }
 
     private void beReadyFor(String operation) {
@@ -172,7 +162,10 @@ class AuditedDeedsTest extends DeedTrial {
         for (Member one : List.of(estate.administrator(), other)) {
             one.http().send(control, HttpRequest.Builder::DELETE);
         }
-        boolean flying = Set.of("goto", "turn").contains(operation);
+        boolean flying = CommandKind.valueOf(constant(faces.commandOf(operation)))
+                        .needs()
+                        .readiness()
+                == Capability.Readiness.UNDER_WAY;
         FlightPhase phase = flying ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND;
         vehicle.says(new DroneEvent.ModeHeard("GUIDED", !operation.equals("arm")));
         vehicle.says(new DroneEvent.PhaseHeard(phase));

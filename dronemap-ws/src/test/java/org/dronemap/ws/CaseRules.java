@@ -21,6 +21,8 @@ import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.Contention;
+import org.dronemap.core.command.LaterChange;
+import org.dronemap.core.command.Movement;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capability;
@@ -43,17 +45,30 @@ final class CaseRules {
     static final Map<String, String> ASKING_FOR_SEVERAL = Map.of(
             "org.dronemap.ws.service.CommandService", "It warns of places that look like slips, and forbids nothing.");
 
+    /** Vehicles: what they do not say that they can they cannot, and refuse with a sentence. By their switch, each with its reason. */
+    static final SortedMap<String, String> CANNOT_BY_DEFAULT = new TreeMap<>(Map.of(
+            "org/dronemap/proxy/mavlink/translate/ArduPilot.java: switch (command.kind()) {",
+            "The gate refuses what it does not declare, and AutopilotsTest asks for a way to do what it declares.",
+            "org/dronemap/proxy/mavlink/translate/Px4.java: switch (command.kind()) {",
+            "The gate refuses what it does not declare, and AutopilotsTest asks for a way to do what it declares.",
+            "org/dronemap/proxy/roslink/Aim.java: switch (command.kind()) {",
+            "The gate refuses what a robot does not declare, and AimTest asks for an aim for what it declares."));
+
     /** By a name that stands in whatever switches over them. */
-    private static final Map<Class<? extends Enum<?>>, String> SWITCHED = Map.of(
-            CommandKind.class, "Command",
-            CommandKind.Purpose.class, "Command",
-            Contention.class, "ontention",
-            DroneEvent.Kind.class, "DroneEvent",
-            DroneEvent.Early.class, "DroneEvent",
-            Setpoint.Kind.class, "Setpoint",
-            MissionItem.Kind.class, "MissionItem",
-            Outcome.Kind.class, "Outcome",
-            Capability.class, "Capability");
+    private static final Map<Class<? extends Enum<?>>, String> SWITCHED = Map.ofEntries(
+            Map.entry(CommandKind.class, "Command"),
+            Map.entry(CommandKind.Purpose.class, "Command"),
+            Map.entry(Movement.class, "Command"),
+            Map.entry(LaterChange.class, "Command"),
+            Map.entry(Contention.class, "ontention"),
+            Map.entry(DroneEvent.Kind.class, "DroneEvent"),
+            Map.entry(DroneEvent.Early.class, "DroneEvent"),
+            Map.entry(Setpoint.Kind.class, "Setpoint"),
+            Map.entry(MissionItem.Kind.class, "MissionItem"),
+            Map.entry(Outcome.Kind.class, "Outcome"),
+            Map.entry(Capability.class, "Capability"),
+            Map.entry(Capability.Readiness.class, "apability"),
+            Map.entry(Capability.Part.class, "apability"));
 
     private static final Pattern DEFAULT = Pattern.compile("\\bdefault\\s*(->|:)");
     private static final Pattern SWITCH = Pattern.compile("\\bswitch\\s*\\(");

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.ws.house.CommandBodies;
 import org.dronemap.ws.house.DescribedBodies;
 import org.dronemap.ws.house.DescribedBounds;
 import org.dronemap.ws.house.Http;
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.ObjectNode;
 
 /** What the description says of lengths and ranges is what is refused: nothing at a bound, and all that is just beyond. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
@@ -39,6 +41,7 @@ class DescribedBoundsTest {
             new Http(tenant.server(), "").get("/api/openapi.json").json();
     private final DescribedBounds bounds = new DescribedBounds(description);
     private final DescribedBodies bodies = new DescribedBodies(description);
+    private final CommandBodies commands = new CommandBodies(description);
     private Http administrator;
     private Http operator;
     private String drone;
@@ -157,37 +160,15 @@ class DescribedBoundsTest {
                 "{" + members + "}");
     }
 
+    private static String members(ObjectNode body) {
+        String text = body.toString();
+        return text.substring(1, text.length() - 1);
+    }
+
     private List<Example> commands() {
-        List<String> plain = List.of(
-                "arm",
-                "disarm",
-                "land",
-                "returnToLaunch",
-                "hold",
-                "startMission",
-                "pauseMission",
-                "clearMission",
-                "takePicture",
-                "readHome",
-                "readParameters",
-                "readLogs",
-                "emergencyStop",
-                "readMap");
-        Stream<Example> others = Stream.of(
-                        "\"type\":\"setMode\",\"mode\":\"AUTO\"",
-                        "\"type\":\"takeOff\",\"altitude\":10",
-                        "\"type\":\"goTo\",\"altitude\":10," + PLACE,
-                        "\"type\":\"setHome\",\"altitude\":10," + PLACE,
-                        "\"type\":\"goToLocal\",\"x\":1,\"y\":1",
-                        "\"type\":\"turn\",\"degrees\":1",
-                        "\"type\":\"setRelay\",\"relay\":1,\"setting\":\"on\"",
-                        "\"type\":\"setParameters\",\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":1}]",
-                        "\"type\":\"uploadMission\",\"items\":[{\"type\":\"takeOff\",\"altitude\":10},"
-                                + "{\"type\":\"waypoint\",\"altitude\":10," + PLACE + "}]")
-                .map(members -> command(members + "," + ID));
+        Stream<Example> each = commands.types().stream().sorted().map(type -> command(members(commands.bounded(type))));
         return Stream.of(
-                        plain.stream().map(type -> command("\"type\":\"" + type + "\"," + ID)),
-                        others,
+                        each,
                         Stream.of(post(
                                 "/commands", "{\"drones\":[\"unlike\"],\"command\":{\"type\":\"hold\"}," + ID + "}")))
                 .flatMap(all -> all)

@@ -3,10 +3,8 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.regex.Pattern;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
@@ -25,22 +23,6 @@ class GrantedReachTest extends ReachTrial {
     private static final String COMMANDS = "POST /api/v1/drones/{id}/commands";
     /** What the gate says to those who may not. */
     private static final Pattern REFUSAL = Pattern.compile("You were not granted|Your role may|A planner may");
-    /** What operations of SOAP call otherwise. */
-    private static final Map<String, String> TYPE_OF = Map.of("takeoff", "takeOff", "goto", "goTo");
-    /** What it takes to reach the gate. */
-    private static final Map<String, Map<String, String>> ARGUMENTS = Map.of(
-            "takeoff", Map.of("altitude", "20"),
-            "goToLocal", inOrder("x", "1", "y", "2"),
-            "goto", inOrder("latitude", "47.4", "longitude", "8.5", "altitude", "20"),
-            "setMode", Map.of("mode", "GUIDED"),
-            "turn", Map.of("degrees", "90"),
-            "setRelay", inOrder("relay", "1", "setting", "on"),
-            "setParameters", Map.of("parameters", "<item><name>RTL_ALT</name><value>2000</value></item>"),
-            "uploadMission",
-                    Map.of(
-                            "items",
-                            "<item><waypoint><latitude>47.4</latitude><longitude>8.5</longitude>"
-                                    + "<altitude>20</altitude></waypoint></item>"));
     /** Open to those who plan and to those who command. */
     private static final String RELEASE = "DELETE /api/v1/drones/{id}/control";
 
@@ -59,14 +41,6 @@ class GrantedReachTest extends ReachTrial {
         public String toString() {
             return role + " granted " + permission;
         }
-    }
-
-    private static Map<String, String> inOrder(String... namesAndValues) {
-        Map<String, String> all = new LinkedHashMap<>();
-        for (int i = 0; i < namesAndValues.length; i += 2) {
-            all.put(namesAndValues[i], namesAndValues[i + 1]);
-        }
-        return all;
     }
 
     @Test
@@ -125,7 +99,9 @@ class GrantedReachTest extends ReachTrial {
             for (String type : table.operations()) {
                 Http.Answer answer = granted.member()
                         .http()
-                        .post("/api/v1/drones/" + own.drone().id() + "/commands", RightsTest.command(type));
+                        .post(
+                                "/api/v1/drones/" + own.drone().id() + "/commands",
+                                faces.commands().least(type).toString());
                 boolean refused = answer.status() == 403
                         || answer.status() == 404
                         || REFUSAL.matcher(answer.text("detail")).find();
@@ -151,8 +127,13 @@ class GrantedReachTest extends ReachTrial {
                 }
                 cells++;
                 if (rest.equals(COMMANDS)) {
-                    Role least = commands.least(TYPE_OF.getOrDefault(operation, operation));
-                    String answer = command(granted.member(), operation);
+                    Role least = commands.least(faces.commandOf(operation));
+                    String answer = faces.command(
+                                    granted.member().http(),
+                                    operation,
+                                    own.drone().id())
+                            .raw()
+                            .body();
                     boolean refused = Faces.wrong(answer).matches("forbidden|unknown")
                             || REFUSAL.matcher(answer).find();
                     if (refused == granted.may(least)) {
@@ -171,13 +152,6 @@ class GrantedReachTest extends ReachTrial {
         }
         assertThat(wrong).isEmpty();
         assertThat(cells).isGreaterThan(500);
-    }
-
-    private String command(Member caller, String operation) {
-        Map<String, String> values = new LinkedHashMap<>();
-        values.put("droneId", own.drone().id());
-        values.putAll(ARGUMENTS.getOrDefault(operation, Map.of()));
-        return faces.soap(caller.http(), operation, values);
     }
 
     /** One for each role and operation, each sees only what was granted; some were granted nothing. */

@@ -36,17 +36,6 @@ class RightsTest {
     private static final Pattern ROLE_REFUSAL =
             Pattern.compile("Your role may .*|A planner may .*|Only an? .* may do this.*");
 
-    /** What a command of that type needs beside its type. */
-    private static final Map<String, String> MEMBERS = Map.of(
-            "takeOff", ",\"altitude\":20",
-            "setMode", ",\"mode\":\"GUIDED\"",
-            "goTo", ",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20",
-            "goToLocal", ",\"x\":1,\"y\":2",
-            "uploadMission", ",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]",
-            "turn", ",\"degrees\":90",
-            "setRelay", ",\"relay\":1,\"setting\":\"on\"",
-            "setParameters", ",\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":2000}]");
-
     private final Map<Caller, Http> callers = new EnumMap<>(Caller.class);
     private final Map<Caller, String> keys = new EnumMap<>(Caller.class);
     private TestHouse house;
@@ -229,15 +218,13 @@ class RightsTest {
     }
 
     private boolean mayCommand(String type, Caller caller) {
-        Http.Answer answer = callers.get(caller).post("/api/v1/drones/" + vehicle.id() + "/commands", command(type));
+        Http.Answer answer = callers.get(caller)
+                .post(
+                        "/api/v1/drones/" + vehicle.id() + "/commands",
+                        faces.commands().least(type).toString());
         assertThat(answer.status()).as(type + " for " + caller).isNotIn(422, 500);
         return answer.status() != 401
                 && !ROLE_REFUSAL.matcher(answer.text("detail")).matches();
-    }
-
-    /** A command of that type that lacks nothing. */
-    static String command(String type) {
-        return "{\"type\":\"" + type + "\"" + MEMBERS.getOrDefault(type, "") + "}";
     }
 
     private static Set<String> words(String list) {

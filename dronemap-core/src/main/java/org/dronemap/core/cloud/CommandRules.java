@@ -72,39 +72,11 @@ public final class CommandRules {
     }
 
     private static Optional<Refusal> contentForbids(DroneState drone, Command command) {
-        return switch (command.kind()) {
-            case SET_MODE -> modeForbids(drone, ((Command.SetMode) command).mode());
-            case GO_TO -> tooFar(drone, ((Command.GoTo) command).point());
-            case ARM,
-                    DISARM,
-                    TAKE_OFF,
-                    LAND,
-                    RETURN_TO_LAUNCH,
-                    HOLD,
-                    EMERGENCY_STOP,
-                    GO_TO_LOCAL,
-                    TURN,
-                    UPLOAD_MISSION,
-                    START_MISSION,
-                    PAUSE_MISSION,
-                    CLEAR_MISSION,
-                    SET_HOME,
-                    READ_HOME,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    SET_RETURN_HEIGHT,
-                    RETURN_ON_LOSS,
-                    SET_CLOUD_LOSS,
-                    PUT_BACK,
-                    READ_LOGS,
-                    DOWNLOAD_LOG,
-                    READ_FENCE,
-                    SET_FENCE,
-                    READ_RALLY_POINTS,
-                    SET_RALLY_POINTS,
-                    READ_MAP -> Optional.empty();
+        return switch (command.kind().movement()) {
+            case CHANGES_MODE -> modeForbids(drone, ((Command.SetMode) command).mode());
+            case GOES -> tooFar(drone, ((Command.GoTo) command).point());
+            case NONE, STANDS, TURNS, CLIMBS, GOES_ON_ITS_MAP, TAKES_MISSION, FLIES_MISSION, COMES_DOWN ->
+                Optional.empty();
         };
     }
 
@@ -176,29 +148,15 @@ public final class CommandRules {
         // What has no motors to arm is always ready.
         boolean arms = drone.capabilities().commands().contains(Capability.ARM);
         boolean armed = !arms || Boolean.TRUE.equals(drone.armed());
-        return switch (capability) {
-            case ARM -> armed ? ALREADY_ARMED : null;
-            case DISARM -> armed ? (drone.airborne() ? LAND_FIRST : null) : NOT_ARMED;
-            case TAKE_OFF -> armed ? (drone.airborne() ? IN_THE_AIR : null) : ARM_FIRST;
-            case LAND, RETURN_TO_LAUNCH, HOLD, PAUSE_MISSION -> armed ? null : NOT_ARMED;
-            case STICKS -> armed ? null : ARM_FIRST;
-            case GO_TO, GO_TO_LOCAL, TURN, VELOCITY, TRACK ->
-                armed ? (needsAir(drone) && !drone.airborne() ? TAKE_OFF_FIRST : null) : ARM_FIRST;
-            case START_MISSION -> hasMission(drone.mission()) ? (armed ? null : ARM_FIRST) : UPLOAD_FIRST;
-            case SET_MODE,
-                    UPLOAD_MISSION,
-                    CLEAR_MISSION,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    READ_LOGS,
-                    FENCE,
-                    RALLY_POINTS,
-                    SET_HOME,
-                    READ_HOME,
-                    EMERGENCY_STOP,
-                    READ_MAP -> null;
+        return switch (capability.readiness()) {
+            case ANY -> null;
+            case DISARMED -> armed ? ALREADY_ARMED : null;
+            case ARMED_ON_THE_GROUND -> armed ? (drone.airborne() ? LAND_FIRST : null) : NOT_ARMED;
+            case READY_TO_TAKE_OFF -> armed ? (drone.airborne() ? IN_THE_AIR : null) : ARM_FIRST;
+            case ARMED -> armed ? null : NOT_ARMED;
+            case ARMED_BEFORE -> armed ? null : ARM_FIRST;
+            case UNDER_WAY -> armed ? (needsAir(drone) && !drone.airborne() ? TAKE_OFF_FIRST : null) : ARM_FIRST;
+            case WITH_MISSION -> hasMission(drone.mission()) ? (armed ? null : ARM_FIRST) : UPLOAD_FIRST;
         };
     }
 

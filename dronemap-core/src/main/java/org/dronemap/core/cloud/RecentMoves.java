@@ -46,30 +46,14 @@ final class RecentMoves {
     /** Whether that command may put a vehicle that {@code can} this into a mode. */
     static boolean mayLeadTo(Command command, String mode, Capabilities can) {
         Steering by = can.steering(mode).orElse(null);
-        return switch (command.kind()) {
-            case SET_MODE -> ((Command.SetMode) command).mode().equals(mode);
-            case HOLD, PAUSE_MISSION, EMERGENCY_STOP, UPLOAD_MISSION, CLEAR_MISSION, SET_FENCE, SET_RALLY_POINTS ->
+        return switch (command.kind().movement()) {
+            case NONE -> false;
+            case CHANGES_MODE -> ((Command.SetMode) command).mode().equals(mode);
+            case STANDS, TAKES_MISSION ->
                 by == null || by.takesOrders() || (by == Steering.STICKS && mayStandIn(mode, can));
-            case TAKE_OFF, GO_TO, GO_TO_LOCAL, TURN -> by == null || by.takesOrders();
-            case START_MISSION -> by == null || by.takesOrders() || by == Steering.MISSION;
-            case RETURN_TO_LAUNCH, LAND -> by == null || by.isSafe() || by == Steering.MISSION;
-            case ARM,
-                    DISARM,
-                    SET_HOME,
-                    READ_HOME,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    SET_RETURN_HEIGHT,
-                    RETURN_ON_LOSS,
-                    SET_CLOUD_LOSS,
-                    PUT_BACK,
-                    READ_LOGS,
-                    DOWNLOAD_LOG,
-                    READ_FENCE,
-                    READ_RALLY_POINTS,
-                    READ_MAP -> false;
+            case CLIMBS, GOES, GOES_ON_ITS_MAP, TURNS -> by == null || by.takesOrders();
+            case FLIES_MISSION -> by == null || by.takesOrders() || by == Steering.MISSION;
+            case COMES_DOWN -> by == null || by.isSafe() || by == Steering.MISSION;
         };
     }
 

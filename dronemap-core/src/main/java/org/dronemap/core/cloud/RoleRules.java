@@ -42,7 +42,7 @@ public final class RoleRules {
         if (!principal.sees(drone.id())) {
             return Optional.of(principal.scope().covers(drone.id()) ? NOT_GRANTED_AT_ALL : OTHER_DRONES);
         }
-        boolean planning = prepares(capability);
+        boolean planning = capability.part() == Capability.Part.PREPARES;
         if (!principal.may(planning ? Role.PLANNER : Role.OPERATOR, drone.id())) {
             return Optional.of(lacking(principal, planning));
         }
@@ -50,37 +50,6 @@ public final class RoleRules {
         return principal.may(Role.OPERATOR, drone.id()) || Boolean.FALSE.equals(drone.armed())
                 ? Optional.empty()
                 : Optional.of(ONLY_ON_THE_GROUND);
-    }
-
-    /** It prepares a flight and moves nothing. */
-    private static boolean prepares(Capability capability) {
-        return switch (capability) {
-            case UPLOAD_MISSION, CLEAR_MISSION, FENCE, RALLY_POINTS -> true;
-            case ARM,
-                    DISARM,
-                    SET_MODE,
-                    TAKE_OFF,
-                    LAND,
-                    RETURN_TO_LAUNCH,
-                    HOLD,
-                    GO_TO,
-                    START_MISSION,
-                    PAUSE_MISSION,
-                    TURN,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    READ_LOGS,
-                    SET_HOME,
-                    READ_HOME,
-                    GO_TO_LOCAL,
-                    EMERGENCY_STOP,
-                    READ_MAP,
-                    VELOCITY,
-                    STICKS,
-                    TRACK -> false;
-        };
     }
 
     private static Refusal lacking(Principal principal, boolean planning) {

@@ -5,42 +5,140 @@ import java.util.stream.Stream;
 import org.dronemap.core.drone.Capability;
 
 /**
- * What there is of commands, with what each means to everybody who judges one. Whoever handles commands switches over these
- * without a default, so that one that is forgotten anywhere does not compile.
+ * What there is of commands, with what each means to everybody who judges one: whoever judges commands asks for that, and
+ * whoever has to know more of one switches over these without a default. Vehicles alone have one: they cannot do what they do
+ * not say that they can.
  */
 public enum CommandKind {
-    ARM("Arm", Capability.ARM, Contention.ARMING, Purpose.FLY),
-    DISARM("Disarm", Capability.DISARM, Contention.ARMING, Purpose.CHANGE),
-    SET_MODE("SetMode", Capability.SET_MODE, Contention.FLIGHT, Purpose.FLY),
-    TAKE_OFF("TakeOff", Capability.TAKE_OFF, Contention.FLIGHT, Purpose.FLY),
-    LAND("Land", Capability.LAND, Contention.FLIGHT, Purpose.SAFETY),
-    RETURN_TO_LAUNCH("ReturnToLaunch", Capability.RETURN_TO_LAUNCH, Contention.FLIGHT, Purpose.SAFETY),
-    HOLD("Hold", Capability.HOLD, Contention.FLIGHT, Purpose.SAFETY),
-    EMERGENCY_STOP("EmergencyStop", Capability.EMERGENCY_STOP, Contention.FLIGHT, Purpose.SAFETY),
-    GO_TO("GoTo", Capability.GO_TO, Contention.FLIGHT, Purpose.FLY),
-    GO_TO_LOCAL("GoToLocal", Capability.GO_TO_LOCAL, Contention.FLIGHT, Purpose.FLY),
-    TURN("Turn", Capability.TURN, Contention.FLIGHT, Purpose.FLY),
-    UPLOAD_MISSION("UploadMission", Capability.UPLOAD_MISSION, Contention.TRANSFER, Purpose.CHANGE),
-    START_MISSION("StartMission", Capability.START_MISSION, Contention.FLIGHT, Purpose.FLY),
-    PAUSE_MISSION("PauseMission", Capability.PAUSE_MISSION, Contention.FLIGHT, Purpose.PAUSE),
-    CLEAR_MISSION("ClearMission", Capability.CLEAR_MISSION, Contention.TRANSFER, Purpose.CHANGE),
-    SET_HOME("SetHome", Capability.SET_HOME, Contention.HOME, Purpose.CHANGE),
-    READ_HOME("ReadHome", Capability.READ_HOME, Contention.HOME, Purpose.READ),
-    TAKE_PICTURE("TakePicture", Capability.TAKE_PICTURE, Contention.CAMERA, Purpose.CHANGE),
-    SET_RELAY("SetRelay", Capability.SET_RELAY, Contention.RELAY, Purpose.CHANGE),
-    READ_PARAMETERS("ReadParameters", Capability.READ_PARAMETERS, Contention.PARAMETERS, Purpose.READ),
-    SET_PARAMETERS("SetParameters", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
-    SET_RETURN_HEIGHT("SetReturnHeight", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
-    RETURN_ON_LOSS("ReturnOnLoss", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
-    SET_CLOUD_LOSS("SetCloudLoss", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
-    PUT_BACK("PutBack", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
-    READ_LOGS("ReadLogs", Capability.READ_LOGS, Contention.LOGS, Purpose.READ),
-    DOWNLOAD_LOG("DownloadLog", Capability.READ_LOGS, Contention.LOGS, Purpose.READ),
-    READ_FENCE("ReadFence", Capability.FENCE, Contention.TRANSFER, Purpose.READ),
-    SET_FENCE("SetFence", Capability.FENCE, Contention.TRANSFER, Purpose.CHANGE),
-    READ_RALLY_POINTS("ReadRallyPoints", Capability.RALLY_POINTS, Contention.TRANSFER, Purpose.READ),
-    SET_RALLY_POINTS("SetRallyPoints", Capability.RALLY_POINTS, Contention.TRANSFER, Purpose.CHANGE),
-    READ_MAP("ReadMap", Capability.READ_MAP, Contention.MAP, Purpose.READ);
+    ARM("Arm", Capability.ARM, Contention.ARMING, Purpose.FLY, Movement.NONE, LaterChange.NOTHING),
+    DISARM("Disarm", Capability.DISARM, Contention.ARMING, Purpose.CHANGE, Movement.NONE, LaterChange.NOTHING),
+    SET_MODE("SetMode", Capability.SET_MODE, Contention.FLIGHT, Purpose.FLY, Movement.CHANGES_MODE, LaterChange.MODE),
+    TAKE_OFF("TakeOff", Capability.TAKE_OFF, Contention.FLIGHT, Purpose.FLY, Movement.CLIMBS, LaterChange.NOTHING),
+    LAND("Land", Capability.LAND, Contention.FLIGHT, Purpose.SAFETY, Movement.COMES_DOWN, LaterChange.NOTHING),
+    RETURN_TO_LAUNCH(
+            "ReturnToLaunch",
+            Capability.RETURN_TO_LAUNCH,
+            Contention.FLIGHT,
+            Purpose.SAFETY,
+            Movement.COMES_DOWN,
+            LaterChange.NOTHING),
+    HOLD("Hold", Capability.HOLD, Contention.FLIGHT, Purpose.SAFETY, Movement.STANDS, LaterChange.NOTHING),
+    EMERGENCY_STOP(
+            "EmergencyStop",
+            Capability.EMERGENCY_STOP,
+            Contention.FLIGHT,
+            Purpose.SAFETY,
+            Movement.STANDS,
+            LaterChange.NOTHING),
+    GO_TO("GoTo", Capability.GO_TO, Contention.FLIGHT, Purpose.FLY, Movement.GOES, LaterChange.NOTHING),
+    GO_TO_LOCAL(
+            "GoToLocal",
+            Capability.GO_TO_LOCAL,
+            Contention.FLIGHT,
+            Purpose.FLY,
+            Movement.GOES_ON_ITS_MAP,
+            LaterChange.NOTHING),
+    TURN("Turn", Capability.TURN, Contention.FLIGHT, Purpose.FLY, Movement.TURNS, LaterChange.NOTHING),
+    UPLOAD_MISSION(
+            "UploadMission",
+            Capability.UPLOAD_MISSION,
+            Contention.TRANSFER,
+            Purpose.CHANGE,
+            Movement.TAKES_MISSION,
+            LaterChange.NOTHING),
+    START_MISSION(
+            "StartMission",
+            Capability.START_MISSION,
+            Contention.FLIGHT,
+            Purpose.FLY,
+            Movement.FLIES_MISSION,
+            LaterChange.NOTHING),
+    PAUSE_MISSION(
+            "PauseMission",
+            Capability.PAUSE_MISSION,
+            Contention.FLIGHT,
+            Purpose.PAUSE,
+            Movement.STANDS,
+            LaterChange.NOTHING),
+    CLEAR_MISSION(
+            "ClearMission",
+            Capability.CLEAR_MISSION,
+            Contention.TRANSFER,
+            Purpose.CHANGE,
+            Movement.STANDS,
+            LaterChange.NOTHING),
+    SET_HOME("SetHome", Capability.SET_HOME, Contention.HOME, Purpose.CHANGE, Movement.NONE, LaterChange.HOME),
+    READ_HOME("ReadHome", Capability.READ_HOME, Contention.HOME, Purpose.READ, Movement.NONE, LaterChange.NOTHING),
+    TAKE_PICTURE(
+            "TakePicture",
+            Capability.TAKE_PICTURE,
+            Contention.CAMERA,
+            Purpose.CHANGE,
+            Movement.NONE,
+            LaterChange.NOTHING),
+    SET_RELAY("SetRelay", Capability.SET_RELAY, Contention.RELAY, Purpose.CHANGE, Movement.NONE, LaterChange.NOTHING),
+    READ_PARAMETERS(
+            "ReadParameters",
+            Capability.READ_PARAMETERS,
+            Contention.PARAMETERS,
+            Purpose.READ,
+            Movement.NONE,
+            LaterChange.NOTHING),
+    SET_PARAMETERS(
+            "SetParameters",
+            Capability.SET_PARAMETERS,
+            Contention.PARAMETERS,
+            Purpose.CHANGE,
+            Movement.NONE,
+            LaterChange.PARAMETERS),
+    SET_RETURN_HEIGHT(
+            "SetReturnHeight",
+            Capability.SET_PARAMETERS,
+            Contention.PARAMETERS,
+            Purpose.CHANGE,
+            Movement.NONE,
+            LaterChange.PARAMETERS),
+    RETURN_ON_LOSS(
+            "ReturnOnLoss",
+            Capability.SET_PARAMETERS,
+            Contention.PARAMETERS,
+            Purpose.CHANGE,
+            Movement.NONE,
+            LaterChange.NOTHING),
+    SET_CLOUD_LOSS(
+            "SetCloudLoss",
+            Capability.SET_PARAMETERS,
+            Contention.PARAMETERS,
+            Purpose.CHANGE,
+            Movement.NONE,
+            LaterChange.NOTHING),
+    PUT_BACK(
+            "PutBack",
+            Capability.SET_PARAMETERS,
+            Contention.PARAMETERS,
+            Purpose.CHANGE,
+            Movement.NONE,
+            LaterChange.NOTHING),
+    READ_LOGS("ReadLogs", Capability.READ_LOGS, Contention.LOGS, Purpose.READ, Movement.NONE, LaterChange.NOTHING),
+    DOWNLOAD_LOG(
+            "DownloadLog", Capability.READ_LOGS, Contention.LOGS, Purpose.READ, Movement.NONE, LaterChange.NOTHING),
+    READ_FENCE("ReadFence", Capability.FENCE, Contention.TRANSFER, Purpose.READ, Movement.NONE, LaterChange.NOTHING),
+    SET_FENCE("SetFence", Capability.FENCE, Contention.TRANSFER, Purpose.CHANGE, Movement.STANDS, LaterChange.NOTHING),
+    READ_RALLY_POINTS(
+            "ReadRallyPoints",
+            Capability.RALLY_POINTS,
+            Contention.TRANSFER,
+            Purpose.READ,
+            Movement.NONE,
+            LaterChange.NOTHING),
+    SET_RALLY_POINTS(
+            "SetRallyPoints",
+            Capability.RALLY_POINTS,
+            Contention.TRANSFER,
+            Purpose.CHANGE,
+            Movement.STANDS,
+            LaterChange.RALLY_POINTS),
+    READ_MAP("ReadMap", Capability.READ_MAP, Contention.MAP, Purpose.READ, Movement.NONE, LaterChange.NOTHING);
 
     /** What a command is for, which decides who may give it without control and who pays for it. */
     public enum Purpose {
@@ -65,12 +163,22 @@ public enum CommandKind {
     private final Capability needs;
     private final Contention contention;
     private final Purpose purpose;
+    private final Movement movement;
+    private final LaterChange laterChange;
 
-    CommandKind(String word, Capability needs, Contention contention, Purpose purpose) {
+    CommandKind(
+            String word,
+            Capability needs,
+            Contention contention,
+            Purpose purpose,
+            Movement movement,
+            LaterChange laterChange) {
         this.word = word;
         this.needs = needs;
         this.contention = contention;
         this.purpose = purpose;
+        this.movement = movement;
+        this.laterChange = laterChange;
     }
 
     /** The kind with that word; empty when there is none (any more). */
@@ -94,5 +202,13 @@ public enum CommandKind {
 
     public Purpose purpose() {
         return purpose;
+    }
+
+    public Movement movement() {
+        return movement;
+    }
+
+    public LaterChange laterChange() {
+        return laterChange;
     }
 }

@@ -4,9 +4,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
@@ -93,21 +90,17 @@ public record Capabilities(
 
     /** What it can do, in modes that its adapter knows. */
     public static Capabilities of(
-            Predicate<Capability> can,
+            Set<Capability> can,
             List<String> modes,
             Map<String, Steering> steering,
             Map<Steering, String> usual,
             Map<String, String> arming) {
-        Set<Capability> commands = Stream.of(Capability.values()).filter(can).collect(Collectors.toUnmodifiableSet());
-        return new Capabilities(commands, modes, steering, usual, arming, true);
+        return new Capabilities(can, modes, steering, usual, arming, true);
     }
 
     /** The same of a vehicle that no mode keeps from being armed. */
     public static Capabilities of(
-            Predicate<Capability> can,
-            List<String> modes,
-            Map<String, Steering> steering,
-            Map<Steering, String> usual) {
+            Set<Capability> can, List<String> modes, Map<String, Steering> steering, Map<Steering, String> usual) {
         return of(can, modes, steering, usual, Map.of());
     }
 

@@ -9,43 +9,80 @@ import org.dronemap.core.stored.Stored;
                 + "SET_PARAMETERS READ_LOGS FENCE RALLY_POINTS SET_HOME READ_HOME GO_TO_LOCAL "
                 + "EMERGENCY_STOP READ_MAP VELOCITY STICKS TRACK")
 public enum Capability {
-    ARM("arm"),
-    DISARM("disarm"),
-    SET_MODE("change its mode"),
-    TAKE_OFF("take off"),
-    LAND("land"),
-    RETURN_TO_LAUNCH("return to launch"),
-    HOLD("hold its position"),
-    GO_TO("go to a point"),
-    UPLOAD_MISSION("take a mission"),
-    START_MISSION("start a mission"),
-    PAUSE_MISSION("pause a mission"),
-    CLEAR_MISSION("clear its mission"),
-    TURN("turn on the spot"),
-    TAKE_PICTURE("take a picture"),
-    SET_RELAY("switch a relay"),
-    READ_PARAMETERS("tell its parameters"),
-    SET_PARAMETERS("change its parameters"),
-    READ_LOGS("tell its logs"),
-    FENCE("keep a fence"),
-    RALLY_POINTS("keep rally points"),
-    SET_HOME("set its home"),
-    READ_HOME("tell its home"),
-    GO_TO_LOCAL("go to a place on its own map"),
-    EMERGENCY_STOP("stop at once"),
-    READ_MAP("tell its map"),
-    VELOCITY("be steered by speeds"),
-    STICKS("be steered by sticks"),
-    TRACK("be led by a place that moves");
+    ARM("arm", Readiness.DISARMED, Part.OPERATES),
+    DISARM("disarm", Readiness.ARMED_ON_THE_GROUND, Part.OPERATES),
+    SET_MODE("change its mode", Readiness.ANY, Part.OPERATES),
+    TAKE_OFF("take off", Readiness.READY_TO_TAKE_OFF, Part.OPERATES),
+    LAND("land", Readiness.ARMED, Part.OPERATES),
+    RETURN_TO_LAUNCH("return to launch", Readiness.ARMED, Part.OPERATES),
+    HOLD("hold its position", Readiness.ARMED, Part.OPERATES),
+    GO_TO("go to a point", Readiness.UNDER_WAY, Part.OPERATES),
+    UPLOAD_MISSION("take a mission", Readiness.ANY, Part.PREPARES),
+    START_MISSION("start a mission", Readiness.WITH_MISSION, Part.OPERATES),
+    PAUSE_MISSION("pause a mission", Readiness.ARMED, Part.OPERATES),
+    CLEAR_MISSION("clear its mission", Readiness.ANY, Part.PREPARES),
+    TURN("turn on the spot", Readiness.UNDER_WAY, Part.OPERATES),
+    TAKE_PICTURE("take a picture", Readiness.ANY, Part.OPERATES),
+    SET_RELAY("switch a relay", Readiness.ANY, Part.OPERATES),
+    READ_PARAMETERS("tell its parameters", Readiness.ANY, Part.OPERATES),
+    SET_PARAMETERS("change its parameters", Readiness.ANY, Part.OPERATES),
+    READ_LOGS("tell its logs", Readiness.ANY, Part.OPERATES),
+    FENCE("keep a fence", Readiness.ANY, Part.PREPARES),
+    RALLY_POINTS("keep rally points", Readiness.ANY, Part.PREPARES),
+    SET_HOME("set its home", Readiness.ANY, Part.OPERATES),
+    READ_HOME("tell its home", Readiness.ANY, Part.OPERATES),
+    GO_TO_LOCAL("go to a place on its own map", Readiness.UNDER_WAY, Part.OPERATES),
+    EMERGENCY_STOP("stop at once", Readiness.ANY, Part.OPERATES),
+    READ_MAP("tell its map", Readiness.ANY, Part.OPERATES),
+    VELOCITY("be steered by speeds", Readiness.UNDER_WAY, Part.OPERATES),
+    STICKS("be steered by sticks", Readiness.ARMED_BEFORE, Part.OPERATES),
+    TRACK("be led by a place that moves", Readiness.UNDER_WAY, Part.OPERATES);
+
+    /** How the drone has to be for it. What has no motors to arm is always armed. */
+    public enum Readiness {
+        /** It may be as it is. */
+        ANY,
+        DISARMED,
+        ARMED_ON_THE_GROUND,
+        /** Armed, and on the ground: whoever asks for it in the air is told that it is there already. */
+        READY_TO_TAKE_OFF,
+        ARMED,
+        /** Armed; whoever asks for it too early is told to arm first. */
+        ARMED_BEFORE,
+        /** Armed, and in the air where it flies. */
+        UNDER_WAY,
+        /** Armed, and with a mission on board. */
+        WITH_MISSION
+    }
+
+    /** What it is to a flight, which decides whose role may ask for it. */
+    public enum Part {
+        /** It prepares a flight and moves nothing: planners may, while the drone is disarmed. */
+        PREPARES,
+        /** It is for operators. */
+        OPERATES
+    }
 
     private final String phrase;
+    private final Readiness readiness;
+    private final Part part;
 
-    Capability(String phrase) {
+    Capability(String phrase, Readiness readiness, Part part) {
         this.phrase = phrase;
+        this.readiness = readiness;
+        this.part = part;
     }
 
     /** Completes the sentence "this vehicle cannot …". */
     public String phrase() {
         return phrase;
+    }
+
+    public Readiness readiness() {
+        return readiness;
+    }
+
+    public Part part() {
+        return part;
     }
 }

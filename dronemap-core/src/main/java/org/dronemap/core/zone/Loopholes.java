@@ -22,43 +22,17 @@ record Loopholes(@Nullable String why, Route refuges) {
 
     /** {@code words}: what the bounds are called. */
     static Loopholes of(List<Bounds> bounds, String words, DroneState drone, Command command) {
-        return switch (command.kind()) {
-            case SET_PARAMETERS, SET_RETURN_HEIGHT ->
+        return switch (command.kind().laterChange()) {
+            case NOTHING -> NONE;
+            case PARAMETERS ->
                 because("Parameters say where a drone flies by itself, such as how high it comes home; within " + words
                         + " they cannot be written.");
-            case SET_HOME ->
+            case HOME ->
                 bounds.stream().anyMatch(Loopholes::isMeasuredFromHome)
                         ? because("The heights of " + words + " are measured from home; so home cannot be moved.")
                         : home(((Command.SetHome) command).point());
-            case SET_RALLY_POINTS -> rally(((Command.SetRallyPoints) command).points());
-            case SET_MODE -> inMode(words, drone, ((Command.SetMode) command).mode());
-            case ARM,
-                    DISARM,
-                    TAKE_OFF,
-                    LAND,
-                    RETURN_TO_LAUNCH,
-                    HOLD,
-                    EMERGENCY_STOP,
-                    GO_TO,
-                    GO_TO_LOCAL,
-                    TURN,
-                    UPLOAD_MISSION,
-                    START_MISSION,
-                    PAUSE_MISSION,
-                    CLEAR_MISSION,
-                    READ_HOME,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    RETURN_ON_LOSS,
-                    SET_CLOUD_LOSS,
-                    PUT_BACK,
-                    READ_LOGS,
-                    DOWNLOAD_LOG,
-                    READ_FENCE,
-                    SET_FENCE,
-                    READ_RALLY_POINTS,
-                    READ_MAP -> NONE;
+            case RALLY_POINTS -> rally(((Command.SetRallyPoints) command).points());
+            case MODE -> inMode(words, drone, ((Command.SetMode) command).mode());
         };
     }
 

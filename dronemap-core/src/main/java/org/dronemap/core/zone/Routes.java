@@ -15,41 +15,15 @@ public final class Routes {
 
     /** {@link Route#NONE} for what moves nothing, and for what brings it down or home: that is never kept from it. */
     public static Route of(DroneState drone, Command command) {
-        return switch (command.kind()) {
-            case TAKE_OFF ->
-                new MissionWalk(drone).takeOff(((Command.TakeOff) command).altitudeMeters(), "The take-off");
-            case GO_TO -> to(drone, (Command.GoTo) command);
-            case GO_TO_LOCAL -> new Route(List.of(), "Where the vehicle's own map lies on the Earth is not known");
-            case UPLOAD_MISSION ->
+        return switch (command.kind().movement()) {
+            case NONE, STANDS, TURNS, COMES_DOWN -> Route.NONE;
+            case CLIMBS -> new MissionWalk(drone).takeOff(((Command.TakeOff) command).altitudeMeters(), "The take-off");
+            case GOES -> to(drone, (Command.GoTo) command);
+            case GOES_ON_ITS_MAP -> new Route(List.of(), "Where the vehicle's own map lies on the Earth is not known");
+            case TAKES_MISSION ->
                 uploaded(drone, ((Command.UploadMission) command).mission().items());
-            case START_MISSION -> onBoard(drone);
-            case SET_MODE -> inMode(drone, ((Command.SetMode) command).mode());
-            case ARM,
-                    DISARM,
-                    LAND,
-                    RETURN_TO_LAUNCH,
-                    HOLD,
-                    EMERGENCY_STOP,
-                    TURN,
-                    PAUSE_MISSION,
-                    CLEAR_MISSION,
-                    SET_HOME,
-                    READ_HOME,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    SET_RETURN_HEIGHT,
-                    RETURN_ON_LOSS,
-                    SET_CLOUD_LOSS,
-                    PUT_BACK,
-                    READ_LOGS,
-                    DOWNLOAD_LOG,
-                    READ_FENCE,
-                    SET_FENCE,
-                    READ_RALLY_POINTS,
-                    SET_RALLY_POINTS,
-                    READ_MAP -> Route.NONE;
+            case FLIES_MISSION -> onBoard(drone);
+            case CHANGES_MODE -> inMode(drone, ((Command.SetMode) command).mode());
         };
     }
 

@@ -70,28 +70,7 @@ sealed interface Aim {
             case READ_MAP -> Optional.of(new Mapped());
             case EMERGENCY_STOP -> Optional.of(new Still(Optional.of(new Order.EmergencyStop())));
             case HOLD -> Optional.of(new Still(Optional.empty()));
-            case GO_TO,
-                    TURN,
-                    UPLOAD_MISSION,
-                    START_MISSION,
-                    PAUSE_MISSION,
-                    CLEAR_MISSION,
-                    SET_HOME,
-                    READ_HOME,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    SET_RETURN_HEIGHT,
-                    RETURN_ON_LOSS,
-                    SET_CLOUD_LOSS,
-                    PUT_BACK,
-                    READ_LOGS,
-                    DOWNLOAD_LOG,
-                    READ_FENCE,
-                    SET_FENCE,
-                    READ_RALLY_POINTS,
-                    SET_RALLY_POINTS -> Optional.empty();
+            default -> Optional.empty();
         };
     }
 

@@ -1,7 +1,9 @@
 package org.dronemap.proxy.roslink;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.Battery;
@@ -35,6 +37,12 @@ final class RobotTelemetry {
     static final String WITHOUT_CLOUD =
             "What it does when the cloud falls silent is not known: robots over ROSLink do not tell.";
 
+    private static final Set<Capability> IN_THE_AIR = Set.of(Capability.TAKE_OFF, Capability.LAND);
+    private static final Set<Capability> ON_WHEELS =
+            Set.of(Capability.EMERGENCY_STOP, Capability.GO_TO_LOCAL, Capability.READ_MAP);
+    private static final Set<Capability> BY_FLIGHT_CONTROLLER =
+            Set.of(Capability.ARM, Capability.DISARM, Capability.SET_MODE, Capability.RETURN_TO_LAUNCH);
+
     private final RobotType type;
     private final @Nullable String hardware;
     private final Consumer<DroneEvent> news;
@@ -63,35 +71,19 @@ final class RobotTelemetry {
     Capabilities capabilities() {
         boolean named = type.words() == RobotType.Words.MAVROS;
         return named
-                ? Capabilities.of(this::can, RobotModes.all(), RobotModes.steering(), RobotModes.usual())
-                : Capabilities.of(this::can, List.of(), Map.of(), Map.of());
+                ? Capabilities.of(can(), RobotModes.all(), RobotModes.steering(), RobotModes.usual())
+                : Capabilities.of(can(), List.of(), Map.of(), Map.of());
     }
 
-    private boolean can(Capability capability) {
+    /** What is not here it cannot. */
+    private Set<Capability> can() {
         RobotType.Words words = type.words();
-        return switch (capability) {
-            case HOLD, VELOCITY -> true;
-            case EMERGENCY_STOP, GO_TO_LOCAL, READ_MAP -> !words.flies();
-            case TAKE_OFF, LAND -> words.flies();
-            case ARM, DISARM, SET_MODE, RETURN_TO_LAUNCH -> words == RobotType.Words.MAVROS;
-            case GO_TO,
-                    UPLOAD_MISSION,
-                    START_MISSION,
-                    PAUSE_MISSION,
-                    CLEAR_MISSION,
-                    TURN,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    READ_LOGS,
-                    FENCE,
-                    RALLY_POINTS,
-                    SET_HOME,
-                    READ_HOME,
-                    STICKS,
-                    TRACK -> false;
-        };
+        EnumSet<Capability> can = EnumSet.of(Capability.HOLD, Capability.VELOCITY);
+        can.addAll(words.flies() ? IN_THE_AIR : ON_WHEELS);
+        if (words == RobotType.Words.MAVROS) {
+            can.addAll(BY_FLIGHT_CONTROLLER);
+        }
+        return can;
     }
 
     /** A drone listens from now on that knows nothing of the robot yet. */

@@ -1,26 +1,18 @@
 package org.dronemap.proxy.fuzz;
 
+import java.lang.reflect.Constructor;
+import java.lang.reflect.RecordComponent;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
-import org.dronemap.core.command.EmergencyStop;
-import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.OwnersKeeper;
 import org.dronemap.core.command.PutBack;
-import org.dronemap.core.command.ReadFence;
-import org.dronemap.core.command.ReadHome;
-import org.dronemap.core.command.ReadLogs;
-import org.dronemap.core.command.ReadMap;
-import org.dronemap.core.command.ReadRallyPoints;
-import org.dronemap.core.command.RelaySetting;
-import org.dronemap.core.command.ReturnOnLoss;
 import org.dronemap.core.command.SetCloudLoss;
-import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -30,6 +22,8 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.OwnersValue;
 import org.dronemap.core.parameter.ParameterValue;
+import org.dronemap.core.stored.Stored;
+import org.jspecify.annotations.Nullable;
 
 /** Commands of each kind. */
 public final class CommandSamples {
@@ -41,46 +35,67 @@ public final class CommandSamples {
     private static final List<OwnersValue> KEPT =
             List.of(new OwnersValue("FS_GCS_ENABLE", 0, 1), new OwnersValue("FS_OPTIONS", 0, 16, 18));
 
+    private static final Map<Class<?>, Object> PARTS =
+            Map.of(int.class, 12, double.class, 12.0, boolean.class, true, String.class, "GUIDED");
+
     private CommandSamples() {}
 
     public static Stream<Command> of(CommandKind kind) {
         return switch (kind) {
-            case ARM -> Stream.of(new Command.Arm());
             case DISARM -> Stream.of(new Command.Disarm(false), new Command.Disarm(true));
             case SET_MODE -> Stream.of(new Command.SetMode("GUIDED"));
-            case TAKE_OFF -> Stream.of(new Command.TakeOff(20));
-            case LAND -> Stream.of(new Command.Land());
-            case RETURN_TO_LAUNCH -> Stream.of(new Command.ReturnToLaunch());
-            case HOLD -> Stream.of(new Command.Hold());
-            case EMERGENCY_STOP -> Stream.of(new EmergencyStop());
             case GO_TO -> Stream.of(new Command.GoTo(HERE, Altitude.aboveHome(30)));
-            case GO_TO_LOCAL -> Stream.of(new GoToLocal(1, 2, null));
-            case TURN -> Stream.of(new Command.Turn(90));
             case UPLOAD_MISSION -> upload();
-            case START_MISSION -> Stream.of(new Command.StartMission(CloudLoss.CONTINUE));
-            case PAUSE_MISSION -> Stream.of(new Command.PauseMission());
-            case CLEAR_MISSION -> Stream.of(new Command.ClearMission());
             case SET_HOME ->
                 Stream.of(
                         new Command.SetHome(null, null),
                         new Command.SetHome(HERE, new Altitude(500, Altitude.Reference.AMSL)));
-            case READ_HOME -> Stream.of(new ReadHome());
-            case TAKE_PICTURE -> Stream.of(new Command.TakePicture());
-            case SET_RELAY -> Stream.of(new Command.SetRelay(0, RelaySetting.TOGGLE));
-            case READ_PARAMETERS -> Stream.of(new Command.ReadParameters());
             case SET_PARAMETERS -> Stream.of(new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1_500))));
-            case SET_RETURN_HEIGHT -> Stream.of(new SetReturnHeight(30, true));
-            case RETURN_ON_LOSS -> Stream.of(new ReturnOnLoss());
             case SET_CLOUD_LOSS -> Stream.of(new SetCloudLoss(20, KEPT, new Agreeing()));
             case PUT_BACK -> Stream.of(new PutBack(KEPT, new Agreeing()));
-            case READ_LOGS -> Stream.of(new ReadLogs());
             case DOWNLOAD_LOG -> Stream.of(new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()));
-            case READ_FENCE -> Stream.of(new ReadFence());
             case SET_FENCE -> Stream.of(new Command.SetFence(List.of(FENCE)));
-            case READ_RALLY_POINTS -> Stream.of(new ReadRallyPoints());
             case SET_RALLY_POINTS -> Stream.of(new Command.SetRallyPoints(List.of(new RallyPoint(HERE, 30))));
-            case READ_MAP -> Stream.of(new ReadMap());
+            default -> Stream.of(made(kind));
         };
+    }
+
+    /** Of numbers, choices and the like alone; a kind with other parts has to say above what there is in them. */
+    private static Command made(CommandKind kind) {
+        Class<?> record = records(Command.class)
+                .filter(one -> one.getAnnotation(Stored.class).as().equals(kind.word()))
+                .findFirst()
+                .orElseThrow();
+        RecordComponent[] parts = record.getRecordComponents();
+        try {
+            Constructor<?> constructor = record.getDeclaredConstructor(
+                    Stream.of(parts).map(RecordComponent::getType).toArray(Class<?>[]::new));
+            return (Command) constructor.newInstance(
+                    Stream.of(parts).map(part -> value(kind, part)).toArray());
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("Say what one of " + kind + " is", e);
+        }
+    }
+
+    private static Stream<Class<?>> records(Class<?> family) {
+        return Stream.of(family.getPermittedSubclasses())
+                .flatMap(one -> one.isRecord() ? Stream.of(one) : records(one));
+    }
+
+    private static @Nullable Object value(CommandKind kind, RecordComponent part) {
+        Class<?> type = part.getType();
+        if (part.getAnnotatedType().isAnnotationPresent(Nullable.class)) {
+            return null;
+        }
+        if (type.isEnum()) {
+            return type.getEnumConstants()[type.getEnumConstants().length - 1];
+        }
+        Object value = PARTS.get(type);
+        if (value == null) {
+            throw new IllegalStateException(
+                    "Say what one of " + kind + " is: nobody knows what its " + part + " may be");
+        }
+        return value;
     }
 
     private static Stream<Command> upload() {

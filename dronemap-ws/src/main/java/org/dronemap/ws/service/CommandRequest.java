@@ -1,5 +1,7 @@
 package org.dronemap.ws.service;
 
+import static io.swagger.v3.oas.annotations.media.Schema.RequiredMode.REQUIRED;
+
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
@@ -8,10 +10,13 @@ import jakarta.validation.constraints.Min;
 import jakarta.validation.constraints.Pattern;
 import jakarta.validation.constraints.Size;
 import java.util.List;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.RelaySetting;
+import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
+import org.dronemap.core.parameter.ParameterSet;
 import org.dronemap.core.parameter.ParameterValue;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
@@ -49,7 +54,18 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
 })
 @Schema(name = "CommandRequest", description = "A command; which members there are depends on the type.")
 public sealed interface CommandRequest {
-    CommandKind kind();
+    /** What it asks for, as it is called above. */
+    default CommandKind kind() {
+        return CommandReader.kind(this);
+    }
+
+    /**
+     * What it asks for: the same whenever it is read, however the drone is by then. Says which member is wrong and what is
+     * allowed.
+     *
+     * @param held the parameters that are known of the drone
+     */
+    Command command(DroneState drone, ParameterSet held);
 
     @Schema(description = "Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once")
     @Pattern(regexp = CommandService.ID)
@@ -63,8 +79,8 @@ public sealed interface CommandRequest {
     @Schema(name = "ArmCommand", description = "Start the motors.")
     record Arm(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.ARM;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.Arm();
         }
     }
 
@@ -76,28 +92,28 @@ public sealed interface CommandRequest {
             @Nullable String id,
             @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.DISARM;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.Disarm(Boolean.TRUE.equals(force));
         }
     }
 
     @Schema(name = "SetModeCommand", description = "Change the mode.")
     record SetMode(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "One of the drone's modes") @Nullable
+            @Schema(requiredMode = REQUIRED, description = "One of the drone's modes") @Nullable
             String mode,
 
             @Nullable String id,
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.SET_MODE;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.SetMode(CommandReader.mode(mode, drone));
         }
     }
 
     @Schema(name = "TakeOffCommand", description = "Climb straight up.")
     record TakeOff(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres above home")
+            @Schema(requiredMode = REQUIRED, description = "Metres above home")
             @Min(Ranges.LEAST_TAKE_OFF)
             @Max(Ranges.MOST_TAKE_OFF)
             @Nullable
@@ -107,50 +123,50 @@ public sealed interface CommandRequest {
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.TAKE_OFF;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.TakeOff(Ranges.takeOffAltitude("altitude", altitude));
         }
     }
 
     @Schema(name = "LandCommand", description = "Land where it is.")
     record Land(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.LAND;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.Land();
         }
     }
 
     @Schema(name = "ReturnToLaunchCommand", description = "Fly home and land there.")
     record ReturnToLaunch(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.RETURN_TO_LAUNCH;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.ReturnToLaunch();
         }
     }
 
     @Schema(name = "HoldCommand", description = "Stop and stay where it is.")
     record Hold(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.HOLD;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.Hold();
         }
     }
 
     @Schema(name = "GoToCommand", description = "Fly to a place and stay there.")
     record GoTo(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
+            @Schema(requiredMode = REQUIRED, description = "Degrees")
             @Min(-Ranges.LATITUDE)
             @Max(Ranges.LATITUDE)
             @Nullable
             Double latitude,
 
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
+            @Schema(requiredMode = REQUIRED, description = "Degrees")
             @Min(-Ranges.LONGITUDE)
             @Max(Ranges.LONGITUDE)
             @Nullable
             Double longitude,
 
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres")
+            @Schema(requiredMode = REQUIRED, description = "Metres")
             @Min(Altitude.LOWEST_PLANNED_METERS)
             @Max(Altitude.HIGHEST_PLANNED_METERS)
             @Nullable
@@ -165,8 +181,9 @@ public sealed interface CommandRequest {
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.GO_TO;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.GoTo(
+                    CommandReader.place(latitude, longitude), MissionReader.altitude("", altitude, altitudeReference));
         }
     }
 
@@ -181,8 +198,8 @@ public sealed interface CommandRequest {
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.UPLOAD_MISSION;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.UploadMission(MissionReader.read(items));
         }
     }
 
@@ -199,32 +216,30 @@ public sealed interface CommandRequest {
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.START_MISSION;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.StartMission(CommandReader.cloudLoss(onCloudLoss));
         }
     }
 
     @Schema(name = "PauseMissionCommand", description = "Stop in its mission.")
     record PauseMission(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.PAUSE_MISSION;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.PauseMission();
         }
     }
 
     @Schema(name = "ClearMissionCommand", description = "Delete the mission on the vehicle.")
     record ClearMission(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.CLEAR_MISSION;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.ClearMission();
         }
     }
 
     @Schema(name = "TurnCommand", description = "Turn on the spot.")
     record Turn(
-            @Schema(
-                    requiredMode = Schema.RequiredMode.REQUIRED,
-                    description = "Degrees from where it looks now, clockwise when positive")
+            @Schema(requiredMode = REQUIRED, description = "Degrees from where it looks now, clockwise when positive")
             @Min(-Ranges.MOST_TURN)
             @Max(Ranges.MOST_TURN)
             @Nullable
@@ -234,36 +249,36 @@ public sealed interface CommandRequest {
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.TURN;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.Turn(Ranges.turn("degrees", degrees));
         }
     }
 
     @Schema(name = "TakePictureCommand", description = "Take one picture.")
     record TakePicture(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.TAKE_PICTURE;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.TakePicture();
         }
     }
 
     @Schema(name = "SetRelayCommand", description = "Switch a relay on the vehicle.")
     record SetRelay(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Which relay, 0 to 15")
+            @Schema(requiredMode = REQUIRED, description = "Which relay, 0 to 15")
             @Min(0)
             @Max(Ranges.LAST_RELAY)
             @Nullable
             Integer relay,
 
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @ValuesOf(RelaySetting.class) @Nullable
+            @Schema(requiredMode = REQUIRED) @ValuesOf(RelaySetting.class) @Nullable
             String setting,
 
             @Nullable String id,
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.SET_RELAY;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.SetRelay(Ranges.relay("relay", relay), CommandReader.relaySetting(setting));
         }
     }
 
@@ -290,30 +305,30 @@ public sealed interface CommandRequest {
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.SET_HOME;
+        public Command command(DroneState drone, ParameterSet held) {
+            return CommandReader.home(this);
         }
     }
 
     @Schema(name = "ReadHomeCommand", description = "Ask the vehicle where its home is.")
     record ReadHome(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.READ_HOME;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new org.dronemap.core.command.ReadHome();
         }
     }
 
     @Schema(name = "ReadParametersCommand", description = "Read all parameters of the vehicle.")
     record ReadParameters(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.READ_PARAMETERS;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.ReadParameters();
         }
     }
 
     @Schema(name = "SetParametersCommand", description = "Change parameters of the vehicle.")
     record SetParameters(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "What is to be changed")
+            @Schema(requiredMode = REQUIRED, description = "What is to be changed")
             @Size(min = 1, max = ParameterReader.MOST)
             @Nullable
             List<ParameterRequest> parameters,
@@ -322,28 +337,28 @@ public sealed interface CommandRequest {
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.SET_PARAMETERS;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new Command.SetParameters(ParameterReader.read(parameters, held));
         }
     }
 
     @Schema(name = "ReadLogsCommand", description = "List the logs on the vehicle.")
     record ReadLogs(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.READ_LOGS;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new org.dronemap.core.command.ReadLogs();
         }
     }
 
     @Schema(name = "GoToLocalCommand", description = "Go to a place on the vehicle's own map.")
     record GoToLocal(
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres along the x axis of that map")
+            @Schema(requiredMode = REQUIRED, description = "Metres along the x axis of that map")
             @Min(-Ranges.MOST_ON_MAP)
             @Max(Ranges.MOST_ON_MAP)
             @Nullable
             Double x,
 
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres along the y axis of that map")
+            @Schema(requiredMode = REQUIRED, description = "Metres along the y axis of that map")
             @Min(-Ranges.MOST_ON_MAP)
             @Max(Ranges.MOST_ON_MAP)
             @Nullable
@@ -353,24 +368,24 @@ public sealed interface CommandRequest {
             @Nullable Long epoch)
             implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.GO_TO_LOCAL;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new org.dronemap.core.command.GoToLocal(Ranges.onMap("x", x), Ranges.onMap("y", y), null);
         }
     }
 
     @Schema(name = "EmergencyStopCommand", description = "Stand still at once, and give up whatever it was driving to.")
     record EmergencyStop(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.EMERGENCY_STOP;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new org.dronemap.core.command.EmergencyStop();
         }
     }
 
     @Schema(name = "ReadMapCommand", description = "Ask the vehicle for the map that it goes by.")
     record ReadMap(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
         @Override
-        public CommandKind kind() {
-            return CommandKind.READ_MAP;
+        public Command command(DroneState drone, ParameterSet held) {
+            return new org.dronemap.core.command.ReadMap();
         }
     }
 

@@ -64,7 +64,7 @@ public final class CommandService {
     }
 
     private Command asked(CommandRequest request, DroneState drone) {
-        return CommandReader.asked(request, drone, cloud.onBoard(drone.id()).parameters());
+        return request.command(drone, cloud.onBoard(drone.id()).parameters());
     }
 
     /** Refuses what this drone cannot take; nothing is sent. */

@@ -100,7 +100,7 @@ final class Ranges {
                 " microseconds");
     }
 
-    private static int checked(String field, @Nullable Integer value, int least, int most, String unit) {
+    static int checked(String field, @Nullable Integer value, int least, int most, String unit) {
         String allowed = least + " to " + most + unit;
         if (value == null) {
             throw InvalidInput.missing(field, allowed);

@@ -24,6 +24,7 @@ import org.dronemap.ws.rest.ControlController;
 import org.dronemap.ws.rest.DescribedAlternatives;
 import org.dronemap.ws.rest.DescribedFiles;
 import org.dronemap.ws.rest.DescribedNulls;
+import org.dronemap.ws.rest.DescribedPurposes;
 import org.dronemap.ws.rest.DescribedRecords;
 import org.dronemap.ws.rest.DescribedSoapNames;
 import org.dronemap.ws.rest.DescribedStatuses;
@@ -256,6 +257,11 @@ public class RestConfiguration {
     @Bean
     DescribedSoapNames describedSoapNames() {
         return new DescribedSoapNames();
+    }
+
+    @Bean
+    DescribedPurposes describedPurposes() {
+        return new DescribedPurposes();
     }
 
     @Bean

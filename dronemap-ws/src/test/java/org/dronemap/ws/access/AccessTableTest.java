@@ -3,19 +3,17 @@ package org.dronemap.ws.access;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.dronemap.ws.house.WrittenPart;
 import org.junit.jupiter.api.Test;
 
 /** The table of docs/security.md says what the handlers say. {@code -Ddronemap.approve=true} writes it anew. */
 class AccessTableTest {
     private static final Path PAGE = Path.of("..", "docs", "security.md");
-    private static final String BEGIN = "<!-- written from the handlers: begin -->\n";
-    private static final String END = "<!-- written from the handlers: end -->\n";
     private static final String HEAD =
             "| operation | from | about | costs | record |\n| --- | --- | --- | --- | --- |\n";
     private static final List<String> METHODS = List.of("GET", "POST", "PUT", "PATCH", "DELETE");
@@ -28,17 +26,7 @@ class AccessTableTest {
 
     @Test
     void isTheTableOfThePage() throws IOException {
-        String page = Files.readString(PAGE);
-        int begin = page.indexOf(BEGIN) + BEGIN.length();
-        int end = page.indexOf(END);
-        assertThat(begin).isBetween(BEGIN.length(), end);
-        if (Boolean.getBoolean("dronemap.approve")) {
-            Files.writeString(PAGE, page.substring(0, begin) + table() + page.substring(end));
-            return;
-        }
-        assertThat(page.substring(begin, end))
-                .as("approve what was meant to change with -Ddronemap.approve=true")
-                .isEqualTo(table());
+        WrittenPart.check(PAGE, "the handlers", table());
     }
 
     @Test

@@ -38,11 +38,13 @@ public final class Faces {
             "PUT /api/v1/drones/{id}/link-security", "{\"policy\":\"off\"}");
 
     private final JsonNode description;
+    private final CommandBodies commands;
     private final Set<String> rest;
     private final SoapOperations soap;
 
     public Faces(TestHouse house) {
         description = new Http(house, "").get("/api/openapi.json").json();
+        commands = new CommandBodies(description);
         rest = Collections.unmodifiableSet(dispatched(house));
         soap = new SoapOperations(house);
     }
@@ -121,6 +123,25 @@ public final class Faces {
                 .map(each -> "<" + each.getKey() + ">" + each.getValue() + "</" + each.getKey() + ">")
                 .collect(Collectors.joining());
         return call(caller, operation, elements).raw().body();
+    }
+
+    public CommandBodies commands() {
+        return commands;
+    }
+
+    /** The type of command that an operation of SOAP gives. */
+    public String commandOf(String operation) {
+        return commands.types().stream()
+                .filter(operation::equalsIgnoreCase)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Gives a command that lacks nothing to a drone. */
+    public Http.Answer command(Http caller, String operation, String drone) {
+        ObjectNode elements = commands.least(commandOf(operation));
+        elements.put(elementOf(operation), drone);
+        return call(caller, operation, soap.get(operation).written(elements));
     }
 
     /** {@code elements}: as they stand in the call. */

@@ -7,6 +7,7 @@ import java.lang.reflect.RecordComponent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -40,7 +41,6 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Each way in knows each kind of command, mission item and outcome, or says here why it does not. */
 class CommandKindsTest {
-    private static final Path PAGE = Path.of("../web-client/src/api");
     private static final DroneState UNKNOWN = new DroneState(
             new DroneId("d-1"),
             "d-1",
@@ -82,43 +82,17 @@ class CommandKindsTest {
             Alternatives.of(CommandRequest.class).orElseThrow();
     private static final Set<String> TYPES = ALTERNATIVES.records().keySet();
 
-    /** Fence, rally points and the download of a log have addresses of their own; some are given by the cloud alone. */
-    private static boolean isForClients(CommandKind kind) {
-        return switch (kind) {
-            case READ_FENCE,
-                    SET_FENCE,
-                    READ_RALLY_POINTS,
-                    SET_RALLY_POINTS,
-                    DOWNLOAD_LOG,
-                    SET_RETURN_HEIGHT,
-                    RETURN_ON_LOSS,
-                    SET_CLOUD_LOSS,
-                    PUT_BACK -> false;
-            case ARM,
-                    DISARM,
-                    SET_MODE,
-                    TAKE_OFF,
-                    LAND,
-                    RETURN_TO_LAUNCH,
-                    HOLD,
-                    EMERGENCY_STOP,
-                    GO_TO,
-                    GO_TO_LOCAL,
-                    TURN,
-                    UPLOAD_MISSION,
-                    START_MISSION,
-                    PAUSE_MISSION,
-                    CLEAR_MISSION,
-                    SET_HOME,
-                    READ_HOME,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    READ_LOGS,
-                    READ_MAP -> true;
-        };
-    }
+    /** Fence, rally points and the download of a log have addresses of their own; the rest is given by the cloud alone. */
+    private static final Set<CommandKind> WITHOUT_A_BODY = EnumSet.of(
+            CommandKind.READ_FENCE,
+            CommandKind.SET_FENCE,
+            CommandKind.READ_RALLY_POINTS,
+            CommandKind.SET_RALLY_POINTS,
+            CommandKind.DOWNLOAD_LOG,
+            CommandKind.SET_RETURN_HEIGHT,
+            CommandKind.RETURN_ON_LOSS,
+            CommandKind.SET_CLOUD_LOSS,
+            CommandKind.PUT_BACK);
 
     @Test
     void hasAnOperationOfSoapForEachTypeAndNoneBeside() throws IOException {
@@ -138,7 +112,7 @@ class CommandKindsTest {
     void hasABodyForEachTypeAndNoneForWhatClientsDoNotAskFor(CommandKind kind) {
         Class<?> body = ALTERNATIVES.records().get(WireNames.lowerFirst(kind.word()));
 
-        assertThat(body != null).as("a body for " + kind).isEqualTo(isForClients(kind));
+        assertThat(body != null).as("a body for " + kind).isEqualTo(!WITHOUT_A_BODY.contains(kind));
     }
 
     static Stream<String> types() {
@@ -153,7 +127,7 @@ class CommandKindsTest {
 
         assertThat(WireNames.lowerFirst(request.kind().word())).isEqualTo(type);
         try {
-            assertThat(CommandReader.asked(request, UNKNOWN, held).kind()).isEqualTo(request.kind());
+            assertThat(request.command(UNKNOWN, held).kind()).isEqualTo(request.kind());
         } catch (InvalidInput missing) {
             assertThat(request.getClass().getRecordComponents())
                     .extracting(RecordComponent::getName)
@@ -173,22 +147,18 @@ class CommandKindsTest {
         assertThat(described).isEqualTo(TYPES);
     }
 
+    /** From which the page's table is written: whether it needs control to give one. */
     @Test
-    void hasAPageThatKnowsWhichNeedControl() throws IOException {
-        String controls = Files.readString(PAGE.resolve("../state/controls.svelte.ts"));
-        String table = controls.substring(controls.indexOf("const PURPOSES"));
+    void saysWhatEachCommandIsFor() throws IOException {
+        JsonNode purposes =
+                schema("CommandView").path("properties").path("type").path("x-purposes");
 
-        for (CommandKind kind : CommandKind.values()) {
-            String type = WireNames.lowerFirst(kind.word());
-            String purpose = switch (kind.purpose()) {
-                case READ -> "read";
-                case SAFETY, PAUSE -> "safety";
-                case FLY, CHANGE -> "control";
-            };
-            if (TYPES.contains(type)) {
-                assertThat(table).contains("  " + type + ": '" + purpose + "',");
-            }
-        }
+        assertThat(purposes.propertyStream().map(Map.Entry::getKey))
+                .containsExactlyInAnyOrderElementsOf(described("CommandView", "type"));
+        assertThat(CommandKind.values())
+                .allSatisfy(kind -> assertThat(
+                                purposes.path(WireNames.lowerFirst(kind.word())).asString())
+                        .isEqualTo(WireNames.camel(kind.purpose())));
     }
 
     @Test

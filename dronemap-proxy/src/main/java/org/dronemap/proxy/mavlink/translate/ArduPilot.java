@@ -1,11 +1,10 @@
 package org.dronemap.proxy.mavlink.translate;
 
-import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
@@ -28,10 +27,8 @@ import org.dronemap.proxy.mavlink.procedure.CommandExchange;
 import org.dronemap.proxy.mavlink.procedure.CommandRequest;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.Observer;
-import org.dronemap.proxy.mavlink.procedure.ParameterChange;
 import org.dronemap.proxy.mavlink.procedure.PositionTarget;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
-import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.jspecify.annotations.Nullable;
 
@@ -50,7 +47,7 @@ final class ArduPilot implements Autopilot {
     private static final int FRAME_GLOBAL = 5;
     private static final int STANDBY = 3;
     private static final int ACTIVE = 4;
-    private static final int HOME_ITEMS = 1;
+    static final int HOME_ITEMS = 1;
     private static final long WIND_MICROS = 5_000_000;
     private static final MissionCodec.Form FORM = new MissionCodec.Form(true, 0f, 0, 0);
 
@@ -59,6 +56,27 @@ final class ArduPilot implements Autopilot {
             ReturnHeights.Setting.of(new ReturnHeights.Name("RTL_ALT_M", 1), new ReturnHeights.Name("RTL_ALT", 100));
 
     private static final CloudLosses.Setting CLOUD_LOSS = new CloudLosses.Setting("FS_GCS_ENABLE", Set.of(0), 1, false);
+
+    private static final Set<Capability> ALWAYS = Set.of(
+            Capability.ARM,
+            Capability.DISARM,
+            Capability.SET_MODE,
+            Capability.TAKE_PICTURE,
+            Capability.SET_RELAY,
+            Capability.READ_PARAMETERS,
+            Capability.SET_PARAMETERS,
+            Capability.READ_LOGS,
+            Capability.FENCE,
+            Capability.RALLY_POINTS,
+            Capability.SET_HOME,
+            Capability.READ_HOME);
+
+    private static final Set<Capability> IN_AUTO = Set.of(
+            Capability.UPLOAD_MISSION,
+            Capability.CLEAR_MISSION,
+            Capability.START_MISSION,
+            Capability.HOLD,
+            Capability.PAUSE_MISSION);
 
     private final VehicleKind kind;
     private final ModeTable table;
@@ -110,37 +128,40 @@ final class ArduPilot implements Autopilot {
 
     @Override
     public Capabilities capabilities() {
-        return Capabilities.of(this::can, modes(), table.steering(), table.usual(), table.arming());
+        return Capabilities.of(can(), modes(), table.steering(), table.usual(), table.arming());
     }
 
-    private boolean can(Capability capability) {
-        return switch (capability) {
-            case ARM,
-                    DISARM,
-                    SET_MODE,
-                    TAKE_PICTURE,
-                    SET_RELAY,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    READ_LOGS,
-                    FENCE,
-                    RALLY_POINTS,
-                    SET_HOME,
-                    READ_HOME -> true;
-            case UPLOAD_MISSION, CLEAR_MISSION, START_MISSION, HOLD, PAUSE_MISSION -> table.has(AUTO);
-            case GO_TO -> table.has(GUIDED);
-            case RETURN_TO_LAUNCH -> table.has(RTL);
-            case LAND -> kind != VehicleKind.FIXED_WING && (table.has("LAND") || table.has("QLAND"));
-            case TAKE_OFF -> table == ModeTable.COPTER || kind == VehicleKind.VTOL;
-            case TURN -> table == ModeTable.COPTER;
-            case VELOCITY, TRACK -> table == ModeTable.COPTER || table == ModeTable.ROVER;
-            case STICKS ->
-                table == ModeTable.COPTER
-                        || table == ModeTable.ROVER
-                        || table == ModeTable.PLANE
-                        || table == ModeTable.SUB;
-            case GO_TO_LOCAL, EMERGENCY_STOP, READ_MAP -> false;
-        };
+    /** What is not here it cannot. */
+    private Set<Capability> can() {
+        boolean copter = table == ModeTable.COPTER;
+        boolean led = copter || table == ModeTable.ROVER;
+        Map<Capability, Boolean> by = Map.of(
+                Capability.GO_TO,
+                table.has(GUIDED),
+                Capability.RETURN_TO_LAUNCH,
+                table.has(RTL),
+                Capability.LAND,
+                kind != VehicleKind.FIXED_WING && (table.has("LAND") || table.has("QLAND")),
+                Capability.TAKE_OFF,
+                copter || kind == VehicleKind.VTOL,
+                Capability.TURN,
+                copter,
+                Capability.VELOCITY,
+                led,
+                Capability.TRACK,
+                led,
+                Capability.STICKS,
+                led || table == ModeTable.PLANE || table == ModeTable.SUB);
+        EnumSet<Capability> can = EnumSet.copyOf(ALWAYS);
+        by.forEach((capability, does) -> {
+            if (does) {
+                can.add(capability);
+            }
+        });
+        if (table.has(AUTO)) {
+            can.addAll(IN_AUTO);
+        }
+        return can;
     }
 
     @Override
@@ -178,7 +199,9 @@ final class ArduPilot implements Autopilot {
             case TURN -> turn(cockpit, ((Command.Turn) command).degrees());
             case UPLOAD_MISSION ->
                 upload(cockpit, ((Command.UploadMission) command).mission().items());
-            case START_MISSION -> start(cockpit, (Command.StartMission) command);
+            case START_MISSION ->
+                MissionStarts.begin(
+                        cockpit, (Command.StartMission) command, kind, observer -> mode(cockpit, AUTO, observer));
             case CLEAR_MISSION -> new MissionPlans(cockpit, HOME_ITEMS).clear();
             case SET_RELAY -> Maneuvers.relay(cockpit, (Command.SetRelay) command);
             case SET_RETURN_HEIGHT -> ReturnHeights.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
@@ -199,7 +222,7 @@ final class ArduPilot implements Autopilot {
             case SET_FENCE -> FencePlans.set(cockpit, (Command.SetFence) command);
             case READ_RALLY_POINTS -> FencePlans.readRally(cockpit);
             case SET_RALLY_POINTS -> FencePlans.set(cockpit, (Command.SetRallyPoints) command);
-            case EMERGENCY_STOP, GO_TO_LOCAL, READ_MAP -> Maneuvers.cannot(command);
+            default -> Maneuvers.cannot(command);
         };
     }
 
@@ -303,33 +326,6 @@ final class ArduPilot implements Autopilot {
                                 mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), FORM)))));
     }
 
-    private Exchange start(Cockpit cockpit, Command.StartMission start) {
-        boolean fromGround = !cockpit.status().airborne();
-        List<Sequence.Step> steps = new ArrayList<>(cloudLoss(cockpit, start.onCloudLoss()));
-        if (start.anew() && !fromGround) {
-            // It would go on with the number of the item that it had, whatever is there now.
-            steps.add(
-                    Sequence.Step.of(() -> new SetCurrentItem(cockpit.target(), HOME_ITEMS, seq -> seq == HOME_ITEMS)));
-        } else if (fromGround || cockpit.status().missionFinished()) {
-            // Who does not say so begins at item 1 by itself; this one answer more is no reason to stay on the ground.
-            steps.add(new Sequence.Step(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq <= 1), any -> true));
-        }
-        boolean copterOnGround = fromGround && table == ModeTable.COPTER;
-        steps.add(Sequence.Step.of(() -> mode(cockpit, AUTO, copterOnGround ? Observer.NONE : cockpit.observer())));
-        if (copterOnGround) {
-            steps.add(Sequence.Step.of(() -> new CommandExchange(
-                    cockpit.target(),
-                    CommandRequest.ofLong(
-                            cockpit.target(),
-                            Maneuvers.MISSION_START,
-                            new float[0],
-                            CommandRequest.Retry.REPEATABLE,
-                            CommandRequest.Proof.ACKNOWLEDGED),
-                    cockpit.observer())));
-        }
-        return new Sequence(steps);
-    }
-
     private Exchange returnToLaunch(Cockpit cockpit) {
         return switch (kind) {
             case FIXED_WING -> PlaneReturns.begin(cockpit, () -> mode(cockpit, RTL, cockpit.observer()));
@@ -346,29 +342,6 @@ final class ArduPilot implements Autopilot {
             case VTOL -> LossPolicies.quadPlane(seconds);
             case ROVER, BOAT -> LossPolicies.rover(seconds);
             case SUBMARINE, AIRSHIP, UNKNOWN -> null;
-        };
-    }
-
-    /**
-     * Only what is said about missions: all else was set before it was armed, and what planes and rovers do they do without their
-     * remote control as well.
-     */
-    private List<Sequence.Step> cloudLoss(Cockpit cockpit, CloudLoss onCloudLoss) {
-        boolean goOn = onCloudLoss == CloudLoss.CONTINUE;
-        return switch (kind) {
-            case MULTICOPTER, HELICOPTER ->
-                List.of(Maneuvers.wish(
-                        cockpit, new ParameterChange.Wanted("FS_OPTIONS", old -> goOn ? old | 2 : old & ~2, false)));
-            case FIXED_WING, VTOL, ROVER, BOAT -> {
-                if (goOn) {
-                    cockpit.warning()
-                            .accept(
-                                    "Whether this vehicle goes on with its mission when the cloud falls silent is as its"
-                                            + " owner has set it: it cannot be told so without its remote control being meant, too.");
-                }
-                yield List.of();
-            }
-            case SUBMARINE, AIRSHIP, UNKNOWN -> List.of();
         };
     }
 }

@@ -1,6 +1,7 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -72,6 +73,26 @@ final class Px4 implements Autopilot {
     /** It does nothing, or holds. */
     private static final CloudLosses.Setting CLOUD_LOSS = new CloudLosses.Setting("NAV_DLL_ACT", Set.of(0, 1), 2, true);
 
+    private static final Set<Capability> ALWAYS = Set.of(
+            Capability.ARM,
+            Capability.DISARM,
+            Capability.SET_MODE,
+            Capability.RETURN_TO_LAUNCH,
+            Capability.HOLD,
+            Capability.GO_TO,
+            Capability.UPLOAD_MISSION,
+            Capability.START_MISSION,
+            Capability.PAUSE_MISSION,
+            Capability.CLEAR_MISSION,
+            Capability.TAKE_PICTURE,
+            Capability.READ_PARAMETERS,
+            Capability.SET_PARAMETERS,
+            Capability.READ_LOGS,
+            Capability.FENCE,
+            Capability.RALLY_POINTS,
+            Capability.SET_HOME,
+            Capability.READ_HOME);
+
     private final VehicleKind kind;
 
     /** The two bytes of custom_mode that count. */
@@ -138,33 +159,17 @@ final class Px4 implements Autopilot {
 
     @Override
     public Capabilities capabilities() {
-        return Capabilities.of(this::can, modes(), STEERING, USUAL, ARMING);
+        return Capabilities.of(can(), modes(), STEERING, USUAL, ARMING);
     }
 
-    private boolean can(Capability capability) {
-        return switch (capability) {
-            case ARM,
-                    DISARM,
-                    SET_MODE,
-                    RETURN_TO_LAUNCH,
-                    HOLD,
-                    GO_TO,
-                    UPLOAD_MISSION,
-                    START_MISSION,
-                    PAUSE_MISSION,
-                    CLEAR_MISSION,
-                    TAKE_PICTURE,
-                    READ_PARAMETERS,
-                    SET_PARAMETERS,
-                    READ_LOGS,
-                    FENCE,
-                    RALLY_POINTS,
-                    SET_HOME,
-                    READ_HOME -> true;
-            case TAKE_OFF, LAND ->
-                kind != VehicleKind.ROVER && kind != VehicleKind.BOAT && kind != VehicleKind.SUBMARINE;
-            case TURN, SET_RELAY, GO_TO_LOCAL, EMERGENCY_STOP, READ_MAP, VELOCITY, STICKS, TRACK -> false;
-        };
+    /** What is not here it cannot. */
+    private Set<Capability> can() {
+        EnumSet<Capability> can = EnumSet.copyOf(ALWAYS);
+        if (kind != VehicleKind.ROVER && kind != VehicleKind.BOAT && kind != VehicleKind.SUBMARINE) {
+            can.add(Capability.TAKE_OFF);
+            can.add(Capability.LAND);
+        }
+        return can;
     }
 
     @Override
@@ -214,7 +219,7 @@ final class Px4 implements Autopilot {
             case SET_FENCE -> FencePlans.set(cockpit, (Command.SetFence) command);
             case READ_RALLY_POINTS -> FencePlans.readRally(cockpit);
             case SET_RALLY_POINTS -> FencePlans.set(cockpit, (Command.SetRallyPoints) command);
-            case TURN, SET_RELAY, EMERGENCY_STOP, GO_TO_LOCAL, READ_MAP -> Maneuvers.cannot(command);
+            default -> Maneuvers.cannot(command);
         };
     }
 

@@ -1,0 +1,56 @@
+package org.dronemap.core.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+class CommandKindTest {
+    /** Whoever judges these looks into the command, as the record that each of them names. */
+    @Test
+    void hasOneRecordWhereTheRulesLookIntoIt() {
+        Map<Movement, List<CommandKind>> movements = by(CommandKind::movement, Movement.class);
+        Map<LaterChange, List<CommandKind>> changes = by(CommandKind::laterChange, LaterChange.class);
+
+        assertThat(movements)
+                .containsEntry(Movement.CLIMBS, List.of(CommandKind.TAKE_OFF))
+                .containsEntry(Movement.GOES, List.of(CommandKind.GO_TO))
+                .containsEntry(Movement.TAKES_MISSION, List.of(CommandKind.UPLOAD_MISSION))
+                .containsEntry(Movement.CHANGES_MODE, List.of(CommandKind.SET_MODE));
+        assertThat(changes)
+                .containsEntry(LaterChange.HOME, List.of(CommandKind.SET_HOME))
+                .containsEntry(LaterChange.RALLY_POINTS, List.of(CommandKind.SET_RALLY_POINTS))
+                .containsEntry(LaterChange.MODE, List.of(CommandKind.SET_MODE));
+    }
+
+    /** What moves a drone is what others have to give way to, and what only reads moves nothing. */
+    @Test
+    void saysTheSameOfAMoveInEachOfItsAnswers() {
+        assertThat(CommandKind.values()).allSatisfy(kind -> {
+            boolean flies = kind.contention() == Contention.FLIGHT;
+            boolean moves = kind.movement() != Movement.NONE;
+            assertThat(flies && !moves)
+                    .as(kind + " competes for the flight and moves nothing")
+                    .isFalse();
+            assertThat(moves && kind.purpose() == CommandKind.Purpose.READ)
+                    .as(kind + " moves what it only asks")
+                    .isFalse();
+            assertThat(moves && !flies)
+                    .as(kind + " moves without competing for the flight")
+                    .isEqualTo(moves && kind.contention() == Contention.TRANSFER);
+            if (kind.purpose() == CommandKind.Purpose.SAFETY || kind.purpose() == CommandKind.Purpose.PAUSE) {
+                assertThat(kind.movement()).isIn(Movement.STANDS, Movement.COMES_DOWN);
+            }
+        });
+    }
+
+    private static <E extends Enum<E>> Map<E, List<CommandKind>> by(Function<CommandKind, E> answer, Class<E> type) {
+        return Stream.of(CommandKind.values())
+                .collect(Collectors.groupingBy(answer, () -> new EnumMap<>(type), Collectors.toList()));
+    }
+}
