@@ -93,7 +93,8 @@ def test_what_a_thumb_aims_at_stays_where_it_is_while_the_line_comes_up(
     menu = station.page.get_by_role("button", name=f"Account of {name}")
     expect(station.page.get_by_text("Connecting…")).to_be_visible()
     before = menu.bounding_box()
-    wait_for("the page asks for its line", lambda: waiting, 20)
+    # What the browser tells is heard while it is asked something, and not in a plain wait.
+    wait_for("the page asks for its line", lambda: station.page.title() and waiting, 20)
     waiting[-1].connect_to_server()
     expect(station.page.get_by_text(re.compile(r"^\d+ drones?$"))).to_be_visible()
     assert menu.bounding_box() == before
