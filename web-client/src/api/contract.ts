@@ -527,11 +527,39 @@ export interface components {
             /** Format: date-time */
             until: string;
         };
+        /** @description An area round a point. */
+        FenceCircleView: {
+            center: components["schemas"]["FencePointView"];
+            /** @description Whether it stays in it, or out of it */
+            inside: boolean;
+            /**
+             * Format: double
+             * @description Metres, 1 to 100000
+             */
+            radius: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "circle";
+        };
         FencePointView: {
             /** Format: double */
             latitude?: number | null;
             /** Format: double */
             longitude?: number | null;
+        };
+        /** @description An area within corners. */
+        FencePolygonView: {
+            /** @description 3 to 100 */
+            corners: components["schemas"]["FencePointView"][];
+            /** @description Whether it stays in it, or out of it */
+            inside: boolean;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "polygon";
         };
         FenceRallyPointView: {
             /** Format: double */
@@ -547,15 +575,8 @@ export interface components {
         FenceView: {
             zones?: components["schemas"]["FenceZoneView"][] | null;
         };
-        FenceZoneView: {
-            center?: components["schemas"]["FencePointView"] | null;
-            corners?: components["schemas"]["FencePointView"][] | null;
-            inside?: boolean | null;
-            /** Format: double */
-            radius?: number | null;
-            /** @enum {string|null} */
-            type?: "polygon" | "circle" | null;
-        };
+        /** @description An area that the vehicle stays in or out of; which members there are depends on the type. */
+        FenceZoneView: components["schemas"]["FencePolygonView"] | components["schemas"]["FenceCircleView"];
         FieldSeries: {
             least: (number | null)[];
             most: (number | null)[];
@@ -3211,7 +3232,9 @@ export type HealthLastEnd = components['schemas']['HealthLastEnd'];
 export type HealthPart = components['schemas']['HealthPart'];
 export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
+export type FenceCircleView = components['schemas']['FenceCircleView'];
 export type HoldCommand = components['schemas']['HoldCommand'];
+export type FencePolygonView = components['schemas']['FencePolygonView'];
 export type InvitationView = components['schemas']['InvitationView'];
 export type Invitations = components['schemas']['Invitations'];
 export type JournalEntryView = components['schemas']['JournalEntryView'];
