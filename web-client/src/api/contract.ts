@@ -1590,6 +1590,16 @@ export interface components {
             id: string;
             name: string;
         };
+        /** @description All is done as early as can be. */
+        PlanEarliestEndObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "earliestEnd";
+        };
         PlanFlightView: {
             /** @description The same for programs; docs/problems.md lists them */
             code: string | null;
@@ -1605,6 +1615,36 @@ export interface components {
             drones: components["schemas"]["PlanFlightView"][];
             /** @description Whether something is still under way */
             underWay: boolean;
+        };
+        /** @description All tours together are as short as can be. */
+        PlanLeastDistanceObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastDistance";
+        };
+        /** @description All tours together take as little energy as can be. */
+        PlanLeastEnergyObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastEnergy";
+        };
+        /** @description All tours together take as little time as can be. */
+        PlanLeastTimeObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastTime";
         };
         PlanList: {
             plans: components["schemas"]["PlanView"][];
@@ -1632,28 +1672,8 @@ export interface components {
              */
             type: "lookAt";
         };
-        /** @description What the plan is to be good at. */
-        PlanObjectiveRequest: {
-            /** @description Whether each drone must fly; left out: drones may stay where they are */
-            everyDrone?: boolean | null;
-            /** @enum {string|null} */
-            kind?: "earliestEnd" | "leastTime" | "leastDistance" | "leastEnergy" | "weighted" | null;
-            /**
-             * Format: double
-             * @description weighted: of the longest tour's seconds
-             */
-            longestWeight?: number | null;
-            /**
-             * @description weighted: what is summed; left out: seconds
-             * @enum {string|null}
-             */
-            measure?: "seconds" | "meters" | "joules" | null;
-            /**
-             * Format: double
-             * @description weighted: of the sum over all tours
-             */
-            sumWeight?: number | null;
-        };
+        /** @description What the plan is to be good at; which members there are depends on the kind. */
+        PlanObjectiveRequest: components["schemas"]["PlanEarliestEndObjective"] | components["schemas"]["PlanLeastTimeObjective"] | components["schemas"]["PlanLeastDistanceObjective"] | components["schemas"]["PlanLeastEnergyObjective"] | components["schemas"]["PlanWeightedObjective"];
         PlanOrderView: {
             drone: string;
             waypoints: string[];
@@ -1891,6 +1911,31 @@ export interface components {
             tasks?: components["schemas"]["PlanTaskRequest"][] | null;
             /** @description When its task may begin; left out: at any time */
             window?: components["schemas"]["PlanWindowRequest"] | null;
+        };
+        /** @description The longest tour and the sum over all tours, by weights. */
+        PlanWeightedObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "weighted";
+            /**
+             * Format: double
+             * @description Of the longest tour's seconds, 0 to 1000000
+             */
+            longestWeight: number;
+            /**
+             * @description What is summed; left out: seconds
+             * @enum {string|null}
+             */
+            measure?: "seconds" | "meters" | "joules" | null;
+            /**
+             * Format: double
+             * @description Of the sum over all tours, 0 to 1000000; above 0 where longestWeight is 0
+             */
+            sumWeight: number;
         };
         PlanWindRequest: {
             /**
@@ -3187,7 +3232,9 @@ export type Endpoints = components['schemas']['Endpoints'];
 export type EnrolRequest = components['schemas']['EnrolRequest'];
 export type EventView = components['schemas']['EventView'];
 export type Events = components['schemas']['Events'];
+export type FenceCircleView = components['schemas']['FenceCircleView'];
 export type FencePointView = components['schemas']['FencePointView'];
+export type FencePolygonView = components['schemas']['FencePolygonView'];
 export type FenceRallyPointView = components['schemas']['FenceRallyPointView'];
 export type FenceRallyView = components['schemas']['FenceRallyView'];
 export type FenceView = components['schemas']['FenceView'];
@@ -3232,9 +3279,7 @@ export type HealthLastEnd = components['schemas']['HealthLastEnd'];
 export type HealthPart = components['schemas']['HealthPart'];
 export type HealthView = components['schemas']['HealthView'];
 export type HistoryView = components['schemas']['HistoryView'];
-export type FenceCircleView = components['schemas']['FenceCircleView'];
 export type HoldCommand = components['schemas']['HoldCommand'];
-export type FencePolygonView = components['schemas']['FencePolygonView'];
 export type InvitationView = components['schemas']['InvitationView'];
 export type Invitations = components['schemas']['Invitations'];
 export type JournalEntryView = components['schemas']['JournalEntryView'];
@@ -3287,8 +3332,12 @@ export type PasswordRequest = components['schemas']['PasswordRequest'];
 export type PauseMissionCommand = components['schemas']['PauseMissionCommand'];
 export type PlanAcceptRequest = components['schemas']['PlanAcceptRequest'];
 export type PlanDroneName = components['schemas']['PlanDroneName'];
+export type PlanEarliestEndObjective = components['schemas']['PlanEarliestEndObjective'];
 export type PlanFlightView = components['schemas']['PlanFlightView'];
 export type PlanLaunchView = components['schemas']['PlanLaunchView'];
+export type PlanLeastDistanceObjective = components['schemas']['PlanLeastDistanceObjective'];
+export type PlanLeastEnergyObjective = components['schemas']['PlanLeastEnergyObjective'];
+export type PlanLeastTimeObjective = components['schemas']['PlanLeastTimeObjective'];
 export type PlanList = components['schemas']['PlanList'];
 export type PlanLookAtTask = components['schemas']['PlanLookAtTask'];
 export type PlanObjectiveRequest = components['schemas']['PlanObjectiveRequest'];
@@ -3306,6 +3355,7 @@ export type PlanTourView = components['schemas']['PlanTourView'];
 export type PlanUnservedView = components['schemas']['PlanUnservedView'];
 export type PlanView = components['schemas']['PlanView'];
 export type PlanWaypointRequest = components['schemas']['PlanWaypointRequest'];
+export type PlanWeightedObjective = components['schemas']['PlanWeightedObjective'];
 export type PlanWindRequest = components['schemas']['PlanWindRequest'];
 export type PlanWindowRequest = components['schemas']['PlanWindowRequest'];
 export type PointGeometry = components['schemas']['PointGeometry'];
