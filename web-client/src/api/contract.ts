@@ -154,23 +154,46 @@ export interface components {
         Commands: {
             commands: components["schemas"]["CommandView"][];
         };
+        /** @description Asks the holder for control. */
+        ControlAskRequest: {
+            /** @description For the holder: at most 200 characters */
+            reason?: string | null;
+        };
         ControlAskedView: {
             /** Format: date-time */
             at: string;
             by: string;
             reason: string | null;
         };
-        /** @description What goes with it; which members are needed depends on what is done. */
-        ControlRequestView: {
+        /** @description Gives control to somebody who asks for it. */
+        ControlGrantRequest: {
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description Gives control to somebody. */
+        ControlHandOverRequest: {
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description The holder is there. */
+        ControlHeartbeatRequest: {
             /**
              * Format: int64
-             * @description heartbeat: of the control that was taken
+             * @description Of the control that was taken
              */
-            epoch?: number | null;
-            /** @description takeOver (needed), request, refuse: at most 200 characters */
+            epoch: number;
+        };
+        /** @description Keeps control from somebody who asks for it. */
+        ControlRefuseRequest: {
+            /** @description For that user: at most 200 characters */
             reason?: string | null;
-            /** @description grant, refuse, hand-over: the name of the user */
-            user?: string | null;
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description Takes control from whoever has it. */
+        ControlTakeOverRequest: {
+            /** @description For all who see the drone: 1 to 200 characters */
+            reason: string;
         };
         /** @description Who commands a drone. */
         ControlView: {
@@ -3197,8 +3220,13 @@ export type CommandProgressView = components['schemas']['CommandProgressView'];
 export type CommandRequest = components['schemas']['CommandRequest'];
 export type CommandView = components['schemas']['CommandView'];
 export type Commands = components['schemas']['Commands'];
+export type ControlAskRequest = components['schemas']['ControlAskRequest'];
 export type ControlAskedView = components['schemas']['ControlAskedView'];
-export type ControlRequestView = components['schemas']['ControlRequestView'];
+export type ControlGrantRequest = components['schemas']['ControlGrantRequest'];
+export type ControlHandOverRequest = components['schemas']['ControlHandOverRequest'];
+export type ControlHeartbeatRequest = components['schemas']['ControlHeartbeatRequest'];
+export type ControlRefuseRequest = components['schemas']['ControlRefuseRequest'];
+export type ControlTakeOverRequest = components['schemas']['ControlTakeOverRequest'];
 export type ControlView = components['schemas']['ControlView'];
 export type Credentials = components['schemas']['Credentials'];
 export type DisarmCommand = components['schemas']['DisarmCommand'];
