@@ -285,11 +285,14 @@ describe('the mock server plays the description of the stream', () => {
     expect(breaches).toEqual([]);
   });
 
-  it('refuses what is not as it is described', async () => {
-    expect(await answerTo({ type: 'subscribe', rate: 'often' })).toMatchObject({
-      type: 'error',
-      requestId: 'mine',
-      problem: { status: 422, detail: '"rate" must be a whole number.' },
-    });
+  it.each([
+    [{ type: 'subscribe', rate: 'often' }, '"rate" must be a whole number.'],
+    [
+      { type: 'control', drone: 'd2k2m9q4xa', action: 'take', user: 'ann' },
+      'There is no member "user" here; there are: action, drone, requestId, type.',
+    ],
+  ])('refuses what is not as it is described: %o', async (said, detail) => {
+    const problem = { status: 422, detail };
+    expect(await answerTo(said)).toMatchObject({ type: 'error', requestId: 'mine', problem });
   });
 });

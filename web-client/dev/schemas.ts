@@ -18,13 +18,14 @@ function strict(schemas: unknown): unknown {
     if (typeof value !== 'object' || value === null) {
       return value;
     }
-    if (schema['type'] === 'object' && 'properties' in schema && !('additionalProperties' in schema)) {
-      return { ...schema, additionalProperties: false };
-    }
     if (Array.isArray(schema['oneOf']) && 'discriminator' in schema) {
       const { discriminator } = schema;
       const name = (discriminator as { propertyName?: string }).propertyName ?? discriminator;
       return { ...schema, type: 'object', required: [name], discriminator: { propertyName: name } };
+    }
+    // Not of a choice: that is itself a form of another one where it has members, and its forms have more.
+    if (schema['type'] === 'object' && 'properties' in schema && !('additionalProperties' in schema)) {
+      return { ...schema, additionalProperties: false };
     }
     return value;
   });

@@ -154,23 +154,46 @@ export interface components {
         Commands: {
             commands: components["schemas"]["CommandView"][];
         };
+        /** @description Asks the holder for control. */
+        ControlAskRequest: {
+            /** @description For the holder: at most 200 characters */
+            reason?: string | null;
+        };
         ControlAskedView: {
             /** Format: date-time */
             at: string;
             by: string;
             reason: string | null;
         };
-        /** @description What goes with it; which members are needed depends on what is done. */
-        ControlRequestView: {
+        /** @description Gives control to somebody who asks for it. */
+        ControlGrantRequest: {
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description Gives control to somebody. */
+        ControlHandOverRequest: {
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description The holder is there. */
+        ControlHeartbeatRequest: {
             /**
              * Format: int64
-             * @description heartbeat: of the control that was taken
+             * @description Of the control that was taken
              */
-            epoch?: number | null;
-            /** @description takeOver (needed), request, refuse: at most 200 characters */
+            epoch: number;
+        };
+        /** @description Keeps control from somebody who asks for it. */
+        ControlRefuseRequest: {
+            /** @description For that user: at most 200 characters */
             reason?: string | null;
-            /** @description grant, refuse, hand-over: the name of the user */
-            user?: string | null;
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description Takes control from whoever has it. */
+        ControlTakeOverRequest: {
+            /** @description For all who see the drone: 1 to 200 characters */
+            reason: string;
         };
         /** @description Who commands a drone. */
         ControlView: {
@@ -527,11 +550,39 @@ export interface components {
             /** Format: date-time */
             until: string;
         };
+        /** @description An area round a point. */
+        FenceCircleView: {
+            center: components["schemas"]["FencePointView"];
+            /** @description Whether it stays in it, or out of it */
+            inside: boolean;
+            /**
+             * Format: double
+             * @description Metres, 1 to 100000
+             */
+            radius: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "circle";
+        };
         FencePointView: {
             /** Format: double */
             latitude?: number | null;
             /** Format: double */
             longitude?: number | null;
+        };
+        /** @description An area within corners. */
+        FencePolygonView: {
+            /** @description 3 to 100 */
+            corners: components["schemas"]["FencePointView"][];
+            /** @description Whether it stays in it, or out of it */
+            inside: boolean;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "polygon";
         };
         FenceRallyPointView: {
             /** Format: double */
@@ -547,15 +598,8 @@ export interface components {
         FenceView: {
             zones?: components["schemas"]["FenceZoneView"][] | null;
         };
-        FenceZoneView: {
-            center?: components["schemas"]["FencePointView"] | null;
-            corners?: components["schemas"]["FencePointView"][] | null;
-            inside?: boolean | null;
-            /** Format: double */
-            radius?: number | null;
-            /** @enum {string|null} */
-            type?: "polygon" | "circle" | null;
-        };
+        /** @description An area that the vehicle stays in or out of; which members there are depends on the type. */
+        FenceZoneView: components["schemas"]["FencePolygonView"] | components["schemas"]["FenceCircleView"];
         FieldSeries: {
             least: (number | null)[];
             most: (number | null)[];
@@ -1569,6 +1613,16 @@ export interface components {
             id: string;
             name: string;
         };
+        /** @description All is done as early as can be. */
+        PlanEarliestEndObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "earliestEnd";
+        };
         PlanFlightView: {
             /** @description The same for programs; docs/problems.md lists them */
             code: string | null;
@@ -1584,6 +1638,36 @@ export interface components {
             drones: components["schemas"]["PlanFlightView"][];
             /** @description Whether something is still under way */
             underWay: boolean;
+        };
+        /** @description All tours together are as short as can be. */
+        PlanLeastDistanceObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastDistance";
+        };
+        /** @description All tours together take as little energy as can be. */
+        PlanLeastEnergyObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastEnergy";
+        };
+        /** @description All tours together take as little time as can be. */
+        PlanLeastTimeObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastTime";
         };
         PlanList: {
             plans: components["schemas"]["PlanView"][];
@@ -1611,28 +1695,8 @@ export interface components {
              */
             type: "lookAt";
         };
-        /** @description What the plan is to be good at. */
-        PlanObjectiveRequest: {
-            /** @description Whether each drone must fly; left out: drones may stay where they are */
-            everyDrone?: boolean | null;
-            /** @enum {string|null} */
-            kind?: "earliestEnd" | "leastTime" | "leastDistance" | "leastEnergy" | "weighted" | null;
-            /**
-             * Format: double
-             * @description weighted: of the longest tour's seconds
-             */
-            longestWeight?: number | null;
-            /**
-             * @description weighted: what is summed; left out: seconds
-             * @enum {string|null}
-             */
-            measure?: "seconds" | "meters" | "joules" | null;
-            /**
-             * Format: double
-             * @description weighted: of the sum over all tours
-             */
-            sumWeight?: number | null;
-        };
+        /** @description What the plan is to be good at; which members there are depends on the kind. */
+        PlanObjectiveRequest: components["schemas"]["PlanEarliestEndObjective"] | components["schemas"]["PlanLeastTimeObjective"] | components["schemas"]["PlanLeastDistanceObjective"] | components["schemas"]["PlanLeastEnergyObjective"] | components["schemas"]["PlanWeightedObjective"];
         PlanOrderView: {
             drone: string;
             waypoints: string[];
@@ -1870,6 +1934,31 @@ export interface components {
             tasks?: components["schemas"]["PlanTaskRequest"][] | null;
             /** @description When its task may begin; left out: at any time */
             window?: components["schemas"]["PlanWindowRequest"] | null;
+        };
+        /** @description The longest tour and the sum over all tours, by weights. */
+        PlanWeightedObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "weighted";
+            /**
+             * Format: double
+             * @description Of the longest tour's seconds, 0 to 1000000
+             */
+            longestWeight: number;
+            /**
+             * @description What is summed; left out: seconds
+             * @enum {string|null}
+             */
+            measure?: "seconds" | "meters" | "joules" | null;
+            /**
+             * Format: double
+             * @description Of the sum over all tours, 0 to 1000000; above 0 where longestWeight is 0
+             */
+            sumWeight: number;
         };
         PlanWindRequest: {
             /**
@@ -3131,8 +3220,13 @@ export type CommandProgressView = components['schemas']['CommandProgressView'];
 export type CommandRequest = components['schemas']['CommandRequest'];
 export type CommandView = components['schemas']['CommandView'];
 export type Commands = components['schemas']['Commands'];
+export type ControlAskRequest = components['schemas']['ControlAskRequest'];
 export type ControlAskedView = components['schemas']['ControlAskedView'];
-export type ControlRequestView = components['schemas']['ControlRequestView'];
+export type ControlGrantRequest = components['schemas']['ControlGrantRequest'];
+export type ControlHandOverRequest = components['schemas']['ControlHandOverRequest'];
+export type ControlHeartbeatRequest = components['schemas']['ControlHeartbeatRequest'];
+export type ControlRefuseRequest = components['schemas']['ControlRefuseRequest'];
+export type ControlTakeOverRequest = components['schemas']['ControlTakeOverRequest'];
 export type ControlView = components['schemas']['ControlView'];
 export type Credentials = components['schemas']['Credentials'];
 export type DisarmCommand = components['schemas']['DisarmCommand'];
@@ -3166,7 +3260,9 @@ export type Endpoints = components['schemas']['Endpoints'];
 export type EnrolRequest = components['schemas']['EnrolRequest'];
 export type EventView = components['schemas']['EventView'];
 export type Events = components['schemas']['Events'];
+export type FenceCircleView = components['schemas']['FenceCircleView'];
 export type FencePointView = components['schemas']['FencePointView'];
+export type FencePolygonView = components['schemas']['FencePolygonView'];
 export type FenceRallyPointView = components['schemas']['FenceRallyPointView'];
 export type FenceRallyView = components['schemas']['FenceRallyView'];
 export type FenceView = components['schemas']['FenceView'];
@@ -3264,8 +3360,12 @@ export type PasswordRequest = components['schemas']['PasswordRequest'];
 export type PauseMissionCommand = components['schemas']['PauseMissionCommand'];
 export type PlanAcceptRequest = components['schemas']['PlanAcceptRequest'];
 export type PlanDroneName = components['schemas']['PlanDroneName'];
+export type PlanEarliestEndObjective = components['schemas']['PlanEarliestEndObjective'];
 export type PlanFlightView = components['schemas']['PlanFlightView'];
 export type PlanLaunchView = components['schemas']['PlanLaunchView'];
+export type PlanLeastDistanceObjective = components['schemas']['PlanLeastDistanceObjective'];
+export type PlanLeastEnergyObjective = components['schemas']['PlanLeastEnergyObjective'];
+export type PlanLeastTimeObjective = components['schemas']['PlanLeastTimeObjective'];
 export type PlanList = components['schemas']['PlanList'];
 export type PlanLookAtTask = components['schemas']['PlanLookAtTask'];
 export type PlanObjectiveRequest = components['schemas']['PlanObjectiveRequest'];
@@ -3283,6 +3383,7 @@ export type PlanTourView = components['schemas']['PlanTourView'];
 export type PlanUnservedView = components['schemas']['PlanUnservedView'];
 export type PlanView = components['schemas']['PlanView'];
 export type PlanWaypointRequest = components['schemas']['PlanWaypointRequest'];
+export type PlanWeightedObjective = components['schemas']['PlanWeightedObjective'];
 export type PlanWindRequest = components['schemas']['PlanWindRequest'];
 export type PlanWindowRequest = components['schemas']['PlanWindowRequest'];
 export type PointGeometry = components['schemas']['PointGeometry'];

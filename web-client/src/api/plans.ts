@@ -28,7 +28,7 @@ export type PlanWaypoint = PlanWaypointRequest & {
   [K in 'id' | 'latitude' | 'longitude' | 'altitude']: NonNullable<PlanWaypointRequest[K]>;
 };
 
-export type PlanAim = NonNullable<PlanObjective['kind']>;
+export type PlanAim = PlanObjective['kind'];
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 

@@ -1308,24 +1308,107 @@ export interface components {
             type: "controlAnswer";
             waiting: boolean;
         };
-        /** @description Does something about who has control of a drone. */
-        StreamControlRequest: {
+        /** @description Asks the holder for control. */
+        StreamControlAskRequest: {
             /** @enum {string} */
-            action: "take" | "request" | "grant" | "refuse" | "handOver" | "takeOver" | "heartbeat" | "release";
+            action: "request";
             /** @description The id of a drone */
             drone: string;
-            /**
-             * Format: int64
-             * @description The epoch of the control that you believe to have
-             */
-            epoch?: number | null;
-            /** @description For people; taking over needs one */
+            /** @description For the holder: at most 200 characters */
             reason?: string | null;
             requestId?: string | null;
             /** @enum {string} */
             type: "control";
-            /** @description Whom it is granted, refused or handed over to */
-            user?: string | null;
+        };
+        /** @description Gives control to somebody who asks for it. */
+        StreamControlGrantRequest: {
+            /** @enum {string} */
+            action: "grant";
+            /** @description The id of a drone */
+            drone: string;
+            requestId?: string | null;
+            /** @enum {string} */
+            type: "control";
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description Gives control to somebody. */
+        StreamControlHandOverRequest: {
+            /** @enum {string} */
+            action: "handOver";
+            /** @description The id of a drone */
+            drone: string;
+            requestId?: string | null;
+            /** @enum {string} */
+            type: "control";
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description The holder is there. */
+        StreamControlHeartbeatRequest: {
+            /** @enum {string} */
+            action: "heartbeat";
+            /** @description The id of a drone */
+            drone: string;
+            /**
+             * Format: int64
+             * @description Of the control that was taken
+             */
+            epoch: number;
+            requestId?: string | null;
+            /** @enum {string} */
+            type: "control";
+        };
+        /** @description Keeps control from somebody who asks for it. */
+        StreamControlRefuseRequest: {
+            /** @enum {string} */
+            action: "refuse";
+            /** @description The id of a drone */
+            drone: string;
+            /** @description For that user: at most 200 characters */
+            reason?: string | null;
+            requestId?: string | null;
+            /** @enum {string} */
+            type: "control";
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description Gives control back. */
+        StreamControlReleaseRequest: {
+            /** @enum {string} */
+            action: "release";
+            /** @description The id of a drone */
+            drone: string;
+            requestId?: string | null;
+            /** @enum {string} */
+            type: "control";
+        };
+        /** @description Does something about who has control of a drone; which members there are depends on the action. */
+        StreamControlRequest: {
+            /** @enum {string} */
+            type: "control";
+        } & (components["schemas"]["StreamControlTakeRequest"] | components["schemas"]["StreamControlAskRequest"] | components["schemas"]["StreamControlGrantRequest"] | components["schemas"]["StreamControlRefuseRequest"] | components["schemas"]["StreamControlHandOverRequest"] | components["schemas"]["StreamControlTakeOverRequest"] | components["schemas"]["StreamControlHeartbeatRequest"] | components["schemas"]["StreamControlReleaseRequest"]);
+        /** @description Takes control from whoever has it. */
+        StreamControlTakeOverRequest: {
+            /** @enum {string} */
+            action: "takeOver";
+            /** @description The id of a drone */
+            drone: string;
+            /** @description For all who see the drone: 1 to 200 characters */
+            reason: string;
+            requestId?: string | null;
+            /** @enum {string} */
+            type: "control";
+        };
+        /** @description Takes control where nobody has it. */
+        StreamControlTakeRequest: {
+            /** @enum {string} */
+            action: "take";
+            /** @description The id of a drone */
+            drone: string;
+            requestId?: string | null;
+            /** @enum {string} */
+            type: "control";
         };
         /** @description A drone that has changed. */
         StreamDrone: {
@@ -1884,7 +1967,15 @@ export type StreamCommandAccepted = components['schemas']['StreamCommandAccepted
 export type StreamCommandRequest = components['schemas']['StreamCommandRequest'];
 export type StreamControl = components['schemas']['StreamControl'];
 export type StreamControlAnswer = components['schemas']['StreamControlAnswer'];
+export type StreamControlAskRequest = components['schemas']['StreamControlAskRequest'];
+export type StreamControlGrantRequest = components['schemas']['StreamControlGrantRequest'];
+export type StreamControlHandOverRequest = components['schemas']['StreamControlHandOverRequest'];
+export type StreamControlHeartbeatRequest = components['schemas']['StreamControlHeartbeatRequest'];
+export type StreamControlRefuseRequest = components['schemas']['StreamControlRefuseRequest'];
+export type StreamControlReleaseRequest = components['schemas']['StreamControlReleaseRequest'];
 export type StreamControlRequest = components['schemas']['StreamControlRequest'];
+export type StreamControlTakeOverRequest = components['schemas']['StreamControlTakeOverRequest'];
+export type StreamControlTakeRequest = components['schemas']['StreamControlTakeRequest'];
 export type StreamDrone = components['schemas']['StreamDrone'];
 export type StreamDroneRemoved = components['schemas']['StreamDroneRemoved'];
 export type StreamDrones = components['schemas']['StreamDrones'];

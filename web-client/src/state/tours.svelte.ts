@@ -122,9 +122,11 @@ export class Tours {
   }
 
   #objective(): PlanObjective {
-    const objective: PlanObjective = { kind: this.aim, everyDrone: this.everyDrone };
+    const { aim, everyDrone } = this;
     const share = this.balance / 100;
-    return this.aim === 'weighted' ? { ...objective, longestWeight: 1 - share, sumWeight: share } : objective;
+    return aim === 'weighted'
+      ? { kind: aim, everyDrone, longestWeight: 1 - share, sumWeight: share }
+      : { kind: aim, everyDrone };
   }
 
   /** Puts the missions on board, and starts the drones when that is asked for. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.FlightPhase;
@@ -19,6 +20,9 @@ import org.dronemap.ws.house.Waiting;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 import tools.jackson.databind.JsonNode;
 
 /** Who commands a drone, through the faces. */
@@ -140,6 +144,37 @@ class ControlTest {
         assertThat(ann.get("/api/v1/drones/nothing/control").status()).isEqualTo(404);
     }
 
+    static Stream<Arguments> foreign() {
+        return Stream.of(
+                Arguments.of("request", "request", "user", "reason"),
+                Arguments.of("grant", "grant", "reason", "user"),
+                Arguments.of("refuse", "refuse", "epoch", "user, reason"),
+                Arguments.of("hand-over", "handOver", "epoch", "user"),
+                Arguments.of("take-over", "takeOver", "user", "reason"),
+                Arguments.of("heartbeat", "heartbeat", "reason", "epoch"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("foreign")
+    void takesWhatBelongsToTheActionAlone(String address, String action, String member, String known) {
+        String members = "\"" + member + "\":" + (member.equals("epoch") ? "1" : "\"" + bobsName + "\"");
+        Http.Answer refused = supervisor.post(control + "/" + address, "{" + members + "}");
+
+        assertThat(refused.status()).isEqualTo(422);
+        assertThat(refused.text("detail"))
+                .isEqualTo("There is no member \"" + member + "\" here; there are: " + known + ".");
+        try (StreamListener stream = StreamListener.withKey(house, annsKey)) {
+            stream.await(message -> isType(message, "drones"));
+            stream.send("{\"type\":\"control\",\"drone\":\"" + vehicle.id() + "\",\"action\":\"" + action + "\","
+                    + members + "}");
+            JsonNode problem = stream.await(message -> isType(message, "error")).path("problem");
+            assertThat(problem.path("detail").asString())
+                    .isEqualTo("There is no member \"" + member + "\" here; there are: type, action, requestId, drone, "
+                            + known + ".");
+        }
+        assertThat(ann.get(control).text("state")).isEqualTo("free");
+    }
+
     @Test
     void tellsEverybodyWhoWatchesWhatBecomesOfControl() {
         try (StreamListener stream = StreamListener.withKey(house, annsKey)) {
@@ -176,6 +211,8 @@ class ControlTest {
                 .isEqualTo("true");
         assertThatThrownBy(() -> soap.call("takeOverControl", "droneId", drone, "reason", "mine"))
                 .hasMessageContaining("supervisor");
+        assertThatThrownBy(() -> soap.call("handOverControl", "droneId", drone, "user", bobsName, "reason", "a survey"))
+                .hasMessage("There is no element \"reason\" here; there are: droneId, user.");
         assertThat(soap.call("handOverControl", "droneId", drone, "user", bobsName)
                         .text("holder"))
                 .isEqualTo(bobsName);

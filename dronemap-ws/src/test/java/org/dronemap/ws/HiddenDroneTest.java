@@ -188,8 +188,9 @@ class HiddenDroneTest {
         String about = "\"drone\":\"" + falcon.id() + "\"}";
         stream.send("{\"type\":\"subscribe\",\"drones\":null}");
         stream.send("{\"type\":\"command\",\"command\":{\"type\":\"land\"}," + about);
-        for (String action : List.of("take", "request", "takeOver", "release")) {
-            stream.send("{\"type\":\"control\",\"action\":\"" + action + "\",\"reason\":\"mine\"," + about);
+        String mine = "\",\"reason\":\"mine";
+        for (String action : List.of("take", "request" + mine, "takeOver" + mine, "release")) {
+            stream.send("{\"type\":\"control\",\"action\":\"" + action + "\"," + about);
         }
         stream.await(message -> message.path("type").asString().equals("error"));
     }

@@ -190,6 +190,9 @@ class InjectionTest {
                 for (String text : Injections.ALL) {
                     ObjectNode message = json.createObjectNode();
                     message.put("type", type);
+                    if (type.equals("control")) {
+                        message.put("action", "refuse");
+                    }
                     if (ABOUT_DRONES.contains(type)) {
                         message.put("drone", vehicle.id());
                     }
@@ -211,7 +214,8 @@ class InjectionTest {
 
     private List<String> members(String type) {
         try (StreamListener stream = StreamListener.withKey(house, key)) {
-            stream.send("{\"type\":\"" + type + "\",\"nosuchmember\":1}");
+            String action = type.equals("control") ? "\"action\":\"refuse\"," : "";
+            stream.send("{\"type\":\"" + type + "\"," + action + "\"nosuchmember\":1}");
             JsonNode problem =
                     stream.await(message -> message.path("type").asString().equals("error"));
             List<String> members =

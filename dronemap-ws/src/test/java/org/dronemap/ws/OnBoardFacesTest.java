@@ -86,9 +86,8 @@ class OnBoardFacesTest {
     @Test
     void aFenceGoesRoundAndIsTakenAway() {
         String zones = "{\"zones\":[{\"type\":\"polygon\",\"inside\":true,\"corners\":[" + CORNER
-                + ",{\"latitude\":47.41,\"longitude\":8.54},{\"latitude\":47.4,\"longitude\":8.56}],"
-                + "\"center\":null,\"radius\":null},"
-                + "{\"type\":\"circle\",\"inside\":false,\"corners\":null,\"center\":" + CORNER
+                + ",{\"latitude\":47.41,\"longitude\":8.54},{\"latitude\":47.4,\"longitude\":8.56}]},"
+                + "{\"type\":\"circle\",\"inside\":false,\"center\":" + CORNER
                 + ",\"radius\":50.0}]}";
         assertThat(operator.get(path + "/fence").raw().body()).isEqualTo("{\"zones\":null}");
 
@@ -101,6 +100,42 @@ class OnBoardFacesTest {
         succeeds(delete("/fence"));
         succeeds(operator.post(path + "/fence/refresh", ""));
         assertThat(operator.get(path + "/fence").raw().body()).isEqualTo("{\"zones\":[]}");
+    }
+
+    @Test
+    void aMemberOfAnotherKindOfZoneIsRefused() {
+        Http.Answer polygon = put(
+                "/fence",
+                "{\"zones\":[{\"type\":\"polygon\",\"inside\":true,\"corners\":[" + CORNER + "],\"radius\":50}]}");
+        Http.Answer circle = put(
+                "/fence",
+                "{\"zones\":[{\"type\":\"circle\",\"inside\":true,\"corners\":[],\"center\":" + CORNER
+                        + ",\"radius\":50}]}");
+
+        assertThat(polygon.status()).isEqualTo(422);
+        assertThat(polygon.text("detail"))
+                .isEqualTo("There is no member \"zones[0].radius\" here; there are: type, inside, corners.");
+        assertThat(circle.status()).isEqualTo(422);
+        assertThat(circle.text("detail"))
+                .isEqualTo("There is no member \"zones[0].corners\" here; there are: type, inside, center, radius.");
+        assertThat(vehicle.performed()).isEmpty();
+    }
+
+    static Stream<Arguments> zonesOfNoKind() {
+        return Stream.of(
+                Arguments.of("{\"inside\":true}", "\"zones[0].type\" is missing; it must be polygon or circle."),
+                Arguments.of(
+                        "{\"type\":\"oval\",\"inside\":true}",
+                        "\"zones[0].type\" must be polygon or circle, not \"oval\"."));
+    }
+
+    @ParameterizedTest
+    @MethodSource("zonesOfNoKind")
+    void aZoneOfNoKindIsRefused(String zone, String sentence) {
+        Http.Answer refused = put("/fence", "{\"zones\":[" + zone + "]}");
+
+        assertThat(refused.status()).isEqualTo(422);
+        assertThat(refused.text("detail")).isEqualTo(sentence);
     }
 
     @Test

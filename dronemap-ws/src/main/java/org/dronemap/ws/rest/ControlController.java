@@ -8,8 +8,7 @@ import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
 import org.dronemap.ws.security.CurrentPrincipal;
-import org.dronemap.ws.service.ControlAction;
-import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlRequest;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.ControlView;
 import org.jspecify.annotations.Nullable;
@@ -53,7 +52,7 @@ public class ControlController {
             summary = "Take control where nobody has it (operator)",
             description = "Also back from the pilot at the vehicle. Send the heartbeat every 2 s from then on.")
     public ResponseEntity<ControlView> take(@PathVariable String id) {
-        return act(id, ControlAction.TAKE, null);
+        return act(id, new ControlRequest.Take());
     }
 
     @PostMapping("/request")
@@ -64,22 +63,22 @@ public class ControlController {
             summary = "Ask the holder for control (operator)",
             description = "202 while the holder decides, for up to a minute; 200 where control was free.")
     public ResponseEntity<ControlView> request(
-            @PathVariable String id, @RequestBody(required = false) @Nullable ControlRequestView with) {
-        return act(id, ControlAction.REQUEST, with);
+            @PathVariable String id, @RequestBody(required = false) ControlRequest.@Nullable Ask asked) {
+        return act(id, asked == null ? new ControlRequest.Ask(null) : asked);
     }
 
     @PostMapping("/grant")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
     @Operation(operationId = "grantControl", summary = "Give control to somebody who asks for it (holder)")
-    public ResponseEntity<ControlView> grant(@PathVariable String id, @RequestBody ControlRequestView with) {
-        return act(id, ControlAction.GRANT, with);
+    public ResponseEntity<ControlView> grant(@PathVariable String id, @RequestBody ControlRequest.Grant with) {
+        return act(id, with);
     }
 
     @PostMapping("/refuse")
     @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
     @Operation(operationId = "refuseControl", summary = "Keep control from somebody who asks for it (holder)")
-    public ResponseEntity<ControlView> refuse(@PathVariable String id, @RequestBody ControlRequestView with) {
-        return act(id, ControlAction.REFUSE, with);
+    public ResponseEntity<ControlView> refuse(@PathVariable String id, @RequestBody ControlRequest.Refuse with) {
+        return act(id, with);
     }
 
     @PostMapping("/hand-over")
@@ -88,8 +87,8 @@ public class ControlController {
             operationId = "handOverControl",
             summary = "Give control to somebody (holder)",
             description = "They keep it for 30 s, or by using it.")
-    public ResponseEntity<ControlView> handOver(@PathVariable String id, @RequestBody ControlRequestView with) {
-        return act(id, ControlAction.HAND_OVER, with);
+    public ResponseEntity<ControlView> handOver(@PathVariable String id, @RequestBody ControlRequest.HandOver with) {
+        return act(id, with);
     }
 
     @PostMapping("/take-over")
@@ -97,8 +96,8 @@ public class ControlController {
     @Operation(
             operationId = "takeOverControl",
             summary = "Take control from whoever has it, with a reason (supervisor)")
-    public ResponseEntity<ControlView> takeOver(@PathVariable String id, @RequestBody ControlRequestView with) {
-        return act(id, ControlAction.TAKE_OVER, with);
+    public ResponseEntity<ControlView> takeOver(@PathVariable String id, @RequestBody ControlRequest.TakeOver with) {
+        return act(id, with);
     }
 
     @PostMapping("/heartbeat")
@@ -107,8 +106,8 @@ public class ControlController {
             operationId = "keepControl",
             summary = "Say that the holder is there (holder)",
             description = "Every 2 s; lost after 6 s without.")
-    public ResponseEntity<ControlView> heartbeat(@PathVariable String id, @RequestBody ControlRequestView with) {
-        return act(id, ControlAction.HEARTBEAT, with);
+    public ResponseEntity<ControlView> heartbeat(@PathVariable String id, @RequestBody ControlRequest.Heartbeat with) {
+        return act(id, with);
     }
 
     @DeleteMapping
@@ -116,12 +115,11 @@ public class ControlController {
     @Answers(refuses = 409)
     @Operation(operationId = "releaseControl", summary = "Give control back (holder)")
     public ResponseEntity<ControlView> release(@PathVariable String id) {
-        return act(id, ControlAction.RELEASE, null);
+        return act(id, new ControlRequest.Release());
     }
 
-    private ResponseEntity<ControlView> act(String id, ControlAction action, @Nullable ControlRequestView with) {
-        ControlService.Answer answer =
-                controls.act(current.principal(), id, action, with == null ? ControlRequestView.NOTHING : with);
+    private ResponseEntity<ControlView> act(String id, ControlRequest request) {
+        ControlService.Answer answer = controls.act(current.principal(), id, request);
         return ResponseEntity.status(answer.waiting() ? HttpStatus.ACCEPTED : HttpStatus.OK)
                 .body(answer.control());
     }

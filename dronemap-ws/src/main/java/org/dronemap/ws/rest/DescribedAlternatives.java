@@ -45,15 +45,17 @@ public final class DescribedAlternatives implements ModelConverter, OpenApiCusto
         if (said == null || said.name().isEmpty()) {
             throw new IllegalStateException(raw.getName() + " has no name for clients: say @Schema(name = ...) there.");
         }
-        context.defineModel(said.name(), choice(all, said.description(), context));
+        context.defineModel(said.name(), choice(raw, all, said.description(), context));
         Schema<Object> reference = new Schema<>();
         reference.set$ref(REFERENCE + said.name());
         return reference;
     }
 
-    private static Schema<?> choice(Alternatives all, String description, ModelConverterContext context) {
+    private static Schema<?> choice(Class<?> raw, Alternatives all, String description, ModelConverterContext context) {
         Schema<Object> choice = new Schema<>();
         choice.setDescription(description);
+        // One that is itself among the alternatives of another choice.
+        say(Alternatives.toldBy(raw), choice);
         Discriminator discriminator = new Discriminator().propertyName(all.member());
         all.records().forEach((name, record) -> {
             Schema<?> one = context.resolve(new AnnotatedType(record).resolveAsRef(true));
@@ -68,18 +70,20 @@ public final class DescribedAlternatives implements ModelConverter, OpenApiCusto
     @SuppressWarnings("rawtypes")
     public void customise(OpenAPI description) {
         Map<String, Schema> schemas = description.getComponents().getSchemas();
-        schemas.forEach((name, schema) -> records.of(name)
-                .ifPresent(record -> Alternatives.with(record).ifPresent(all -> say(all, record, schema))));
+        schemas.forEach(
+                (name, schema) -> records.of(name).ifPresent(record -> say(Alternatives.toldBy(record), schema)));
     }
 
-    private static void say(Alternatives all, Class<?> record, Schema<?> schema) {
-        Schema<String> told = new StringSchema();
-        told.setTypes(Set.of("string"));
-        told.setEnum(List.of(all.nameOf(record)));
-        // The usual reader says nothing of a record without members.
-        schema.setTypes(Set.of("object"));
-        schema.addProperty(all.member(), told);
-        schema.addRequiredItem(all.member());
-        schema.setDiscriminator(null);
+    private static void say(Map<String, String> told, Schema<?> schema) {
+        told.forEach((member, value) -> {
+            Schema<String> one = new StringSchema();
+            one.setTypes(Set.of("string"));
+            one.setEnum(List.of(value));
+            // The usual reader says nothing of a record without members.
+            schema.setTypes(Set.of("object"));
+            schema.addProperty(member, one);
+            schema.addRequiredItem(member);
+            schema.setDiscriminator(null);
+        });
     }
 }

@@ -3,7 +3,9 @@ package org.dronemap.ws.service;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import com.fasterxml.jackson.annotation.JsonTypeName;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,7 +13,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The records that a body, or a part of one, may be, and the member that tells them apart.
+ * The records that a body, or a part of one, may be, and the member that tells them apart. One of them may be a choice itself, by
+ * another member.
  *
  * @param member the name of that member, such as {@code type}
  * @param records by what that member says, in the order in which they are named to clients
@@ -29,6 +32,7 @@ public record Alternatives(String member, Map<String, Class<?>> records) {
         Map<String, Class<?>> records = new LinkedHashMap<>();
         for (JsonSubTypes.Type one : named.value()) {
             of(one.value())
+                    .filter(more -> more.member().equals(told.property()))
                     .ifPresentOrElse(
                             more -> records.putAll(more.records()), () -> records.put(one.name(), one.value()));
         }
@@ -41,6 +45,23 @@ public record Alternatives(String member, Map<String, Class<?>> records) {
      */
     public static Optional<Alternatives> with(Class<?> record) {
         return interfaces(record).flatMap(type -> of(type).stream()).findFirst().map(all -> all.and(record));
+    }
+
+    /** What tells a record apart from others: member by member, the outermost choice first. Empty: it is one of none. */
+    public static Map<String, String> toldBy(Class<?> record) {
+        List<Class<?>> choices = new ArrayList<>(interfaces(record).toList());
+        List<Class<?>> forms =
+                Stream.concat(Stream.of(record), choices.stream()).toList();
+        Collections.reverse(choices);
+        Map<String, String> told = new LinkedHashMap<>();
+        choices.stream()
+                .flatMap(type -> of(type).stream())
+                .forEach(all -> all.and(record).records.forEach((name, form) -> {
+                    if (forms.contains(form)) {
+                        told.put(all.member(), name);
+                    }
+                }));
+        return told;
     }
 
     private static Stream<Class<?>> interfaces(Class<?> type) {

@@ -95,14 +95,11 @@ public final class AuditNotes {
             return body instanceof byte[] bytes ? bytes.length + " bytes" : "";
         }
         return Stream.concat(
-                        Alternatives.with(body.getClass()).map(all -> alternative(all, body.getClass(), bare)).stream(),
+                        Alternatives.toldBy(body.getClass()).entrySet().stream()
+                                .map(told -> bare ? told.getKey() : told.getKey() + "=" + told.getValue()),
                         Stream.of(body.getClass().getRecordComponents())
                                 .flatMap(component -> member(body, component, bare).stream()))
                 .collect(Collectors.joining(", "));
-    }
-
-    private static String alternative(Alternatives all, Class<?> which, boolean bare) {
-        return bare ? all.member() : all.member() + "=" + all.nameOf(which);
     }
 
     private static Optional<String> member(Object body, RecordComponent component, boolean bare) {

@@ -23,7 +23,6 @@ import org.slf4j.LoggerFactory;
 /** Use cases around who commands a drone: take, ask, grant, hand over, give back. Any thread. */
 public final class ControlService {
     private static final Logger LOG = LoggerFactory.getLogger(ControlService.class);
-    static final int LONGEST_REASON = 200;
 
     private final CloudManager cloud;
     private final DroneService drones;
@@ -56,15 +55,15 @@ public final class ControlService {
     }
 
     /** Does what is asked, or says who has control and since when. */
-    public Answer act(Principal principal, String droneId, ControlAction action, ControlRequestView with) {
-        DroneState drone = drone(principal, droneId, action);
+    public Answer act(Principal principal, String droneId, ControlRequest request) {
+        DroneState drone = drone(principal, droneId, request.action());
         if (drone.replay()) {
             throw Rejection.of(
                     new CommandProblem(OutcomeCode.DRONE_IS_A_RECORDING),
                     "This is a recording; it cannot be commanded.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }
-        LeaseStep step = apply(drone.id(), event(principal.name(), action, with, drone.id()));
+        LeaseStep step = apply(drone.id(), request.read(principal.name(), user -> pilot(user, drone.id())));
         if (step.answer() instanceof LeaseAnswer.Denied denied) {
             throw Rejection.ofControl(code(denied.reason()), denied.why(), drone.id(), step.control());
         }
@@ -107,40 +106,9 @@ public final class ControlService {
         }
     }
 
-    private LeaseEvent event(String user, ControlAction action, ControlRequestView with, DroneId drone) {
-        return switch (action) {
-            case TAKE -> new LeaseEvent.Take(user);
-            case REQUEST -> new LeaseEvent.Request(user, reason(with.reason()));
-            case GRANT -> new LeaseEvent.Grant(user, pilot(with.user(), drone));
-            case REFUSE -> new LeaseEvent.Refuse(user, named(with.user()), reason(with.reason()));
-            case HAND_OVER -> new LeaseEvent.HandOver(user, pilot(with.user(), drone));
-            case TAKE_OVER -> new LeaseEvent.TakeOver(user, Names.checked("reason", with.reason(), LONGEST_REASON));
-            case HEARTBEAT -> new LeaseEvent.Heartbeat(user, epoch(with.epoch()));
-            case RELEASE -> new LeaseEvent.Release(user);
-        };
-    }
-
-    private static @Nullable String reason(@Nullable String given) {
-        return given == null || given.isBlank() ? null : Names.checked("reason", given, LONGEST_REASON);
-    }
-
-    private static long epoch(@Nullable Long given) {
-        if (given == null) {
-            throw InvalidInput.missing("epoch", "the one that taking control was answered with");
-        }
-        return given;
-    }
-
-    private static String named(@Nullable String user) {
-        if (user == null || user.isBlank()) {
-            throw InvalidInput.missing("user", "the name of a user");
-        }
-        return user.strip();
-    }
-
     /** Control goes to nobody who may not command. */
     private String pilot(@Nullable String user, DroneId drone) {
-        String name = named(user);
+        String name = ControlRequest.named(user);
         if (!mayCommand(name, drone)) {
             throw InvalidInput.outside(
                     ValueProblem.REFERENCE_UNKNOWN, "user", "a user who may command drones", "\"" + name + "\"");

@@ -9,7 +9,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Turns a fence or rally points that a client wrote into the real ones, or says which member is wrong. */
 final class FenceReader {
-    private static final String TYPES = "polygon or circle";
     static final int LEAST_CORNERS = 3;
     static final int MOST_CORNERS = 100;
     private static final String CORNERS = LEAST_CORNERS + " to " + MOST_CORNERS + " corners";
@@ -31,30 +30,19 @@ final class FenceReader {
         }
         List<FenceZone> read = new ArrayList<>();
         for (int index = 0; index < zones.size(); index++) {
-            read.add(zone("zones[" + index + "].", zones.get(index)));
+            read.add(zones.get(index).read("zones[" + index + "]."));
         }
         return read;
     }
 
-    private static FenceZone zone(String at, FenceView.ZoneView zone) {
-        if (zone.inside() == null) {
+    static boolean inside(String at, @Nullable Boolean inside) {
+        if (inside == null) {
             throw InvalidInput.missing(at + "inside", "true or false");
         }
-        return switch (zone.type() == null ? "" : zone.type()) {
-            case "polygon" -> new FenceZone.Polygon(zone.inside(), corners(at, zone.corners()));
-            case "circle" ->
-                new FenceZone.Circle(
-                        zone.inside(),
-                        point(at + "center.", zone.center()),
-                        Ranges.radius(at + "radius", zone.radius()));
-            case "" -> throw InvalidInput.missing(at + "type", TYPES);
-            default ->
-                throw InvalidInput.outside(
-                        ValueProblem.VALUE_NOT_ALLOWED, at + "type", TYPES, "\"" + zone.type() + "\"");
-        };
+        return inside;
     }
 
-    private static List<Geodetic> corners(String at, @Nullable List<FenceView.PointView> corners) {
+    static List<Geodetic> corners(String at, @Nullable List<FenceView.PointView> corners) {
         if (corners == null || corners.size() < LEAST_CORNERS || corners.size() > MOST_CORNERS) {
             throw InvalidInput.outside(
                     ValueProblem.SIZE_OUT_OF_RANGE,
@@ -71,7 +59,7 @@ final class FenceReader {
         return read;
     }
 
-    private static Geodetic point(String at, FenceView.@Nullable PointView point) {
+    static Geodetic point(String at, FenceView.@Nullable PointView point) {
         return new Geodetic(
                 Ranges.latitude(at + "latitude", point == null ? null : point.latitude()),
                 Ranges.longitude(at + "longitude", point == null ? null : point.longitude()));

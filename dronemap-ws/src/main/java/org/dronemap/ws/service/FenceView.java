@@ -1,5 +1,7 @@
 package org.dronemap.ws.service;
 
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import jakarta.validation.constraints.Max;
 import jakarta.validation.constraints.Min;
@@ -9,25 +11,72 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.RallyPoint;
 import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** The fence on board of a vehicle, read and written in the same form; {@code zones} is null until it was read. */
 @Schema(name = "FenceView")
 public record FenceView(@Nullable List<ZoneView> zones) {
-    /** {@code type} is polygon (with corners) or circle (with center and radius in metres). */
-    @Schema(name = "FenceZoneView")
-    public record ZoneView(
-            @Schema(allowableValues = {"polygon", "circle"}) @Nullable
-            String type,
+    /** An area that the vehicle stays in or out of; one record for each type. */
+    @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
+    @JsonTypeResolver(ObjectsOnly.class)
+    @JsonSubTypes({
+        @JsonSubTypes.Type(value = PolygonView.class, name = "polygon"),
+        @JsonSubTypes.Type(value = CircleView.class, name = "circle")
+    })
+    @Schema(
+            name = "FenceZoneView",
+            description = "An area that the vehicle stays in or out of; which members there are depends on the type.")
+    public sealed interface ZoneView {
+        /**
+         * Throws {@link InvalidInput} where a member cannot be used.
+         *
+         * @param at what stands before its members' names, such as {@code zones[2].}
+         */
+        FenceZone read(String at);
+    }
 
-            @Nullable Boolean inside,
+    /** An area within corners. */
+    @Schema(name = "FencePolygonView", description = "An area within corners.")
+    public record PolygonView(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Whether it stays in it, or out of it")
+            @Nullable
+            Boolean inside,
 
-            @Size(min = FenceReader.LEAST_CORNERS, max = FenceReader.MOST_CORNERS) @Nullable
-            List<PointView> corners,
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "3 to 100")
+            @Size(min = FenceReader.LEAST_CORNERS, max = FenceReader.MOST_CORNERS)
+            @Nullable
+            List<PointView> corners)
+            implements ZoneView {
+        @Override
+        public FenceZone read(String at) {
+            return new FenceZone.Polygon(FenceReader.inside(at, inside), FenceReader.corners(at, corners));
+        }
+    }
 
-            @Nullable PointView center,
+    /** An area round a point. */
+    @Schema(name = "FenceCircleView", description = "An area round a point.")
+    public record CircleView(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Whether it stays in it, or out of it")
+            @Nullable
+            Boolean inside,
 
-            @Min(Ranges.LEAST_RADIUS) @Max(Ranges.MOST_RADIUS) @Nullable
-            Double radius) {}
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            PointView center,
+
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres, 1 to 100000")
+            @Min(Ranges.LEAST_RADIUS)
+            @Max(Ranges.MOST_RADIUS)
+            @Nullable
+            Double radius)
+            implements ZoneView {
+        @Override
+        public FenceZone read(String at) {
+            return new FenceZone.Circle(
+                    FenceReader.inside(at, inside),
+                    FenceReader.point(at + "center.", center),
+                    Ranges.radius(at + "radius", radius));
+        }
+    }
 
     /** Degrees. */
     @Schema(name = "FencePointView")
@@ -75,12 +124,13 @@ public record FenceView(@Nullable List<ZoneView> zones) {
     }
 
     private static ZoneView zone(FenceZone zone) {
-        if (zone instanceof FenceZone.Circle circle) {
-            return new ZoneView("circle", circle.inside(), null, PointView.of(circle.center()), circle.radiusMeters());
-        }
-        List<PointView> corners = zone instanceof FenceZone.Polygon polygon
-                ? polygon.corners().stream().map(PointView::of).toList()
-                : List.of();
-        return new ZoneView("polygon", zone.inside(), corners, null, null);
+        return zone instanceof FenceZone.Circle circle
+                ? new CircleView(circle.inside(), PointView.of(circle.center()), circle.radiusMeters())
+                : polygon((FenceZone.Polygon) zone);
+    }
+
+    private static ZoneView polygon(FenceZone.Polygon polygon) {
+        return new PolygonView(
+                polygon.inside(), polygon.corners().stream().map(PointView::of).toList());
     }
 }

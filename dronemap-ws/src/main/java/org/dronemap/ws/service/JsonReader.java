@@ -112,7 +112,7 @@ public final class JsonReader {
     }
 
     private static String known(UnrecognizedPropertyException unknown) {
-        Stream<String> alternative = Alternatives.with(unknown.getReferringClass()).map(Alternatives::member).stream();
+        Stream<String> alternative = Alternatives.toldBy(unknown.getReferringClass()).keySet().stream();
         Stream<Object> members =
                 Optional.ofNullable(unknown.getKnownPropertyIds()).stream().flatMap(Collection::stream);
         return Stream.concat(alternative, members.map(String::valueOf)).collect(Collectors.joining(", "));

@@ -4,6 +4,7 @@ import java.util.Collection;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
+import tools.jackson.core.util.JsonParserSequence;
 import tools.jackson.databind.BeanProperty;
 import tools.jackson.databind.DeserializationContext;
 import tools.jackson.databind.JavaType;
@@ -11,8 +12,12 @@ import tools.jackson.databind.jsontype.NamedType;
 import tools.jackson.databind.jsontype.TypeDeserializer;
 import tools.jackson.databind.jsontype.impl.AsPropertyTypeDeserializer;
 import tools.jackson.databind.jsontype.impl.StdTypeResolverBuilder;
+import tools.jackson.databind.util.TokenBuffer;
 
-/** A reader of alternatives that takes objects alone: the usual one takes {@code ["arm", {}]} for an object too. */
+/**
+ * A reader of alternatives that takes objects alone, where the usual one takes {@code ["arm", {}]} for an object too; and that lets
+ * one of the alternatives be a choice itself, by another member.
+ */
 public final class ObjectsOnly extends StdTypeResolverBuilder {
     @Override
     public @Nullable TypeDeserializer buildTypeDeserializer(
@@ -33,10 +38,30 @@ public final class ObjectsOnly extends StdTypeResolverBuilder {
 
         @Override
         public Object deserializeTypedFromObject(JsonParser parser, DeserializationContext context) {
-            if (!parser.isExpectedStartObjectToken() && !parser.hasToken(JsonToken.PROPERTY_NAME)) {
+            boolean isWithin = parser.hasToken(JsonToken.PROPERTY_NAME) || parser.hasToken(JsonToken.END_OBJECT);
+            if (!isWithin && !parser.isExpectedStartObjectToken()) {
                 return context.handleUnexpectedToken(_baseType, parser);
             }
             return super.deserializeTypedFromObject(parser, context);
+        }
+
+        @Override
+        protected Object _deserializeTypedForId(
+                JsonParser parser, DeserializationContext context, @Nullable TokenBuffer before, String id) {
+            JavaType chosen = _idResolver.typeFromId(context, id);
+            if (chosen == null || Alternatives.of(chosen.getRawClass()).isEmpty()) {
+                return super._deserializeTypedForId(parser, context, before, id);
+            }
+            JsonParser rest = parser;
+            if (before != null) {
+                // What was looked at is read from the buffer again, and the value of the member not at all.
+                parser.clearCurrentToken();
+                rest = JsonParserSequence.createFlattened(false, before.asParser(context, parser), parser);
+            }
+            if (rest.currentToken() != JsonToken.END_OBJECT) {
+                rest.nextToken();
+            }
+            return context.findRootValueDeserializer(chosen).deserialize(rest, context);
         }
 
         @Override

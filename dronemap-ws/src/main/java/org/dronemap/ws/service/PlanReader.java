@@ -28,9 +28,6 @@ final class PlanReader {
     private static final double USUAL_SECONDS = 5;
     static final double LEAST_SECONDS = 0.1;
     static final int MOST_SECONDS = 60;
-    private static final String KINDS = "earliestEnd, leastTime, leastDistance, leastEnergy or weighted";
-    private static final String MEASURES = "seconds, meters or joules";
-    static final int HEAVIEST = 1_000_000;
     /** In m/s. */
     static final int STRONGEST_WIND = 100;
     /** In degrees. */
@@ -52,7 +49,8 @@ final class PlanReader {
 
     PlanOrder read(Principal principal, PlanRequest request) {
         Duration search = search(request.seconds());
-        Objective objective = objective(request.objective());
+        PlanObjectiveRequest asked = request.objective();
+        Objective objective = asked == null ? Objective.earliestEnd() : asked.read("objective.");
         Wind wind = wind(request.wind());
         List<DroneState> states = states(principal, request.drones());
         List<Craft> crafts = states.stream().map(PlanCrafts::of).toList();
@@ -106,44 +104,6 @@ final class PlanReader {
                     ProblemParameter.UNIT.is("seconds"));
         }
         return Duration.ofMillis(Math.round(asked * MILLIS));
-    }
-
-    private static Objective objective(PlanRequest.@Nullable ObjectiveRequest asked) {
-        if (asked == null) {
-            return Objective.earliestEnd();
-        }
-        boolean everyDrone = Boolean.TRUE.equals(asked.everyDrone());
-        String kind = asked.kind() == null ? "earliestEnd" : asked.kind();
-        return switch (kind) {
-            case "earliestEnd" -> new Objective(1, Objective.Measure.SECONDS, 0, everyDrone);
-            case "leastTime" -> new Objective(0, Objective.Measure.SECONDS, 1, everyDrone);
-            case "leastDistance" -> new Objective(0, Objective.Measure.METERS, 1, everyDrone);
-            case "leastEnergy" -> new Objective(0, Objective.Measure.JOULES, 1, everyDrone);
-            case "weighted" -> weighted(asked, everyDrone);
-            default ->
-                throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "objective.kind", KINDS, "\"" + kind + "\"");
-        };
-    }
-
-    private static Objective weighted(PlanRequest.ObjectiveRequest asked, boolean everyDrone) {
-        double longest = Ranges.checked("objective.longestWeight", asked.longestWeight(), 0, HEAVIEST, "as a weight");
-        double sum = Ranges.checked("objective.sumWeight", asked.sumWeight(), 0, HEAVIEST, "as a weight");
-        if (longest == 0 && sum == 0) {
-            throw InvalidInput.outside(
-                    ValueProblem.VALUE_OUT_OF_RANGE, "objective.sumWeight", "above 0 where longestWeight is 0", sum);
-        }
-        return new Objective(longest, measure(asked.measure()), sum, everyDrone);
-    }
-
-    private static Objective.Measure measure(@Nullable String name) {
-        return switch (name == null ? "seconds" : name) {
-            case "seconds" -> Objective.Measure.SECONDS;
-            case "meters" -> Objective.Measure.METERS;
-            case "joules" -> Objective.Measure.JOULES;
-            default ->
-                throw InvalidInput.outside(
-                        ValueProblem.VALUE_NOT_ALLOWED, "objective.measure", MEASURES, "\"" + name + "\"");
-        };
     }
 
     private static Wind wind(PlanRequest.@Nullable WindRequest asked) {

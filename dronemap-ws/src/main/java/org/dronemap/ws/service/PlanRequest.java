@@ -6,7 +6,6 @@ import jakarta.validation.constraints.Max;
 import jakarta.validation.constraints.Min;
 import jakarta.validation.constraints.Size;
 import java.util.List;
-import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
@@ -27,7 +26,7 @@ public record PlanRequest(
         List<@Nullable String> drones,
 
         @Schema(description = "What the plan is to be good at; left out: all done as early as can be") @Nullable
-        ObjectiveRequest objective,
+        PlanObjectiveRequest objective,
 
         @Schema(description = "Seconds to search, 0.1 to 60; left out: 5")
         @DecimalMin("" + PlanReader.LEAST_SECONDS)
@@ -111,27 +110,6 @@ public record PlanRequest(
 
             @Schema(description = "left out: never") @Min(0) @Max(PlanWaypoints.LONGEST_WINDOW_SECONDS) @Nullable
             Double closes) {}
-
-    /** What a plan is to be good at. */
-    @Schema(name = "PlanObjectiveRequest", description = "What the plan is to be good at.")
-    public record ObjectiveRequest(
-            @Schema(allowableValues = {"earliestEnd", "leastTime", "leastDistance", "leastEnergy", "weighted"})
-            @Nullable
-            String kind,
-
-            @Schema(description = "weighted: of the longest tour's seconds") @Min(0) @Max(PlanReader.HEAVIEST) @Nullable
-            Double longestWeight,
-
-            @Schema(description = "weighted: of the sum over all tours") @Min(0) @Max(PlanReader.HEAVIEST) @Nullable
-            Double sumWeight,
-
-            @Schema(description = "weighted: what is summed; left out: seconds")
-            @ValuesOf(Objective.Measure.class)
-            @Nullable
-            String measure,
-
-            @Schema(description = "Whether each drone must fly; left out: drones may stay where they are") @Nullable
-            Boolean everyDrone) {}
 
     /** Wind that is the same everywhere. */
     @Schema(name = "PlanWindRequest")

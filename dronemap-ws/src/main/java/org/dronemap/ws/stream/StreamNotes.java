@@ -3,6 +3,7 @@ package org.dronemap.ws.stream;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.service.AuditNotes;
+import org.dronemap.ws.service.WireNames;
 
 /** Notes what a client says, for the record that it leaves. */
 final class StreamNotes {
@@ -33,11 +34,10 @@ final class StreamNotes {
         if (request instanceof StreamRequest.GiveCommand given && given.command() != null) {
             AuditNotes.sent(given.command());
         }
-        if (request instanceof StreamRequest.ActOnControl control) {
+        if (request instanceof StreamControlRequest control) {
+            String action = WireNames.camel(control.asked().action());
             call.parameters(
-                    AuditNotes.summaryOf(
-                            "action", control.action(), "user", control.user(), "reason", control.reason()),
-                    "");
+                    AuditNotes.summaryOf("action", action, "user", control.user(), "reason", control.reason()), "");
         }
     }
 }

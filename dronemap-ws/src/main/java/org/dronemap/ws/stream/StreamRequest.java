@@ -6,11 +6,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.FollowRequest;
 import org.dronemap.ws.service.ObjectsOnly;
 import org.dronemap.ws.service.SteeringRequest;
-import org.dronemap.ws.service.ValuesOf;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
@@ -20,7 +18,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
 @JsonSubTypes({
     @JsonSubTypes.Type(value = StreamRequest.Authenticate.class, name = "authenticate"),
     @JsonSubTypes.Type(value = StreamRequest.GiveCommand.class, name = "command"),
-    @JsonSubTypes.Type(value = StreamRequest.ActOnControl.class, name = "control"),
+    @JsonSubTypes.Type(value = StreamControlRequest.class, name = "control"),
     @JsonSubTypes.Type(value = StreamRequest.Steer.class, name = "steer"),
     @JsonSubTypes.Type(value = StreamRequest.LetGo.class, name = "letGo"),
     @JsonSubTypes.Type(value = StreamRequest.Positions.class, name = "positions"),
@@ -28,7 +26,15 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
     @JsonSubTypes.Type(value = StreamRequest.Ping.class, name = "ping")
 })
 @Schema(name = "StreamRequest", description = "What a client says; which members there are depends on the type.")
-sealed interface StreamRequest {
+sealed interface StreamRequest
+        permits StreamRequest.Authenticate,
+                StreamRequest.GiveCommand,
+                StreamControlRequest,
+                StreamRequest.Steer,
+                StreamRequest.LetGo,
+                StreamRequest.Positions,
+                StreamRequest.Subscribe,
+                StreamRequest.Ping {
     StreamRequestKind kind();
 
     /** Comes back with the answer. */
@@ -68,31 +74,6 @@ sealed interface StreamRequest {
         @Override
         public StreamRequestKind kind() {
             return StreamRequestKind.COMMAND;
-        }
-    }
-
-    @Schema(name = "StreamControlRequest", description = "Does something about who has control of a drone.")
-    record ActOnControl(
-            @Nullable String requestId,
-
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "The id of a drone") @Nullable
-            String drone,
-
-            @ValuesOf(ControlAction.class) @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
-            String action,
-
-            @Schema(description = "Whom it is granted, refused or handed over to") @Nullable
-            String user,
-
-            @Schema(description = "For people; taking over needs one") @Nullable
-            String reason,
-
-            @Schema(description = "The epoch of the control that you believe to have") @Nullable
-            Long epoch)
-            implements StreamRequest {
-        @Override
-        public StreamRequestKind kind() {
-            return StreamRequestKind.CONTROL;
         }
     }
 

@@ -224,7 +224,7 @@ final class StreamRequests {
         switch (request.kind()) {
             case AUTHENTICATE -> throw new IllegalStateException("It is authenticated before.");
             case COMMAND -> say(client, command(principal, (StreamRequest.GiveCommand) request));
-            case CONTROL -> say(client, controls.answer(principal, (StreamRequest.ActOnControl) request));
+            case CONTROL -> say(client, controls.answer(principal, (StreamControlRequest) request));
             case STEER -> steer(client, (StreamRequest.Steer) request);
             case LET_GO -> steering.letGo(client, principal, (StreamRequest.LetGo) request);
             case POSITIONS -> say(client, positions(client, principal, (StreamRequest.Positions) request));

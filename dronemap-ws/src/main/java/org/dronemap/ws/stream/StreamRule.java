@@ -40,7 +40,7 @@ sealed interface StreamRule {
     record OfControl(Map<ControlAction, String> byAction) implements StreamRule {
         @Override
         public AccessRule of(StreamRequest request, Function<String, AccessRule> rest) {
-            ControlAction action = StreamControl.action((StreamRequest.ActOnControl) request);
+            ControlAction action = ((StreamControlRequest) request).asked().action();
             return rest.apply(Objects.requireNonNull(byAction.get(action)));
         }
 

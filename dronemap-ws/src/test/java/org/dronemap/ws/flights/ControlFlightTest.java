@@ -10,8 +10,7 @@ import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.ControlAction;
-import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlRequest;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
@@ -50,7 +49,7 @@ class ControlFlightTest {
         long epoch = ann.takesControl(copter).epoch();
         for (int beat = 0; beat < 20; beat++) {
             lab.goOn(Duration.ofSeconds(2));
-            ann.controls(copter, ControlAction.HEARTBEAT, new ControlRequestView(null, null, epoch));
+            ann.controls(copter, new ControlRequest.Heartbeat(epoch));
         }
         ControlView kept = ann.control(copter);
         assertThat(kept.explicit()).isTrue();
@@ -83,9 +82,7 @@ class ControlFlightTest {
         assertThat(copter.mode()).isEqualTo(RTL);
 
         assertThat(chief.rejection(copter, Commands.setMode("GUIDED")).kind()).isEqualTo(RejectionKind.CONFLICT);
-        assertThat(ann.controls(copter, ControlAction.RELEASE, ControlRequestView.NOTHING)
-                        .state())
-                .isEqualTo("free");
+        assertThat(ann.controls(copter, new ControlRequest.Release()).state()).isEqualTo("free");
     }
 
     @Test

@@ -213,13 +213,10 @@ class OnBoardMissionsTest {
         PluggedStation station = new PluggedStation(lab, drone);
         FenceView.PointView corner = new FenceView.PointView(47.39, 8.54);
         FenceView fence = new FenceView(List.of(
-                new FenceView.ZoneView(
-                        "polygon",
+                new FenceView.PolygonView(
                         true,
-                        List.of(corner, new FenceView.PointView(47.41, 8.54), new FenceView.PointView(47.4, 8.56)),
-                        null,
-                        null),
-                new FenceView.ZoneView("circle", false, null, corner, 50.0)));
+                        List.of(corner, new FenceView.PointView(47.41, 8.54), new FenceView.PointView(47.4, 8.56))),
+                new FenceView.CircleView(false, corner, 50.0)));
         FenceView.RallyView rally = new FenceView.RallyView(List.of(new FenceView.RallyPointView(47.395, 8.545, 25.0)));
         assertThat(fences.fence(ann.principal(), id).zones()).isNull();
 
@@ -243,8 +240,8 @@ class OnBoardMissionsTest {
     void aBrokenFenceIsRefusedByNameAndLeavesTheOldOne(VehicleKit kit) {
         LabDrone drone = drone(kit);
         FenceView.PointView center = new FenceView.PointView(47.39, 8.54);
-        FenceView fence = new FenceView(List.of(new FenceView.ZoneView("circle", false, null, center, 50.0)));
-        FenceView broken = new FenceView(List.of(new FenceView.ZoneView("circle", true, null, null, null)));
+        FenceView fence = new FenceView(List.of(new FenceView.CircleView(false, center, 50.0)));
+        FenceView broken = new FenceView(List.of(new FenceView.CircleView(true, null, null)));
         FenceService fences = lab.server().fences();
         ann.succeeds(fences.setFence(ann.caller(), drone.id().value(), fence));
 

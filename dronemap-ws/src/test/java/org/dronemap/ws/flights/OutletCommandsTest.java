@@ -22,8 +22,7 @@ import org.dronemap.ws.lab.VehicleLog;
 import org.dronemap.ws.service.AuditSearch;
 import org.dronemap.ws.service.AuditView;
 import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.ControlAction;
-import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -91,7 +90,7 @@ class OutletCommandsTest {
                     .map(CommandView::face)
                     .collect(Collectors.toSet());
             assertThat(faces).containsExactlyInAnyOrder("outlet", "rule");
-            pilot.controls(copter, ControlAction.RELEASE, ControlRequestView.NOTHING);
+            pilot.controls(copter, new ControlRequest.Release());
         }
     }
 
@@ -117,14 +116,14 @@ class OutletCommandsTest {
     void whoHasNoControlIsRefusedAndToldWhoHas() {
         Pilot holder = administrator.granted("holder", Role.OPERATOR, second);
         Pilot other = administrator.granted("other", Role.OPERATOR, second);
-        holder.controls(second, ControlAction.TAKE, ControlRequestView.NOTHING);
+        holder.controls(second, new ControlRequest.Take());
         GroundStation ground = station(other, 255);
         int number = ground.hears(1).get(0);
         assertThat(ground.command(number, SET_MODE, 1, GUIDED)).isEqualTo(DENIED);
         lab.until("it says who has it", SOON, () -> ground.texts().contains("holder"));
-        holder.controls(second, ControlAction.RELEASE, ControlRequestView.NOTHING);
+        holder.controls(second, new ControlRequest.Release());
         assertThat(ground.command(number, SET_MODE, 1, GUIDED)).isEqualTo(ACCEPTED);
-        other.controls(second, ControlAction.RELEASE, ControlRequestView.NOTHING);
+        other.controls(second, new ControlRequest.Release());
     }
 
     /** Which system has control of the vehicle, as it was told last; -1: it was not told. */

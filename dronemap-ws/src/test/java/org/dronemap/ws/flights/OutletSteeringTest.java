@@ -22,8 +22,7 @@ import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Line;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.ControlAction;
-import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlRequest;
 import org.dronemap.ws.service.DroneView;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -32,7 +31,7 @@ import org.junit.jupiter.api.Test;
 class OutletSteeringTest {
     private static final Duration SOON = Duration.ofSeconds(10);
     private static final Duration A_FLIGHT = Duration.ofMinutes(1);
-    private static final ControlRequestView HELICOPTER = new ControlRequestView("a helicopter", null, null);
+    private static final ControlRequest HELICOPTER = new ControlRequest.TakeOver("a helicopter");
     private static final int ACCEPTED = 0;
     private static final int DENIED = 2;
     private static final int LAND = 21;
@@ -145,7 +144,7 @@ class OutletSteeringTest {
         assertThat(ground.command(number, SET_MODE, 1, LOITER)).isEqualTo(ACCEPTED);
         Repetition said = ground.saysOn(forward);
         awaitSpeed("it is steered by sticks");
-        supervisor.controls(copter, ControlAction.TAKE_OVER, HELICOPTER);
+        supervisor.controls(copter, HELICOPTER);
         awaitStand("it stands whatever the sticks say");
         lab.throughout("and goes on to stand", SOON, () -> trueSpeed() < 0.5);
         said.callOff();
@@ -208,7 +207,7 @@ class OutletSteeringTest {
         lab.until("it is led", SOON, this::isLed);
         awaitSpeed("it flies there");
         assertThat(copter.craft().body().velocityNorth()).isGreaterThan(3);
-        supervisor.controls(copter, ControlAction.TAKE_OVER, HELICOPTER);
+        supervisor.controls(copter, HELICOPTER);
         awaitStand("it stands whatever is said");
         lab.throughout("and goes on to stand", SOON, () -> trueSpeed() < 0.5);
         said.callOff();

@@ -19,8 +19,7 @@ import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Phone;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RunFlight;
-import org.dronemap.ws.service.ControlAction;
-import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlRequest;
 import org.dronemap.ws.service.FollowRequest.PlaceRequest;
 import org.dronemap.ws.service.MissionItemRequest;
 import org.dronemap.ws.service.Rejection;
@@ -200,7 +199,7 @@ class RandomMomentsTest {
                     vanishes();
                     tries(() -> {
                         pilot.takesControl(drone);
-                        pilot.controls(id, ControlAction.HAND_OVER, new ControlRequestView(null, chief.name(), null));
+                        pilot.controls(id, new ControlRequest.HandOver(chief.name()));
                     });
                 }
                 case MAY_NO_MORE -> root.disables(pilot);

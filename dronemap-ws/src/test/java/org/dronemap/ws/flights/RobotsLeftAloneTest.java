@@ -12,8 +12,7 @@ import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RobotKit;
 import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.ControlAction;
-import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlRequest;
 import org.dronemap.ws.service.SteeringRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -115,7 +114,7 @@ class RobotsLeftAloneTest {
     }
 
     private void takes(LabRobot robot) {
-        ann.controls(id(robot), ControlAction.TAKE, ControlRequestView.NOTHING);
+        ann.controls(id(robot), new ControlRequest.Take());
     }
 
     private void begin(LabRobot robot, CommandRequest what) {

@@ -14,8 +14,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.service.Caller;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.ControlAction;
-import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlRequest;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.KeyRequest;
 import org.dronemap.ws.service.MissionItemRequest;
@@ -85,28 +84,28 @@ public final class Pilot {
     }
 
     /** Says that about the control of a drone. */
-    public ControlView controls(LabDrone drone, ControlAction action, ControlRequestView with) {
-        return controls(drone.id().value(), action, with);
+    public ControlView controls(LabDrone drone, ControlRequest request) {
+        return controls(drone.id().value(), request);
     }
 
-    public ControlView controls(String drone, ControlAction action, ControlRequestView with) {
+    public ControlView controls(String drone, ControlRequest request) {
         return lab.server()
                 .accounts()
                 .control()
-                .act(principal(), drone, action, with)
+                .act(principal(), drone, request)
                 .control();
     }
 
     public ControlView takesControl(LabDrone drone) {
-        return controls(drone, ControlAction.TAKE, ControlRequestView.NOTHING);
+        return controls(drone, new ControlRequest.Take());
     }
 
     public ControlView takesOver(String drone, String reason) {
-        return controls(drone, ControlAction.TAKE_OVER, new ControlRequestView(reason, null, null));
+        return controls(drone, new ControlRequest.TakeOver(reason));
     }
 
     public ControlView releases(String drone) {
-        return controls(drone, ControlAction.RELEASE, ControlRequestView.NOTHING);
+        return controls(drone, new ControlRequest.Release());
     }
 
     /** Who has control of it. */

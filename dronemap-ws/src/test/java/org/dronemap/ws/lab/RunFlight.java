@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.ws.service.PlanObjectiveRequest;
 import org.dronemap.ws.service.PlanRequest;
 import org.dronemap.ws.service.PlanTaskRequest;
 import org.dronemap.ws.service.PlanView;
@@ -60,7 +61,7 @@ public final class RunFlight {
         PlanRequest request = new PlanRequest(
                 waypoints.stream().toList(),
                 drones.stream().map(drone -> drone.id().value()).toList(),
-                new PlanRequest.ObjectiveRequest("earliestEnd", null, null, null, true),
+                new PlanObjectiveRequest.EarliestEnd(true),
                 PLAN_SECONDS,
                 null,
                 null);

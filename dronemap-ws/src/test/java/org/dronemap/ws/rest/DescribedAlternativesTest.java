@@ -56,6 +56,19 @@ class DescribedAlternativesTest {
     @Schema(name = "DotShape")
     private record Dot() implements Nameless {}
 
+    @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "does")
+    @JsonSubTypes(@JsonSubTypes.Type(value = Move.class, name = "move"))
+    @Schema(name = "Order", description = "What is to be done.")
+    private sealed interface Order {}
+
+    @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "way")
+    @JsonSubTypes(@JsonSubTypes.Type(value = Walk.class, name = "walk"))
+    @Schema(name = "MoveOrder", description = "Goes there.")
+    private sealed interface Move extends Order {}
+
+    @Schema(name = "WalkOrder")
+    private record Walk(int speed) implements Move {}
+
     private static Map<String, io.swagger.v3.oas.models.media.Schema> described(Class<?> type) {
         DescribedRecords records = new DescribedRecords();
         DescribedAlternatives alternatives = new DescribedAlternatives(records);
@@ -105,6 +118,23 @@ class DescribedAlternativesTest {
 
         assertThat(nothing.getTypes()).containsExactly("object");
         assertThat(nothing.getProperties().keySet()).containsExactly("form");
+    }
+
+    @Test
+    void mayBeAChoiceByAnotherMemberWhichEachOfItHasAsWell() {
+        Map<String, io.swagger.v3.oas.models.media.Schema> all = described(Order.class);
+        io.swagger.v3.oas.models.media.Schema<?> order = all.get("Order");
+        io.swagger.v3.oas.models.media.Schema<?> move = all.get("MoveOrder");
+        io.swagger.v3.oas.models.media.Schema<?> walk = all.get("WalkOrder");
+
+        assertThat(order.getDiscriminator().getMapping()).containsExactly(Map.entry("move", AT + "MoveOrder"));
+        assertThat(move.getDiscriminator().getPropertyName()).isEqualTo("way");
+        assertThat(move.getDiscriminator().getMapping()).containsExactly(Map.entry("walk", AT + "WalkOrder"));
+        assertThat(member(move, "does").getEnum()).map(Object::toString).containsExactly("move");
+        assertThat(move.getRequired()).containsExactly("does");
+        assertThat(walk.getProperties().keySet()).containsExactlyInAnyOrder("speed", "does", "way");
+        assertThat(member(walk, "does").getEnum()).map(Object::toString).containsExactly("move");
+        assertThat(walk.getRequired()).contains("does", "way");
     }
 
     private static io.swagger.v3.oas.models.media.Schema<?> member(

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -99,5 +100,65 @@ class AlternativesTest {
 
         assertThat(wrong.kind()).isEqualTo(RejectionKind.MALFORMED);
         assertThat(wrong.sentence()).isEqualTo("A JSON object is needed here.");
+    }
+
+    @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "does")
+    @JsonTypeResolver(ObjectsOnly.class)
+    @JsonSubTypes({
+        @JsonSubTypes.Type(value = Wait.class, name = "wait"),
+        @JsonSubTypes.Type(value = Move.class, name = "move")
+    })
+    sealed interface Order {}
+
+    record Wait() implements Order {}
+
+    @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "way")
+    @JsonTypeResolver(ObjectsOnly.class)
+    @JsonSubTypes({
+        @JsonSubTypes.Type(value = Walk.class, name = "walk"),
+        @JsonSubTypes.Type(value = Jump.class, name = "jump")
+    })
+    sealed interface Move extends Order {}
+
+    record Walk(@Nullable Double speed) implements Move {}
+
+    record Jump(@Nullable Double height, @Nullable List<String> cries) implements Move {}
+
+    @Test
+    void mayBeAChoiceByAnotherMember() {
+        assertThat(Alternatives.of(Order.class).orElseThrow().records())
+                .containsExactly(Map.entry("wait", Wait.class), Map.entry("move", Move.class));
+        assertThat(Alternatives.toldBy(Jump.class))
+                .containsExactly(Map.entry("does", "move"), Map.entry("way", "jump"));
+        assertThat(Alternatives.toldBy(Wait.class)).containsExactly(Map.entry("does", "wait"));
+        assertThat(Alternatives.toldBy(Drawing.class)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{\"does\":\"move\",\"way\":\"jump\",\"height\":2,\"cries\":[\"hey\"]}",
+                "{\"way\":\"jump\",\"does\":\"move\",\"height\":2,\"cries\":[\"hey\"]}",
+                "{\"height\":2,\"cries\":[\"hey\"],\"way\":\"jump\",\"does\":\"move\"}",
+                "{\"cries\":[\"hey\"],\"does\":\"move\",\"height\":2,\"way\":\"jump\"}"
+            })
+    void areReadWhereverBothMembersStand(String text) {
+        assertThat(json.read(text, Order.class)).isEqualTo(new Jump(2.0, List.of("hey")));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '\0',
+            value = {
+                "{\"does\":\"move\"} | \"way\" is missing; it must be walk or jump.",
+                "{\"speed\":1,\"does\":\"move\"} | \"way\" is missing; it must be walk or jump.",
+                "{\"does\":\"move\",\"way\":\"fly\"} | \"way\" must be walk or jump, not \"fly\".",
+                "{\"does\":\"wait\",\"way\":\"jump\"} | There is no member \"way\" here; there are: does.",
+                "{\"does\":\"move\",\"way\":\"walk\",\"height\":1} | There is no member \"height\" here; there are: does,"
+                        + " way, speed."
+            })
+    void areToldWhatIsWrongInTheInnerChoice(String text, String sentence) {
+        assertThat(wrong(text, Order.class).sentence()).isEqualTo(sentence);
     }
 }

@@ -20,6 +20,7 @@ import org.dronemap.ws.service.Alternatives;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
 
 /**
  * What a record looks like as JSON, a member a line: its path, its type, and whether it may be null or left out. Read off the
@@ -41,7 +42,15 @@ final class RecordShape {
         JsonNode least = mapper.valueToTree(new RecordSample(false).of(record));
         RecordShape shape = new RecordShape(mapper);
         shape.members("", record, full, least);
-        return String.join("\n", shape.lines) + "\n\n" + PrettyJson.of(full);
+        return String.join("\n", shape.lines) + "\n\n" + PrettyJson.of(shape.told(record, full));
+    }
+
+    /** A record writes the member of the innermost choice alone, where it is of several. */
+    private JsonNode told(Class<?> record, JsonNode full) {
+        ObjectNode all = mapper.createObjectNode();
+        Alternatives.toldBy(record).forEach(all::put);
+        full.forEachEntry(all::set);
+        return all;
     }
 
     private void members(String path, Class<?> record, JsonNode full, @Nullable JsonNode least) {
@@ -51,9 +60,9 @@ final class RecordShape {
         }
         within.push(record);
         List<String> known = new ArrayList<>();
-        Alternatives.with(record).ifPresent(all -> {
-            known.add(all.member());
-            lines.add(path + all.member() + ": always \"" + all.nameOf(record) + "\"");
+        Alternatives.toldBy(record).forEach((member, value) -> {
+            known.add(member);
+            lines.add(path + member + ": always \"" + value + "\"");
         });
         for (RecordComponent component : record.getRecordComponents()) {
             String name = nameOf(component);

@@ -79,7 +79,12 @@ class StreamWireTest {
 
     private Map<String, String> shapes(Map<String, Class<?>> records) {
         Map<String, String> shapes = new TreeMap<>();
-        records.forEach((kind, record) -> shapes.put(kind + ".txt", RecordShape.of(record, json)));
+        records.forEach((kind, form) -> Alternatives.of(form)
+                .ifPresentOrElse(
+                        more -> more.records()
+                                .forEach((name, record) ->
+                                        shapes.put(kind + "-" + name + ".txt", RecordShape.of(record, json))),
+                        () -> shapes.put(kind + ".txt", RecordShape.of(form, json))));
         return shapes;
     }
 
