@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -23,6 +24,10 @@ class ProblemCatalogueTest {
     private static final Path PAGE = Path.of("..", "docs", "problems.md");
     private static final String BEGIN = "<!-- written from the catalogue: begin -->\n";
     private static final String END = "<!-- written from the catalogue: end -->\n";
+    /** Told by a sentence that another code has, too, as people do not need to know which. */
+    private static final Set<String> SAME_SENTENCES =
+            Set.of("not-written-down", "plan-without-result", "follow-has-drone");
+
     private static final int WORDS_IN_A_ROW = 3;
     private static final String OUTCOMES = "Commands";
     private static final String OF_OUTCOMES = "These are also the `code` of the outcome of a command, in each face: a"
@@ -51,7 +56,9 @@ class ProblemCatalogueTest {
         assertThat(ProblemCode.all())
                 .extracting(code -> code.entry().meaning().toLowerCase(Locale.ROOT))
                 .doesNotHaveDuplicates();
-        assertThat(ProblemCode.all()).extracting(code -> code.entry().example()).doesNotHaveDuplicates();
+        assertThat(ProblemCode.all().stream().filter(code -> !SAME_SENTENCES.contains(code.word())))
+                .extracting(code -> code.entry().example())
+                .doesNotHaveDuplicates();
         assertThat(ProblemParameter.values()).extracting(ProblemParameter::word).doesNotHaveDuplicates();
     }
 
