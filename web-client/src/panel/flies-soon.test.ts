@@ -38,7 +38,10 @@ describe('putting a drone into the warehouse', () => {
   }
 
   it('says what it takes off for before it is done, and asks', async () => {
-    const station = show([{ ...ROOFS, flies: false, why: 'It has too little battery.', code: 'battery-too-low' }, ROOFS]);
+    const station = show([
+      { ...ROOFS, flies: false, why: 'It has too little battery.', code: 'battery-too-low' },
+      ROOFS,
+    ]);
     await fireEvent.click(screen.getByRole('button', { name: 'Put into the warehouse…' }));
     expect((await screen.findByText(/arms and takes off at once/)).parentElement?.textContent).toContain(
       '“Roofs” of olga (6 waypoints)',
