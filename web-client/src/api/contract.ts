@@ -3026,6 +3026,8 @@ export interface components {
             onCloudLoss?: "continue" | "rtl" | null;
         };
         VirtualDroneUnfitView: {
+            /** @description The same for programs; docs/problems.md lists them */
+            code: string;
             drone: components["schemas"]["VirtualDroneDroneName"];
             why: string;
         };
@@ -3090,6 +3092,8 @@ export interface components {
             waiting: components["schemas"]["WaitingView"][];
         };
         WarehouseProspectView: {
+            /** @description The same for programs; docs/problems.md lists them */
+            code: string | null;
             flies: boolean;
             name: string | null;
             owner: string | null;

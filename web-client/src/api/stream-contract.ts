@@ -1750,6 +1750,8 @@ export interface components {
             why: string | null;
         };
         VirtualDroneUnfitView: {
+            /** @description The same for programs; docs/problems.md lists them */
+            code: string;
             drone: components["schemas"]["VirtualDroneDroneName"];
             why: string;
         };

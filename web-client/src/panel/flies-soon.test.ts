@@ -10,7 +10,7 @@ import Warehouse from './Warehouse.svelte';
 
 afterEach(cleanup);
 
-const ROOFS: Prospect = { name: 'Roofs', owner: 'olga', waypoints: 6, flies: true, why: null };
+const ROOFS: Prospect = { name: 'Roofs', owner: 'olga', waypoints: 6, flies: true, why: null, code: null };
 
 function aStation(): Station {
   const station = new Station();
@@ -38,7 +38,10 @@ describe('putting a drone into the warehouse', () => {
   }
 
   it('says what it takes off for before it is done, and asks', async () => {
-    const station = show([{ ...ROOFS, flies: false, why: 'It has too little battery.' }, ROOFS]);
+    const station = show([
+      { ...ROOFS, flies: false, why: 'It has too little battery.', code: 'battery-too-low' },
+      ROOFS,
+    ]);
     await fireEvent.click(screen.getByRole('button', { name: 'Put into the warehouse…' }));
     expect((await screen.findByText(/arms and takes off at once/)).parentElement?.textContent).toContain(
       '“Roofs” of olga (6 waypoints)',

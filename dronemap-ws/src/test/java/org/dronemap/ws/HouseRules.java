@@ -25,6 +25,7 @@ import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.history.TelemetryColumn;
 import org.dronemap.core.operation.ObjectionCode;
 import org.dronemap.core.stored.Stored;
+import org.dronemap.core.virtual.UnfitCode;
 import org.dronemap.proxy.endpoint.BoundedDraft;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.security.Authentication;
@@ -224,7 +225,8 @@ final class HouseRules {
                 public boolean test(JavaClass type) {
                     return type.isAssignableTo(ProblemCode.class)
                             || type.isAssignableTo(ObjectionCode.class)
-                            || type.isEquivalentTo(OutcomeCode.class);
+                            || type.isEquivalentTo(OutcomeCode.class)
+                            || type.isEquivalentTo(UnfitCode.class);
                 }
             })
             .should(new ArchCondition<JavaField>("be told by something else than the catalogue") {

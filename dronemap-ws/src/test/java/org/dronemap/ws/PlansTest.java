@@ -302,16 +302,23 @@ class PlansTest {
         Http.Answer tooMany = operator.post(PATH, "{" + drones() + "," + waypoints(40) + ",\"seconds\":60}");
         assertThat(tooMany.status()).isEqualTo(409);
         assertThat(tooMany.text("detail")).startsWith("You have 3 plans under way already");
-        assertThat(operator.post(PATH + "/" + ids.get(0) + "/accept", "{}").text("detail"))
-                .isEqualTo("The plan is not finished.");
+        assertThat(notFinished(ids.get(0))).isEqualTo("plan-not-finished");
 
         for (String id : ids) {
             assertThat(delete(operator, id)).isEqualTo(204);
             await(id, "cancelled");
+            assertThat(notFinished(id)).isEqualTo("plan-without-result");
             assertThat(delete(operator, id)).isEqualTo(204);
             assertThat(delete(operator, id)).isEqualTo(404);
         }
         finished(ask(waypoints(2) + ",\"seconds\":0.1"));
+    }
+
+    /** The code that it is told by. */
+    private String notFinished(String id) {
+        Http.Answer refused = operator.post(PATH + "/" + id + "/accept", "{}");
+        assertThat(refused.text("detail")).isEqualTo("The plan is not finished.");
+        return refused.text("code");
     }
 
     private String searching() {

@@ -103,9 +103,31 @@ class VirtualDronesTest {
         assertThat(first.path("name").asString()).isEqualTo("Roofs");
         assertThat(first.path("flies").asBoolean()).isTrue();
         assertThat(first.path("why").isNull()).isTrue();
+        assertThat(first.path("code").isNull()).isTrue();
+        falcon.hasLeft(15);
+        Waiting.until(
+                "its battery is known to be low",
+                () -> Optional.of(supervisor.get(before).json().path("waiting").path(0))
+                        .filter(one -> one.path("code").asString().equals("battery-too-low")));
         assertThat(falcon.performed()).as("asking changes nothing").isEmpty();
         assertThat(supervisor.get("/api/v1/warehouse").json().path("drones").toString())
                 .doesNotContain(falcon.id());
+    }
+
+    @Test
+    void tellByACodeWhyADroneOfTheWarehouseCannotServe() {
+        WillingCopter falcon = falcon();
+        falcon.hasLeft(15);
+        offer(falcon);
+        String id = make(operator, "Roofs");
+        start(operator, id);
+
+        JsonNode unfit = Waiting.until(
+                "why it cannot serve is told",
+                () -> Optional.of(run(operator, id).path("unfit").path(0)).filter(one -> one.has("code")));
+        assertThat(unfit.path("drone").path("id").asString()).isEqualTo(falcon.id());
+        assertThat(unfit.path("code").asString()).isEqualTo("battery-too-low");
+        assertThat(unfit.path("why").asString()).startsWith("Its battery has 15 %");
     }
 
     @Test

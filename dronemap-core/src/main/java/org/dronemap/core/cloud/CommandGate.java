@@ -23,6 +23,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.time.Time;
+import org.dronemap.core.zone.WayObjection;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 
@@ -167,9 +168,25 @@ public final class CommandGate {
     /** Why the zones, or the bounds of a key, speak against it. */
     Optional<Refusal> whyNotThere(Principal principal, DroneState drone, Command command) {
         return zones.whyNot(principal.name(), drone, command, clock.instant())
-                .map(why -> new Refusal(OutcomeCode.ZONE_FORBIDS, why))
+                .map(CommandGate::byZone)
                 .or(() -> ZoneRules.whyNot(principal.scope().bounds(), "the bounds of this access key", drone, command)
-                        .map(why -> new Refusal(OutcomeCode.KEY_BOUNDS_FORBID, why)));
+                        .map(CommandGate::byKey));
+    }
+
+    private static Refusal byZone(WayObjection why) {
+        OutcomeCode code = switch (why.kind()) {
+            case FORBIDDEN -> OutcomeCode.ZONE_FORBIDS;
+            case NOT_CHECKABLE -> OutcomeCode.ZONE_NOT_CHECKABLE;
+        };
+        return new Refusal(code, why.sentence());
+    }
+
+    private static Refusal byKey(WayObjection why) {
+        OutcomeCode code = switch (why.kind()) {
+            case FORBIDDEN -> OutcomeCode.KEY_BOUNDS_FORBID;
+            case NOT_CHECKABLE -> OutcomeCode.KEY_BOUNDS_NOT_CHECKABLE;
+        };
+        return new Refusal(code, why.sentence());
     }
 
     public Optional<CommandRecord> find(CommandId id) {

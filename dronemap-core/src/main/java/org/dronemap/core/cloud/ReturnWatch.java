@@ -19,6 +19,7 @@ import org.dronemap.core.safety.LandingPlace;
 import org.dronemap.core.safety.ReturnLadder;
 import org.dronemap.core.safety.Rung;
 import org.dronemap.core.time.Time;
+import org.dronemap.core.zone.WayObjection;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 
@@ -187,7 +188,7 @@ final class ReturnWatch {
 
             @Override
             public Optional<String> against(Command.GoTo way) {
-                return zones.whyNot(user, state, way, clock.instant());
+                return zones.whyNot(user, state, way, clock.instant()).map(WayObjection::sentence);
             }
 
             @Override

@@ -14,8 +14,8 @@ import org.dronemap.core.stored.StoredNames;
                 + "not-disarmed-for-planner drone-is-a-recording contact-lost capabilities-unknown "
                 + "capability-missing already-armed not-armed drone-airborne not-airborne mission-missing "
                 + "mode-unknown mode-not-steerable heading-unknown home-unknown place-too-far zone-forbids "
-                + "key-bounds-forbid control-held control-ended command-under-way transfer-under-way link-missing "
-                + "server-overloaded not-sent server-fault autopilot-unknown not-settable command-refused "
+                + "zone-not-checkable key-bounds-forbid key-bounds-not-checkable control-held control-ended command-under-way transfer-under-way link-missing "
+                + "server-overloaded not-sent not-written-down drone-removed server-fault autopilot-unknown not-settable command-refused "
                 + "vehicle-busy vehicle-denied vehicle-does-not-know vehicle-failed vehicle-cancelled "
                 + "positions-not-taken mission-item-not-known mission-too-long mission-value-not-taken "
                 + "mission-out-of-order vehicle-refused command-failed command-timed-out command-superseded "
@@ -56,11 +56,17 @@ public enum OutcomeCode {
             "The place is farther away than a drone is sent at one go.",
             "47.00000, 8.00000 is 300 km from where it is; it is sent at most 100 km far."),
     ZONE_FORBIDS(
-            "A zone forbids the way, or nobody can tell whether it does.",
+            "A zone forbids the way.",
+            "The way from where the drone is to the place enters the no-fly zone “Airport” after 445 m."),
+    ZONE_NOT_CHECKABLE(
+            "A zone binds the drone, and nobody can tell whether the way keeps to it.",
             "The way there is longer than 1000 km; it cannot be checked against the zone “Airport”."),
     KEY_BOUNDS_FORBID(
-            "The way leaves the area or heights of the access key, or nobody can tell whether it does.",
+            "The way leaves the area or heights of the access key, or the key's bounds let nobody change this.",
             "The way there leaves the bounds of this access key after 120 m."),
+    KEY_BOUNDS_NOT_CHECKABLE(
+            "The access key has an area or heights, and nobody can tell whether the way keeps to them.",
+            "Where it flies in CIRCLE is not known; so it cannot be checked against the bounds of this access key."),
     CONTROL_HELD(
             "Somebody else has control of the drone.",
             "mia has had control of it since 2026-03-04 05:06:07 UTC; ask for it, or wait until it is given back."),
@@ -76,8 +82,12 @@ public enum OutcomeCode {
     LINK_MISSING("There is no link over which it could be sent.", "There is no link to the drone."),
     SERVER_OVERLOADED("The server had too much to do to send it.", "The server is overloaded; nothing was sent."),
     NOT_SENT(
-            "The server stopped, or could not write the command down, before it was sent.",
+            "The server stopped before it was sent.",
             "It was not sent: the server stopped, or could not write it down, before."),
+    NOT_WRITTEN_DOWN(
+            "It was not sent, since it could not be written down, as is done before.",
+            "It was not sent: the server stopped, or could not write it down, before."),
+    DRONE_REMOVED("The drone was removed before it was sent.", "It was not sent: there is no such drone any more."),
     SERVER_FAULT(
             "A fault of the server: it cannot judge or do what was asked.",
             "The cloud does not know how to do this: a fault of its own, which is logged for its makers."),

@@ -68,8 +68,8 @@ final class DroneCrew {
     }
 
     /** What the gate would say. */
-    Optional<String> refusal(Holder.Operation by, DroneState drone, Command command) {
-        return cloud.gate().whyNot(principal(by), drone, command).map(Refusal::sentence);
+    Optional<Refusal> refusal(Holder.Operation by, DroneState drone, Command command) {
+        return cloud.gate().whyNot(principal(by), drone, command);
     }
 
     void command(Holder.Operation by, DroneId drone, CommandId id, Command command) {

@@ -14,6 +14,7 @@ import org.dronemap.core.command.Refusal;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.time.Outage;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -23,15 +24,14 @@ final class Hands {
     /** The gate, which hears of more, gives up after 90 s without a sign; a transfer that goes on may take as long as it does. */
     private static final Duration LONGEST_WITHOUT_NEWS = Duration.ofMinutes(3);
 
-    private static final Outcome NEVER_SENT = new Outcome.Refused(
-            "gate",
-            new Refusal(
-                    OutcomeCode.NOT_SENT, "It was not sent: the server stopped, or could not write it down, before."));
+    private static final String NEVER_SENT = "It was not sent: the server stopped, or could not write it down, before.";
 
     private final DroneCrew crew;
     private final Holder.Operation holder;
     private final LongSupplier nanoTime;
     private final Map<CommandId, News> newest = new HashMap<>();
+    /** Of what could not be given; a server that stopped before it was given has no entry. */
+    private final Map<CommandId, Refusal> neverGiven = new HashMap<>();
 
     /** How far a command was when that was seen first. */
     private record News(CommandRecord record, long seenNanos) {}
@@ -50,7 +50,12 @@ final class Hands {
                     "{} is not told to {}: it was removed",
                     what.drone(),
                     what.command().summary());
+            neverGiven.put(
+                    what.id(),
+                    new Refusal(OutcomeCode.DRONE_REMOVED, "It was not sent: there is no such drone any more."));
         } catch (RuntimeException e) {
+            OutcomeCode code = e instanceof Outage ? OutcomeCode.NOT_WRITTEN_DOWN : OutcomeCode.SERVER_FAULT;
+            neverGiven.put(what.id(), new Refusal(code, NEVER_SENT));
             LOG.error("{} was not told to {}", what.drone(), what.command().summary(), e);
         }
     }
@@ -59,7 +64,8 @@ final class Hands {
     Optional<Outcome> end(SavedOperation.Given given) {
         Optional<CommandRecord> record = crew.record(given.command());
         if (record.isEmpty()) {
-            return Optional.of(NEVER_SENT);
+            return Optional.of(new Outcome.Refused(
+                    "gate", neverGiven.getOrDefault(given.command(), new Refusal(OutcomeCode.NOT_SENT, NEVER_SENT))));
         }
         Outcome outcome = record.get().outcome();
         if (outcome != null) {
@@ -76,5 +82,6 @@ final class Hands {
 
     void told(SavedOperation.Given given) {
         newest.remove(given.command());
+        neverGiven.remove(given.command());
     }
 }

@@ -10,10 +10,13 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Wind;
 import org.dronemap.core.time.Time;
+import org.dronemap.core.virtual.Against;
 import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.Candidate;
 import org.dronemap.core.virtual.Choice;
@@ -24,6 +27,7 @@ import org.dronemap.core.virtual.Selection;
 import org.dronemap.core.virtual.Share;
 import org.dronemap.core.virtual.Sight;
 import org.dronemap.core.virtual.Step;
+import org.dronemap.core.virtual.UnfitCode;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.jspecify.annotations.Nullable;
@@ -41,7 +45,7 @@ final class Runs {
     private final Clock clock;
     private final Stillness stillness;
     private final Silence silence;
-    private final ConcurrentHashMap<VirtualDroneId, List<Choice.Unfit>> waitingFor = new ConcurrentHashMap<>();
+    private final ConcurrentHashMap<VirtualDroneId, List<Selection.Unfit>> waitingFor = new ConcurrentHashMap<>();
 
     /** What runs are driven by. */
     record Means(RunMachine machine, VirtualRights rights, Time time) {}
@@ -59,7 +63,7 @@ final class Runs {
     }
 
     /** Why the drones of the warehouse cannot serve it now; nothing when it does not wait. Any thread. */
-    List<Choice.Unfit> waitingFor(VirtualDroneId id) {
+    List<Selection.Unfit> waitingFor(VirtualDroneId id) {
         return waitingFor.getOrDefault(id, List.of());
     }
 
@@ -78,7 +82,7 @@ final class Runs {
                 .toList();
     }
 
-    private Optional<String> whyNot(VirtualDrone waiting, Run run, DroneState drone) {
+    private Optional<Against> whyNot(VirtualDrone waiting, Run run, DroneState drone) {
         List<DroneState> alone = List.of(drone);
         return Selection.of(
                         new Demand(waiting.needs(), run.tour(), run.flown(), wind(run, alone)),
@@ -86,7 +90,7 @@ final class Runs {
                         (state, share) -> hindrance(waiting, run, state, share))
                 .unfit()
                 .stream()
-                .map(Choice.Unfit::why)
+                .map(Selection.Unfit::why)
                 .findFirst();
     }
 
@@ -218,15 +222,18 @@ final class Runs {
                 .orElse(null);
     }
 
-    private Optional<String> objection(VirtualDrone drone, Run run, DroneState state, Share share) {
-        return crew.busy(state.id()).or(() -> hindrance(drone, run, state, share));
+    private Optional<Against> objection(VirtualDrone drone, Run run, DroneState state, Share share) {
+        return crew.busy(state.id())
+                .map(held -> Against.of(new Refusal(OutcomeCode.CONTROL_HELD, held)))
+                .or(() -> hindrance(drone, run, state, share));
     }
 
     /** What speaks against it though nobody has control of it. */
-    private Optional<String> hindrance(VirtualDrone drone, Run run, DroneState state, Share share) {
+    private Optional<Against> hindrance(VirtualDrone drone, Run run, DroneState state, Share share) {
         return RunMachine.avoids(run, state, clock.instant())
-                ? Optional.of("It could not go on with this mission a while ago.")
-                : crew.refusal(VirtualHolder.of(drone), state, new Command.UploadMission(share.mission()));
+                ? Optional.of(Against.of(UnfitCode.FAILED_BEFORE, "It could not go on with this mission a while ago."))
+                : crew.refusal(VirtualHolder.of(drone), state, new Command.UploadMission(share.mission()))
+                        .map(Against::of);
     }
 
     private void bind(VirtualDrone drone, Run run, Choice choice, Selection selection) {

@@ -18,9 +18,9 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.operation.Objection;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.virtual.Choice;
 import org.dronemap.core.virtual.Run;
 import org.dronemap.core.virtual.RunMachine;
+import org.dronemap.core.virtual.Selection;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
@@ -136,7 +136,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     /** Why the drones of the warehouse cannot serve it now; nothing when it does not wait. */
-    public List<Choice.Unfit> waitingFor(VirtualDroneId id) {
+    public List<Selection.Unfit> waitingFor(VirtualDroneId id) {
         return runs.waitingFor(id);
     }
 

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Position;
@@ -23,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param candidates those that can
  * @param choice empty when there are none
  */
-public record Selection(List<Candidate> candidates, Optional<Choice> choice, List<Choice.Unfit> unfit) {
+public record Selection(List<Candidate> candidates, Optional<Choice> choice, List<Unfit> unfit) {
     /** That much is to be in the battery when the mission is over. */
     public static final int RESERVE_PERCENT = 20;
 
@@ -42,15 +43,22 @@ public record Selection(List<Candidate> candidates, Optional<Choice> choice, Lis
         unfit = List.copyOf(unfit);
     }
 
-    /** What else speaks against a drone: who has control of it, zones, rights. A sentence, or nothing. */
+    /** A drone that cannot serve, and why. */
+    public record Unfit(DroneId drone, Against why) {}
+
+    /** What else speaks against a drone: who has control of it, zones, rights. */
     public interface Objection {
-        Optional<String> to(DroneState drone, Share share);
+        Optional<Against> to(DroneState drone, Share share);
     }
 
     /** A drone and what became of it: exactly one of the two is there. */
     private record Judged(
-            @Nullable Candidate candidate, @Nullable String unfit) {
-        static Judged unfit(String why) {
+            @Nullable Candidate candidate, @Nullable Against unfit) {
+        static Judged unfit(UnfitCode code, String sentence) {
+            return unfit(Against.of(code, sentence));
+        }
+
+        static Judged unfit(Against why) {
             return new Judged(null, why);
         }
     }
@@ -58,7 +66,7 @@ public record Selection(List<Candidate> candidates, Optional<Choice> choice, Lis
     /** Recordings are no drones. */
     public static Selection of(Demand demand, Collection<DroneState> drones, Objection objection) {
         List<Candidate> candidates = new ArrayList<>();
-        List<Choice.Unfit> unfit = new ArrayList<>();
+        List<Unfit> unfit = new ArrayList<>();
         for (DroneState drone : drones) {
             if (drone.replay()) {
                 continue;
@@ -67,14 +75,20 @@ public record Selection(List<Candidate> candidates, Optional<Choice> choice, Lis
             if (judged.candidate() != null) {
                 candidates.add(judged.candidate());
             } else if (judged.unfit() != null) {
-                unfit.add(new Choice.Unfit(drone.id(), judged.unfit()));
+                unfit.add(new Unfit(drone.id(), judged.unfit()));
             }
         }
-        return new Selection(candidates, Choice.among(candidates, unfit), unfit);
+        return new Selection(candidates, Choice.among(candidates, sentences(unfit)), unfit);
+    }
+
+    private static List<Choice.Unfit> sentences(List<Unfit> unfit) {
+        return unfit.stream()
+                .map(one -> new Choice.Unfit(one.drone(), one.why().sentence()))
+                .toList();
     }
 
     private static Judged judge(Demand demand, DroneState drone, Objection objection) {
-        Optional<String> why = notReady(drone).or(() -> notWanted(demand.needs(), drone));
+        Optional<Against> why = notReady(drone).or(() -> notWanted(demand.needs(), drone));
         if (why.isPresent()) {
             return Judged.unfit(why.get());
         }
@@ -83,14 +97,16 @@ public record Selection(List<Candidate> candidates, Optional<Choice> choice, Lis
         Battery battery = drone.battery();
         Integer percent = battery == null ? null : battery.percent();
         if (stand == null || drone.home() == null) {
-            return Judged.unfit("Where it stands, or its home, is not known.");
+            return Judged.unfit(
+                    stand == null ? UnfitCode.POSITION_UNKNOWN : UnfitCode.HOME_UNKNOWN,
+                    "Where it stands, or its home, is not known.");
         }
         if (percent == null) {
-            return Judged.unfit("How full its battery is, is not known.");
+            return Judged.unfit(UnfitCode.BATTERY_UNKNOWN, "How full its battery is, is not known.");
         }
         Area area = demand.needs().area();
         if (area != null && !area.contains(stand)) {
-            return Judged.unfit("It does not stand " + area.words() + ".");
+            return Judged.unfit(UnfitCode.OUTSIDE_AREA, "It does not stand " + area.words() + ".");
         }
         return energetic(demand, drone, new Charge(stand, percent), objection);
     }
@@ -100,27 +116,28 @@ public record Selection(List<Candidate> candidates, Optional<Choice> choice, Lis
 
     private static Judged energetic(Demand demand, DroneState drone, Charge charge, Objection objection) {
         VehicleKind kind = drone.identification().kind();
-        Integer endurance = demand.needs().enduranceMinutes();
-        double lasts = Energy.minutesOf(charge.percent(), kind);
-        if (endurance != null && lasts < endurance) {
-            return Judged.unfit(
-                    String.format(Locale.ROOT, "Its battery lasts for some %.0f min, not for %d.", lasts, endurance));
+        Optional<Against> tooShort = lastsTooShort(demand.needs().enduranceMinutes(), charge, kind);
+        if (tooShort.isPresent()) {
+            return Judged.unfit(tooShort.get());
         }
         Energy energy = Energy.of(demand.tour(), demand.first(), drone, charge.stand(), demand.wind());
         if (Double.isInfinite(energy.minutes())) {
-            return Judged.unfit("It makes no headway on its way: the mission takes " + energy.words() + ".");
+            return Judged.unfit(
+                    UnfitCode.NO_HEADWAY, "It makes no headway on its way: the mission takes " + energy.words() + ".");
         }
         double left = charge.percent() - energy.percent();
         if (left < RESERVE_PERCENT) {
-            return Judged.unfit("Its battery has " + charge.percent() + " %; the mission takes " + energy.words()
-                    + ", and " + RESERVE_PERCENT + " % are kept in reserve.");
+            return Judged.unfit(
+                    UnfitCode.BATTERY_TOO_LOW,
+                    "Its battery has " + charge.percent() + " %; the mission takes " + energy.words() + ", and "
+                            + RESERVE_PERCENT + " % are kept in reserve.");
         }
         Optional<Tour.TakeOff> takeOff = demand.tour().takeOff(drone, demand.first());
         if (takeOff.isEmpty()) {
-            return Judged.unfit("How high it has to take off is not known.");
+            return Judged.unfit(UnfitCode.TAKE_OFF_UNKNOWN, "How high it has to take off is not known.");
         }
         Double height = takeOff.get().meters();
-        Optional<String> against = objection.to(drone, demand.tour().share(demand.first(), height));
+        Optional<Against> against = objection.to(drone, demand.tour().share(demand.first(), height));
         if (against.isPresent()) {
             return Judged.unfit(against.get());
         }
@@ -137,6 +154,16 @@ public record Selection(List<Candidate> candidates, Optional<Choice> choice, Lis
                 null);
     }
 
+    private static Optional<Against> lastsTooShort(@Nullable Integer minutes, Charge charge, VehicleKind kind) {
+        double lasts = Energy.minutesOf(charge.percent(), kind);
+        return minutes == null || lasts >= minutes
+                ? Optional.empty()
+                : Optional.of(Against.of(
+                        UnfitCode.ENDURANCE_TOO_SHORT,
+                        String.format(
+                                Locale.ROOT, "Its battery lasts for some %.0f min, not for %d.", lasts, minutes)));
+    }
+
     private static int step(double value, int step) {
         return (int) Math.floor(value / step) * step;
     }
@@ -146,32 +173,34 @@ public record Selection(List<Candidate> candidates, Optional<Choice> choice, Lis
         return share == null ? 100 : (int) Math.round(share * 100);
     }
 
-    private static Optional<String> notReady(DroneState drone) {
+    private static Optional<Against> notReady(DroneState drone) {
         if (drone.link().state() != LinkState.LIVE) {
-            return Optional.of("There is no good contact with it.");
+            return Optional.of(Against.of(UnfitCode.CONTACT_NOT_GOOD, "There is no good contact with it."));
         }
         if (!Boolean.FALSE.equals(drone.armed()) || drone.airborne()) {
-            return Optional.of("It is armed or in the air.");
+            return Optional.of(Against.of(UnfitCode.NOT_AT_REST, "It is armed or in the air."));
         }
         if (Boolean.FALSE.equals(drone.readyToArm())) {
-            return Optional.of("Its own checks do not let it arm.");
+            return Optional.of(Against.of(UnfitCode.NOT_READY, "Its own checks do not let it arm."));
         }
         Double lost = drone.link().quality().lossShort();
         return lost != null && lost * 100 > WORST_LOSS_PERCENT
-                ? Optional.of("Its link loses " + Math.round(lost * 100) + " % of its messages.")
+                ? Optional.of(Against.of(
+                        UnfitCode.LINK_TOO_LOSSY, "Its link loses " + Math.round(lost * 100) + " % of its messages."))
                 : Optional.empty();
     }
 
-    private static Optional<String> notWanted(Needs needs, DroneState drone) {
+    private static Optional<Against> notWanted(Needs needs, DroneState drone) {
         VehicleKind kind = drone.identification().kind();
         if (needs.kind() != null && needs.kind() != kind) {
-            return Optional.of("It is a " + words(kind) + ", not a " + words(needs.kind()) + ".");
+            return Optional.of(Against.of(
+                    UnfitCode.OTHER_KIND, "It is a " + words(kind) + ", not a " + words(needs.kind()) + "."));
         }
         EnumSet<Capability> wanted = EnumSet.copyOf(FLYING);
         wanted.addAll(needs.capabilities());
         return wanted.stream()
                 .filter(capability -> !drone.capabilities().commands().contains(capability))
-                .map(capability -> "It cannot " + capability.phrase() + ".")
+                .map(capability -> Against.of(UnfitCode.CAPABILITY_MISSING, "It cannot " + capability.phrase() + "."))
                 .findFirst();
     }
 

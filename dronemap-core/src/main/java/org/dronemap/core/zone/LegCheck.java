@@ -38,8 +38,8 @@ final class LegCheck {
         this.stretch = new Stretch(plane.spot(leg.from()), plane.spot(leg.to()));
     }
 
-    /** A sentence that names leg, zone and distance; empty when the leg keeps to the zone. */
-    Optional<String> whyNot(Zone zone) {
+    /** Names leg, zone and distance; empty when the leg keeps to the zone. */
+    Optional<WayObjection> whyNot(Zone zone) {
         if (zone.shape().inside()) {
             return whyNot(new Bounds(zone.shape(), zone.band()), zone.words());
         }
@@ -47,7 +47,7 @@ final class LegCheck {
     }
 
     /** The same of bounds that are called so. */
-    Optional<String> whyNot(Bounds bounds, String words) {
+    Optional<WayObjection> whyNot(Bounds bounds, String words) {
         return isTooLong()
                 ? Optional.of(tooLong(words))
                 : outOfBand(bounds.band(), words).or(() -> leaves(bounds.area(), words));
@@ -57,42 +57,46 @@ final class LegCheck {
         return stretch.lengthMeters() > LONGEST_LEG_METERS;
     }
 
-    private String tooLong(String words) {
-        return leg.words() + " is longer than 1000 km; it cannot be checked against " + words + ".";
+    private WayObjection tooLong(String words) {
+        return WayObjection.notCheckable(
+                leg.words() + " is longer than 1000 km; it cannot be checked against " + words + ".");
     }
 
-    private Optional<String> enters(Zone zone) {
+    private Optional<WayObjection> enters(Zone zone) {
         if (isFar(zone.shape()) || !sharesHeights(zone)) {
             return Optional.empty();
         }
         Contact contact =
                 zone.shape() instanceof FenceZone.Circle circle ? meets(circle) : meets(outline(zone.shape()));
         if (contact.beginsInside()) {
-            return Optional.of(leg.words() + " begins inside " + named(zone) + ".");
+            return Optional.of(WayObjection.forbidden(leg.words() + " begins inside " + named(zone) + "."));
         }
         if (contact.metersToCrossing() < Double.POSITIVE_INFINITY) {
-            return Optional.of(
-                    leg.words() + " enters " + named(zone) + " after " + meters(contact.metersToCrossing()) + ".");
+            return Optional.of(WayObjection.forbidden(
+                    leg.words() + " enters " + named(zone) + " after " + meters(contact.metersToCrossing()) + "."));
         }
-        return near(contact).map(how -> leg.words() + " passes " + how + " of " + named(zone) + ".");
+        return near(contact)
+                .map(how -> WayObjection.forbidden(leg.words() + " passes " + how + " of " + named(zone) + "."));
     }
 
-    private Optional<String> leaves(@Nullable FenceZone area, String words) {
+    private Optional<WayObjection> leaves(@Nullable FenceZone area, String words) {
         if (area == null) {
             return Optional.empty();
         }
         return leaves(area instanceof FenceZone.Circle circle ? staysIn(circle) : meets(outline(area)), words);
     }
 
-    private Optional<String> leaves(Contact contact, String words) {
+    private Optional<WayObjection> leaves(Contact contact, String words) {
         if (!contact.beginsInside()) {
-            return Optional.of(leg.words() + " begins outside " + words + ", " + meters(contact.startGapMeters())
-                    + " away from it.");
+            return Optional.of(WayObjection.forbidden(leg.words() + " begins outside " + words + ", "
+                    + meters(contact.startGapMeters()) + " away from it."));
         }
         if (contact.metersToCrossing() < Double.POSITIVE_INFINITY) {
-            return Optional.of(leg.words() + " leaves " + words + " after " + meters(contact.metersToCrossing()) + ".");
+            return Optional.of(WayObjection.forbidden(
+                    leg.words() + " leaves " + words + " after " + meters(contact.metersToCrossing()) + "."));
         }
-        return near(contact).map(how -> leg.words() + " comes " + how + " of the edge of " + words + ".");
+        return near(contact)
+                .map(how -> WayObjection.forbidden(leg.words() + " comes " + how + " of the edge of " + words + "."));
     }
 
     private static Optional<String> near(Contact contact) {
@@ -224,22 +228,25 @@ final class LegCheck {
                 && range.highMeters() >= zone.band().lowMeters();
     }
 
-    private Optional<String> outOfBand(AltitudeBand band, String words) {
+    private Optional<WayObjection> outOfBand(AltitudeBand band, String words) {
         if (!band.isBounded()) {
             return Optional.empty();
         }
         Heights.Range range = leg.heights().from(band.reference(), levels);
         if (range.equals(Heights.Range.ANY)) {
-            return Optional.of("How high " + lowerFirst(leg.words()) + " leads cannot be compared with the heights of "
-                    + words + " as long as the altitude of the home is not known.");
+            return Optional.of(WayObjection.notCheckable(
+                    "How high " + lowerFirst(leg.words()) + " leads cannot be compared with the heights of " + words
+                            + " as long as the altitude of the home is not known."));
         }
         if (range.highMeters() > band.highMeters()) {
-            return Optional.of(leg.words() + " reaches " + band.words(Math.round(range.highMeters() * 10) / 10.0)
-                    + ", over the ceiling of " + words + " at " + band.words(band.highMeters()) + ".");
+            return Optional.of(WayObjection.forbidden(
+                    leg.words() + " reaches " + band.words(Math.round(range.highMeters() * 10) / 10.0)
+                            + ", over the ceiling of " + words + " at " + band.words(band.highMeters()) + "."));
         }
         if (!leg.heights().toTheGround() && range.lowMeters() < band.lowMeters()) {
-            return Optional.of(leg.words() + " goes down to " + band.words(Math.round(range.lowMeters() * 10) / 10.0)
-                    + ", under the floor of " + words + " at " + band.words(band.lowMeters()) + ".");
+            return Optional.of(WayObjection.forbidden(
+                    leg.words() + " goes down to " + band.words(Math.round(range.lowMeters() * 10) / 10.0)
+                            + ", under the floor of " + words + " at " + band.words(band.lowMeters()) + "."));
         }
         return Optional.empty();
     }

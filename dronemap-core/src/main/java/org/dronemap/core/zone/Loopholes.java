@@ -14,10 +14,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * What a command changes of where a drone goes by itself later on.
  *
- * @param why a sentence why nobody can look at that beforehand; null: it can be looked at
+ * @param why what speaks against it as such; null: it depends on the refuges
  * @param refuges where it would go once it is called home
  */
-record Loopholes(@Nullable String why, Route refuges) {
+record Loopholes(@Nullable WayObjection why, Route refuges) {
     private static final Loopholes NONE = new Loopholes(null, Route.NONE);
 
     /** {@code words}: what the bounds are called. */
@@ -25,24 +25,27 @@ record Loopholes(@Nullable String why, Route refuges) {
         return switch (command.kind().laterChange()) {
             case NOTHING -> NONE;
             case PARAMETERS ->
-                because("Parameters say where a drone flies by itself, such as how high it comes home; within " + words
-                        + " they cannot be written.");
+                forbidden("Parameters say where a drone flies by itself, such as how high it comes home; within "
+                        + words + " they cannot be written.");
             case HOME ->
                 bounds.stream().anyMatch(Loopholes::isMeasuredFromHome)
-                        ? because("The heights of " + words + " are measured from home; so home cannot be moved.")
+                        ? forbidden("The heights of " + words + " are measured from home; so home cannot be moved.")
                         : home(((Command.SetHome) command).point());
             case RALLY_POINTS -> rally(((Command.SetRallyPoints) command).points());
             case MODE -> inMode(words, drone, ((Command.SetMode) command).mode());
         };
     }
 
-    private static Loopholes because(String why) {
-        return new Loopholes(why, Route.NONE);
+    private static Loopholes forbidden(String why) {
+        return new Loopholes(WayObjection.forbidden(why), Route.NONE);
     }
 
     private static Loopholes inMode(String words, DroneState drone, String mode) {
         return fliesItsOwnWay(drone, mode)
-                ? because("Where it flies in " + mode + " is not known; so it cannot be checked against " + words + ".")
+                ? new Loopholes(
+                        WayObjection.notCheckable("Where it flies in " + mode
+                                + " is not known; so it cannot be checked against " + words + "."),
+                        Route.NONE)
                 : NONE;
     }
 
@@ -69,15 +72,15 @@ record Loopholes(@Nullable String why, Route refuges) {
      * The same of zones: a home that goes up or down takes along what the vehicle was told above it. What is told after that is
      * judged from the ground that it left; what it was told before is not judged again.
      */
-    static Optional<String> whyNot(List<Zone> zones, DroneState drone, Command command) {
+    static Optional<WayObjection> whyNot(List<Zone> zones, DroneState drone, Command command) {
         if (!(command instanceof Command.SetHome home) || isLevel(home, drone)) {
             return Optional.empty();
         }
         return zones.stream()
                 .filter(zone -> isMeasuredFromHome(zone.band()))
                 .findFirst()
-                .map(zone -> "The heights of " + zone.words()
-                        + " are measured from where it took off; so its home can be" + " moved at that height only.");
+                .map(zone -> WayObjection.forbidden("The heights of " + zone.words()
+                        + " are measured from where it took off; so its home can be moved at that height only."));
     }
 
     private static boolean isLevel(Command.SetHome home, DroneState drone) {

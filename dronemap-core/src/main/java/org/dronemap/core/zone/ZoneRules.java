@@ -19,8 +19,8 @@ public final class ZoneRules {
         this.book = book;
     }
 
-    /** A sentence that names the leg, the zone and a distance; empty when nothing speaks against it. */
-    public Optional<String> whyNot(String user, DroneState drone, Command command, Instant now) {
+    /** Names the leg, the zone and a distance; empty when nothing speaks against it. */
+    public Optional<WayObjection> whyNot(String user, DroneState drone, Command command, Instant now) {
         List<Zone> zones = book.binding(user, drone.id(), now, now.plus(AHEAD));
         return zones.isEmpty()
                 ? Optional.empty()
@@ -28,7 +28,7 @@ public final class ZoneRules {
     }
 
     /** The same for bounds that hold whoever commands this, all of them; {@code words} is what they are called. */
-    public static Optional<String> whyNot(List<Bounds> bounds, String words, DroneState drone, Command command) {
+    public static Optional<WayObjection> whyNot(List<Bounds> bounds, String words, DroneState drone, Command command) {
         if (bounds.isEmpty()) {
             return Optional.empty();
         }
@@ -49,16 +49,20 @@ public final class ZoneRules {
     /** What a return home would cross, for a warning: it is never forbidden. */
     public Optional<String> homewardDoubt(String user, DroneState drone, Instant now) {
         List<Zone> zones = book.binding(user, drone.id(), now, now);
-        return zones.isEmpty() ? Optional.empty() : whyNot(zones, drone, Routes.home(drone));
+        return zones.isEmpty() ? Optional.empty() : sentence(zones, drone, Routes.home(drone));
     }
 
     /** What a landing where it is would touch; nobody else but a rule asks before it lands a drone. */
     public Optional<String> landingDoubt(String user, DroneState drone, Instant now) {
         List<Zone> zones = book.binding(user, drone.id(), now, now);
-        return zones.isEmpty() ? Optional.empty() : whyNot(zones, drone, Routes.down(drone));
+        return zones.isEmpty() ? Optional.empty() : sentence(zones, drone, Routes.down(drone));
     }
 
-    private static Optional<String> whyNot(List<Zone> zones, DroneState drone, Route route) {
+    private static Optional<String> sentence(List<Zone> zones, DroneState drone, Route route) {
+        return whyNot(zones, drone, route).map(WayObjection::sentence);
+    }
+
+    private static Optional<WayObjection> whyNot(List<Zone> zones, DroneState drone, Route route) {
         return whyNot(
                 route,
                 drone,
@@ -66,17 +70,18 @@ public final class ZoneRules {
                 "the zones that bind this flight, such as " + zones.get(0).words());
     }
 
-    private static Optional<String> whyNot(
-            Route route, DroneState drone, Function<LegCheck, Optional<String>> judge, String against) {
+    private static Optional<WayObjection> whyNot(
+            Route route, DroneState drone, Function<LegCheck, Optional<WayObjection>> judge, String against) {
         Levels levels = Levels.of(drone);
-        Optional<String> why = firstOf(route.legs(), leg -> judge.apply(new LegCheck(leg, levels)));
+        Optional<WayObjection> why = firstOf(route.legs(), leg -> judge.apply(new LegCheck(leg, levels)));
         String doubt = route.doubt();
         return why.isPresent() || doubt == null
                 ? why
-                : Optional.of(doubt + "; so the way cannot be checked against " + against + ".");
+                : Optional.of(
+                        WayObjection.notCheckable(doubt + "; so the way cannot be checked against " + against + "."));
     }
 
-    private static <T> Optional<String> firstOf(List<T> all, Function<T, Optional<String>> judge) {
+    private static <T> Optional<WayObjection> firstOf(List<T> all, Function<T, Optional<WayObjection>> judge) {
         return all.stream().map(judge).flatMap(Optional::stream).findFirst();
     }
 }

@@ -100,6 +100,9 @@ public final class Fixtures {
     public static final class HeapCommandStore implements CommandStore {
         public final ConcurrentHashMap<CommandId, CommandRecord> records = new ConcurrentHashMap<>();
         public volatile boolean broken;
+        /** What the next intents fail with; null: they do not. */
+        public volatile @Nullable RuntimeException beginFailure;
+
         /** Outcomes wait for it before they are written. */
         public volatile CountDownLatch disk = new CountDownLatch(0);
         /** Intents, and whoever looks for a command, wait for it. */
@@ -108,6 +111,10 @@ public final class Fixtures {
         @Override
         public boolean begin(CommandRecord command) {
             awaits(answers);
+            RuntimeException failure = beginFailure;
+            if (failure != null) {
+                throw failure;
+            }
             if (broken) {
                 throw new IllegalStateException("the disk is full");
             }

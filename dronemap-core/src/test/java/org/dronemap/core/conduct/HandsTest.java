@@ -8,12 +8,16 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.time.Outage;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -60,6 +64,38 @@ class HandsTest extends WatchHouse {
         pass(Duration.ofSeconds(2));
 
         assertThat(hands.end(given)).containsInstanceOf(Outcome.Unknown.class);
+    }
+
+    @Test
+    void tellsWhatTheServerStoppedBeforeFromWhatItCouldNotWriteDown() {
+        CommandId second = new CommandId("command-2");
+        assertThat(codeOf(second)).isEqualTo(OutcomeCode.NOT_SENT);
+        commands.beginFailure = new Unreachable();
+        hands.give(new Action.Give<String>(link.id(), second, UPLOAD));
+        assertThat(codeOf(second)).isEqualTo(OutcomeCode.NOT_WRITTEN_DOWN);
+        commands.beginFailure = new IllegalStateException("a fault");
+        hands.give(new Action.Give<String>(link.id(), second, UPLOAD));
+        assertThat(codeOf(second)).isEqualTo(OutcomeCode.SERVER_FAULT);
+        hands.give(new Action.Give<String>(new DroneId("removed"), second, UPLOAD));
+        assertThat(codeOf(second)).isEqualTo(OutcomeCode.DRONE_REMOVED);
+
+        hands.told(new SavedOperation.Given(link.id(), second));
+        assertThat(codeOf(second)).isEqualTo(OutcomeCode.NOT_SENT);
+    }
+
+    private OutcomeCode codeOf(CommandId id) {
+        return ((Outcome.Refused)
+                        hands.end(new SavedOperation.Given(link.id(), id)).orElseThrow())
+                .cause();
+    }
+
+    private static final class Unreachable extends RuntimeException implements Outage {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public boolean isPassing() {
+            return true;
+        }
     }
 
     private void pass(Duration time) {

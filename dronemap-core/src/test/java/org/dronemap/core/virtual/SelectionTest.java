@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 class SelectionTest {
+    private static final Against AGAINST = new Against("control-held", "ann has control of it.");
     private static final Selection.Objection NONE = (drone, share) -> Optional.empty();
 
     @Test
@@ -264,8 +265,9 @@ class SelectionTest {
         Selection selection = select(needs, lost, armed, unknown, empty, bad, plane, blind, unready);
 
         assertThat(selection.choice()).isEmpty();
+        areToldByCode(selection.unfit());
         assertThat(selection.unfit())
-                .extracting(unfit -> unfit.drone() + ": " + unfit.why())
+                .extracting(unfit -> unfit.drone() + ": " + unfit.why().sentence())
                 .satisfiesExactly(
                         first -> assertThat(first).isEqualTo("lost: There is no good contact with it."),
                         second -> assertThat(second).isEqualTo("armed: It is armed or in the air."),
@@ -277,6 +279,20 @@ class SelectionTest {
                         sixth -> assertThat(sixth).isEqualTo("plane: It is a fixed wing, not a multicopter."),
                         seventh -> assertThat(seventh).isEqualTo("blind: It cannot take a picture."),
                         eighth -> assertThat(eighth).isEqualTo("unready: Its own checks do not let it arm."));
+    }
+
+    private static void areToldByCode(List<Selection.Unfit> unfit) {
+        assertThat(unfit)
+                .extracting(one -> one.why().code())
+                .containsExactly(
+                        "contact-not-good",
+                        "drone-not-at-rest",
+                        "battery-unknown",
+                        "battery-too-low",
+                        "link-too-lossy",
+                        "kind-not-wanted",
+                        "capability-missing",
+                        "drone-not-ready-to-arm");
     }
 
     @Test
@@ -301,11 +317,10 @@ class SelectionTest {
         Selection selection = Selection.of(
                 new Demand(Needs.NONE, Tour.of(VirtualFixtures.mission(3)), 0),
                 List.of(new Drone("a", 10).state(), new Drone("b", 900).state()),
-                (drone, share) ->
-                        drone.id().value().equals("a") ? Optional.of("ann has control of it.") : Optional.empty());
+                (drone, share) -> drone.id().value().equals("a") ? Optional.of(AGAINST) : Optional.empty());
 
         assertThat(selection.choice().orElseThrow().chosen().value()).isEqualTo("b");
-        assertThat(selection.unfit()).containsExactly(new Choice.Unfit(new Drone("a", 0).id, "ann has control of it."));
+        assertThat(selection.unfit()).containsExactly(new Selection.Unfit(new Drone("a", 0).id, AGAINST));
     }
 
     @Test

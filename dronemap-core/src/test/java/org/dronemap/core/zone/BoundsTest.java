@@ -130,6 +130,27 @@ class BoundsTest {
     }
 
     @Test
+    void tellWhatTheyForbidFromWhatNobodyCanCheck() {
+        Command climbs = new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 12_000)));
+        Command higher = new Command.SetHome(ZoneFixtures.HOME, Altitude.aboveHome(100));
+
+        assertThat(List.of(goTo(0.002, 20), goTo(0.000999, 20), climbs))
+                .allSatisfy(command -> assertThat(kind(NEAR, command)).isEqualTo(WayObjection.Kind.FORBIDDEN));
+        assertThat(kind(new Bounds(null, LOW), higher)).isEqualTo(WayObjection.Kind.FORBIDDEN);
+        assertThat(kind(new Bounds(null, LOW), goTo(0, 51))).isEqualTo(WayObjection.Kind.FORBIDDEN);
+
+        Command onBoard = new Command.StartMission(CloudLoss.CONTINUE);
+        assertThat(List.of(goTo(20, 20), onBoard, new GoToLocal(1, 2, null), new Command.SetMode("CIRCLE")))
+                .allSatisfy(command -> assertThat(kind(NEAR, command)).isEqualTo(WayObjection.Kind.NOT_CHECKABLE));
+    }
+
+    private static WayObjection.Kind kind(Bounds bounds, Command command) {
+        return ZoneRules.whyNot(List.of(bounds), "the bounds", FLYING, command)
+                .orElseThrow()
+                .kind();
+    }
+
+    @Test
     void areNoAreaToStayOutOf() {
         FenceZone keepOut = ZoneFixtures.square(false, 0, 0);
 
@@ -137,7 +158,9 @@ class BoundsTest {
     }
 
     private static String why(Bounds bounds, Command command) {
-        return ZoneRules.whyNot(List.of(bounds), "the bounds", FLYING, command).orElse("nothing");
+        return ZoneRules.whyNot(List.of(bounds), "the bounds", FLYING, command)
+                .map(WayObjection::sentence)
+                .orElse("nothing");
     }
 
     private static Command goTo(double north, double meters) {

@@ -257,7 +257,9 @@ class ZoneRulesTest {
     }
 
     private String why(DroneState drone, Command command) {
-        return rules.whyNot("bob", drone, command, ZoneFixtures.NOW).orElse("nothing");
+        return rules.whyNot("bob", drone, command, ZoneFixtures.NOW)
+                .map(WayObjection::sentence)
+                .orElse("nothing");
     }
 
     private static Command goTo(double north, double east, double meters) {

@@ -23,6 +23,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.virtual.Against;
 import org.dronemap.core.virtual.Demand;
 import org.dronemap.core.virtual.Needs;
 import org.dronemap.core.virtual.Selection;
@@ -77,7 +78,7 @@ final class FollowDrones {
         return new Found(
                 selection.choice().map(choice -> chosen(choice.chosen(), choice.sentence(names))),
                 selection.unfit().stream()
-                        .map(one -> names.apply(one.drone()) + ": " + one.why())
+                        .map(one -> names.apply(one.drone()) + ": " + one.why().sentence())
                         .collect(Collectors.joining(" ")));
     }
 
@@ -93,15 +94,15 @@ final class FollowDrones {
         return new FollowOrder.Chosen(id, drone.name(), home.point(), home.altitudeAmslMeters(), why);
     }
 
-    private Optional<String> objection(Principal principal, DroneState drone, Share share) {
+    private Optional<Against> objection(Principal principal, DroneState drone, Share share) {
         Control control = cloud.controls().control(drone.id());
         if (control.tenure() != null && !control.isHeldBy(principal.name())) {
-            return Optional.of(control.sentence());
+            return Optional.of(Against.of(new Refusal(OutcomeCode.CONTROL_HELD, control.sentence())));
         }
         // Whether zones let it go there and back.
         return cloud.gate()
                 .whyNot(principal, drone, new Command.UploadMission(share.mission()))
-                .map(Refusal::sentence);
+                .map(Against::of);
     }
 
     /** It stands in the air and waits for what it is told, and nobody has control of it. */

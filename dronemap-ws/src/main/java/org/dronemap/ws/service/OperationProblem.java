@@ -5,7 +5,12 @@ public enum OperationProblem implements ProblemCode {
     PLAN_NOT_FINISHED(ProblemEntry.of(
             "plan-not-finished",
             RejectionKind.CONFLICT,
-            "The plan is being worked out still, or came to nothing.",
+            "The plan is being worked out still.",
+            "The plan is not finished.")),
+    PLAN_WITHOUT_RESULT(ProblemEntry.of(
+            "plan-without-result",
+            RejectionKind.CONFLICT,
+            "The search for the plan was cancelled or failed; another one has to be asked for.",
             "The plan is not finished.")),
     PLAN_UNSAFE(ProblemEntry.of(
             "plan-unsafe",

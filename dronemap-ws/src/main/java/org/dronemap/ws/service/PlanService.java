@@ -146,9 +146,14 @@ public final class PlanService {
 
     /** Its tours, when nothing speaks against flying it. */
     private List<Tour> acceptable(Principal principal, PlanJob job, boolean start) {
-        Planned planned = job.status().result();
+        PlanJob.Status status = job.status();
+        Planned planned = status.result();
         if (planned == null) {
-            throw Rejection.of(OperationProblem.PLAN_NOT_FINISHED, "The plan is not finished.");
+            throw Rejection.of(
+                    status.state().isUnderWay()
+                            ? OperationProblem.PLAN_NOT_FINISHED
+                            : OperationProblem.PLAN_WITHOUT_RESULT,
+                    "The plan is not finished.");
         }
         List<String> faults = job.order().faults(planned);
         if (!faults.isEmpty()) {

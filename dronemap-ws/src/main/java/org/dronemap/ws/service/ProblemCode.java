@@ -17,6 +17,7 @@ public sealed interface ProblemCode
                 OperationProblem,
                 RequestProblem,
                 ServerProblem,
+                UnfitProblem,
                 UnknownProblem,
                 ValueProblem {
     ProblemEntry entry();
@@ -43,6 +44,7 @@ public sealed interface ProblemCode
                         List.of(LinkSecurityProblem.values()),
                         List.of(OperationProblem.values()),
                         ObjectionProblem.values(),
+                        UnfitProblem.values(),
                         List.of(ServerProblem.values()))
                 .<ProblemCode>flatMap(List::stream)
                 .toList();

@@ -70,7 +70,12 @@ public record VirtualDroneView(
 
     /** A drone that cannot serve now. */
     @Schema(name = "VirtualDroneUnfitView")
-    public record UnfitView(DroneName drone, String why) {}
+    public record UnfitView(
+            DroneName drone,
+            String why,
+
+            @Schema(description = "The same for programs; docs/problems.md lists them")
+            String code) {}
 
     /** How the drone is that serves it. */
     @Schema(name = "VirtualDroneLiveView")

@@ -68,7 +68,10 @@ public final class VirtualDroneViews {
                 maySeeDetail(drone, run, principal) ? run.detail() : null,
                 virtuals.waitingFor(drone.id()).stream()
                         .filter(unfit -> principal.sees(unfit.drone()))
-                        .map(unfit -> new VirtualDroneView.UnfitView(name(unfit.drone()), unfit.why()))
+                        .map(unfit -> new VirtualDroneView.UnfitView(
+                                name(unfit.drone()),
+                                unfit.why().sentence(),
+                                unfit.why().code()))
                         .toList(),
                 run.changedAt().truncatedTo(ChronoUnit.MILLIS));
     }

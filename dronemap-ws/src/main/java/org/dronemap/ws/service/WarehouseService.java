@@ -9,6 +9,7 @@ import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.conduct.Prospect;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.virtual.Against;
 import org.dronemap.core.virtual.Run;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.jspecify.annotations.Nullable;
@@ -47,7 +48,10 @@ public final class WarehouseService {
             @Nullable String owner,
             int waypoints,
             boolean flies,
-            @Nullable String why) {}
+            @Nullable String why,
+
+            @Schema(description = "The same for programs; docs/problems.md lists them") @Nullable
+            String code) {}
 
     /** The waiting ones; of several that it could serve it flies the first, and the others after it. */
     @Schema(name = "WarehouseProspectsView")
@@ -73,7 +77,8 @@ public final class WarehouseService {
                 shown ? waiting.owner() : null,
                 run == null ? 0 : run.total() - run.flown(),
                 prospect.whyNot().isEmpty(),
-                prospect.whyNot().orElse(null));
+                prospect.whyNot().map(Against::sentence).orElse(null),
+                prospect.whyNot().map(Against::code).orElse(null));
     }
 
     public WarehouseView put(Principal principal, String id) {

@@ -13,9 +13,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.dronemap.core.virtual.UnfitCode;
 import org.junit.jupiter.api.Test;
 
 /** The catalogue of problems, and docs/problems.md, which {@code -Ddronemap.approve=true} writes anew from it. */
@@ -23,11 +25,21 @@ class ProblemCatalogueTest {
     private static final Path PAGE = Path.of("..", "docs", "problems.md");
     private static final String BEGIN = "<!-- written from the catalogue: begin -->\n";
     private static final String END = "<!-- written from the catalogue: end -->\n";
+    /** Told by a sentence that another code has, too, as people do not need to know which. */
+    private static final Set<String> SAME_SENTENCES =
+            Set.of("not-written-down", "plan-without-result", "follow-has-drone");
+
     private static final int WORDS_IN_A_ROW = 3;
     private static final String OUTCOMES = "Commands";
     private static final String OF_OUTCOMES = "These are also the `code` of the outcome of a command, in each face: a"
             + " refusal by the cloud is told at once as a problem over REST and on the stream, and as an outcome over"
             + " SOAP; what comes later, such as a refusal by the vehicle, is told as an outcome alone.\n\n";
+
+    private static final String UNFIT = "Drones that cannot serve";
+    private static final String OF_UNFIT = "These are the `code` beside a drone that cannot serve a virtual one. No"
+            + " request is refused for them. Other codes stand there, too: of commands, for what the gate would refuse,"
+            + " and `contact-not-good`, `drone-not-at-rest`, `position-unknown` and `battery-unknown`.\n\n";
+    private static final Map<String, String> INTRODUCTIONS = Map.of(OUTCOMES, OF_OUTCOMES, UNFIT, OF_UNFIT);
 
     @Test
     void isWhatThePageSays() throws IOException {
@@ -51,8 +63,18 @@ class ProblemCatalogueTest {
         assertThat(ProblemCode.all())
                 .extracting(code -> code.entry().meaning().toLowerCase(Locale.ROOT))
                 .doesNotHaveDuplicates();
-        assertThat(ProblemCode.all()).extracting(code -> code.entry().example()).doesNotHaveDuplicates();
+        assertThat(ProblemCode.all().stream().filter(code -> !SAME_SENTENCES.contains(code.word())))
+                .extracting(code -> code.entry().example())
+                .doesNotHaveDuplicates();
         assertThat(ProblemParameter.values()).extracting(ProblemParameter::word).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void hasEachReasonWhyADroneCannotServe() {
+        assertThat(ProblemCode.all())
+                .extracting(ProblemCode::word)
+                .containsAll(
+                        Arrays.stream(UnfitCode.values()).map(UnfitCode::word).toList());
     }
 
     @Test
@@ -96,7 +118,8 @@ class ProblemCatalogueTest {
     /** All that our programs say, but for the catalogue. */
     private static String literals() throws IOException {
         try (Stream<Path> files = Files.walk(Path.of(".."), 12)) {
-            return files.filter(file -> file.toString().matches(".*/src/main/java/.*(?<!Problem|/OutcomeCode)\\.java"))
+            return files.filter(file ->
+                            file.toString().matches(".*/src/main/java/.*(?<!Problem|/OutcomeCode|/UnfitCode)\\.java"))
                     .map(ProblemCatalogueTest::text)
                     .map(text -> text.replaceAll("\"\\s*\\+\\s*\"", ""))
                     .collect(Collectors.joining("\n"));
@@ -164,7 +187,7 @@ class ProblemCatalogueTest {
     private static String tables() {
         return subjects().entrySet().stream()
                         .map(subject -> "## " + subject.getKey() + "\n\n"
-                                + (subject.getKey().equals(OUTCOMES) ? OF_OUTCOMES : "")
+                                + INTRODUCTIONS.getOrDefault(subject.getKey(), "")
                                 + "| code | status | parameters | meaning, and an example |\n| --- | --- | --- | --- |\n"
                                 + subject.getValue().stream()
                                         .map(ProblemCatalogueTest::row)
@@ -189,6 +212,7 @@ class ProblemCatalogueTest {
         subjects.put("Signed links", List.of(LinkSecurityProblem.values()));
         subjects.put("Plans", List.of(OperationProblem.values()));
         subjects.put("Mission runs, follows and virtual drones", ObjectionProblem.values());
+        subjects.put(UNFIT, UnfitProblem.values());
         subjects.put("The server", List.of(ServerProblem.values()));
         assertThat(subjects.values().stream().<ProblemCode>flatMap(List::stream))
                 .containsExactlyElementsOf(ProblemCode.all());
@@ -197,10 +221,13 @@ class ProblemCatalogueTest {
 
     private static String row(ProblemCode code) {
         ProblemEntry entry = code.entry();
-        boolean isProblem =
-                !(code instanceof CommandProblem told) || told.outcome().isOfTheGate();
+        boolean isProblem = !(code instanceof UnfitProblem)
+                && (!(code instanceof CommandProblem told) || told.outcome().isOfTheGate());
         return "| `" + code.word() + "` | "
-                + (isProblem ? code.kind().status() + " " + code.kind().code() : "outcome") + " | "
+                + (isProblem
+                        ? code.kind().status() + " " + code.kind().code()
+                        : code instanceof UnfitProblem ? "beside a drone" : "outcome")
+                + " | "
                 + (isProblem ? parameters(entry) : "") + " | " + entry.meaning() + " *"
                 + entry.example().replace("|", "\\|") + "* |\n";
     }

@@ -14,7 +14,7 @@ public enum FollowObjection implements ObjectionCode {
     STARTING("follow-starting", "The drone of the follow is taking off.", "The drone is taking off already."),
     STARTED(
             "follow-started",
-            "The drone of the follow has taken off before, and follows or waits.",
+            "The drone of the follow has taken off before, and follows.",
             "The drone follows already."),
     PAUSED("follow-paused", "The follow is paused already.", "It is paused already."),
     NOT_PAUSED("follow-not-paused", "The follow goes on; nothing holds it.", "It is not paused."),
@@ -24,7 +24,11 @@ public enum FollowObjection implements ObjectionCode {
             "Somebody else has the drone: it does not follow."),
     NOT_RELIEVABLE(
             "follow-not-relievable",
-            "The drone of the follow need not be replaced, or not by this one.",
+            "The drone of the follow need not be replaced.",
+            "Nobody has to replace Kestrel now."),
+    HAS_DRONE(
+            "follow-has-drone",
+            "The drone that would replace another one is part of the follow already.",
             "Nobody has to replace Kestrel now.");
 
     @SuppressWarnings("ImmutableEnumChecker") // its list never changes

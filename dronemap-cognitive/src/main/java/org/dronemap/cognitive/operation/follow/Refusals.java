@@ -43,9 +43,12 @@ final class Refusals {
         boolean known = state.drone().equals(chosen.drone())
                 || state.crew().others().stream()
                         .anyMatch(other -> other.drone().equals(chosen.drone()));
-        return state.isRelievable() && !known
-                ? Optional.empty()
-                : why(FollowObjection.NOT_RELIEVABLE, "Nobody has to replace " + state.droneName() + " now.");
+        if (state.isRelievable() && !known) {
+            return Optional.empty();
+        }
+        return why(
+                state.isRelievable() ? FollowObjection.HAS_DRONE : FollowObjection.NOT_RELIEVABLE,
+                "Nobody has to replace " + state.droneName() + " now.");
     }
 
     private static Optional<Objection> start(Stage stage) {
@@ -53,7 +56,8 @@ final class Refusals {
             case ALLOCATED, OVER -> Optional.empty();
             case STARTING -> why(FollowObjection.STARTING, "The drone is taking off already.");
             case TRACKING -> why(FollowObjection.STARTED, "The drone follows already.");
-            case PAUSED, SUSPENDED -> why(FollowObjection.STARTED, "It has been started; let it go on.");
+            case PAUSED -> why(FollowObjection.PAUSED, "It has been started; let it go on.");
+            case SUSPENDED -> why(FollowObjection.SUSPENDED, "It has been started; let it go on.");
             case RETURNING -> home();
         };
     }

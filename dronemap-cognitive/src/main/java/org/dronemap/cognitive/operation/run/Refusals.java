@@ -86,7 +86,9 @@ final class Refusals {
         String name = drone.get().name();
         return resumes
                 ? why(
-                        RunObjection.DRONE_NOT_RESUMABLE,
+                        drone.get().stage() == DroneStage.CRASHED
+                                ? RunObjection.DRONE_OUT
+                                : RunObjection.DRONE_NOT_RESUMABLE,
                         name + " does not wait for being resumed.",
                         Subject.DRONE.is(id.value()))
                 : why(RunObjection.DRONE_OUT, name + " is out of the run already.", Subject.DRONE.is(id.value()));

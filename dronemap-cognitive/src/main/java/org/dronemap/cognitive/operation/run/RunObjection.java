@@ -29,7 +29,7 @@ public enum RunObjection implements ObjectionCode {
             Subject.DRONE),
     DRONE_NOT_RESUMABLE(
             "run-drone-not-resumable",
-            "The drone flies for the mission run, or never will again.",
+            "The drone flies for the mission run.",
             "Kestrel does not wait for being resumed.",
             Subject.DRONE),
     DRONE_OUT(

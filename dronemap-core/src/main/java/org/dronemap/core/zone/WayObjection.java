@@ -1,0 +1,25 @@
+package org.dronemap.core.zone;
+
+/**
+ * What speaks against a way that a command takes a drone.
+ *
+ * @param kind what of it is known
+ * @param sentence names the leg, the zone and a distance, or what is not known
+ */
+public record WayObjection(Kind kind, String sentence) {
+    /** What is known of a way that is not gone. */
+    public enum Kind {
+        /** It leads where a drone must not be, or changes what may not be changed. */
+        FORBIDDEN,
+        /** Something is missing without which nobody can tell. */
+        NOT_CHECKABLE
+    }
+
+    static WayObjection forbidden(String sentence) {
+        return new WayObjection(Kind.FORBIDDEN, sentence);
+    }
+
+    static WayObjection notCheckable(String sentence) {
+        return new WayObjection(Kind.NOT_CHECKABLE, sentence);
+    }
+}
