@@ -27,6 +27,11 @@ public sealed interface Holder {
                 : "A pilot at the vehicle or another ground station";
     }
 
+    /** How users know it: the user's name or the operation's words; empty: a pilot, whom nobody here knows. */
+    default Optional<String> label() {
+        return this instanceof Pilot ? Optional.empty() : Optional.of(words());
+    }
+
     /** The user, or whoever the operation is conducted for; empty: a pilot, whom nobody here knows. */
     default Optional<String> userName() {
         if (this instanceof Person person) {

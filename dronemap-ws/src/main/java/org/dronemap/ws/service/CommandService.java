@@ -179,7 +179,7 @@ public final class CommandService {
         CommandView view = CommandView.of(record);
         return switch (principal.sight(record.drone(), record.at())) {
             case NONE -> Optional.empty();
-            case WITHOUT_NAMES -> Optional.of(Nameless.command(view));
+            case WITHOUT_NAMES -> Optional.of(view.withoutNames(Nameless.OTHERS));
             case ALL -> Optional.of(view);
         };
     }

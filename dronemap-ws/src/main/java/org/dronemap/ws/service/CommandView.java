@@ -74,6 +74,14 @@ public record CommandView(
                 id, drone, by, face, type, summary, at, phase, outcome, finishedAt, progress, epoch, sentences);
     }
 
+    /** Without the words that people wrote; {@code by} stands for who gave it. */
+    CommandView withoutNames(String by) {
+        OutcomeView bare =
+                outcome == null ? null : new OutcomeView(outcome.result(), outcome.by(), null, outcome.code());
+        return new CommandView(
+                id, drone, by, face, type, summary, at, phase, bare, finishedAt, progress, epoch, List.of());
+    }
+
     /** The one naming of outcomes for all faces. */
     public static OutcomeView outcomeView(Outcome outcome) {
         OutcomeCode code = outcome.code();

@@ -79,11 +79,8 @@ public record ControlView(
         return tenure.holder() instanceof Holder.Pilot ? "pilot" : "held";
     }
 
-    static @Nullable String name(@Nullable Holder holder) {
-        if (holder instanceof Holder.Operation operation) {
-            return operation.words();
-        }
-        return holder instanceof Holder.Person person ? person.name() : null;
+    private static @Nullable String name(@Nullable Holder holder) {
+        return holder == null ? null : holder.label().orElse(null);
     }
 
     private static Instant millis(Instant instant) {

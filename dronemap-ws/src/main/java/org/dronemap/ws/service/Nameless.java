@@ -48,24 +48,4 @@ final class Nameless {
                 event.result(),
                 null);
     }
-
-    static CommandView command(CommandView command) {
-        CommandView.OutcomeView outcome = command.outcome();
-        return new CommandView(
-                command.id(),
-                command.drone(),
-                OTHERS,
-                command.face(),
-                command.type(),
-                command.summary(),
-                command.at(),
-                command.phase(),
-                outcome == null
-                        ? null
-                        : new CommandView.OutcomeView(outcome.result(), outcome.by(), null, outcome.code()),
-                command.finishedAt(),
-                command.progress(),
-                command.epoch(),
-                List.of());
-    }
 }

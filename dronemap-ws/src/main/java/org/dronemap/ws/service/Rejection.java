@@ -40,7 +40,7 @@ public class Rejection extends RuntimeException {
         this.code = code;
         this.parameters = List.copyOf(parameters);
         this.commandId = commandId;
-        this.holder = tenure == null ? null : ControlView.name(tenure.holder());
+        this.holder = tenure == null ? null : tenure.holder().label().orElse(null);
         this.heldSince = tenure == null ? null : since(tenure);
     }
 
@@ -90,10 +90,7 @@ public class Rejection extends RuntimeException {
         }
         Tenure tenure = code.entry().optional().contains(ProblemParameter.HOLDER) ? control.tenure() : null;
         if (tenure != null) {
-            String holder = ControlView.name(tenure.holder());
-            if (holder != null) {
-                parameters.add(ProblemParameter.HOLDER.is(holder));
-            }
+            tenure.holder().label().ifPresent(holder -> parameters.add(ProblemParameter.HOLDER.is(holder)));
             parameters.add(ProblemParameter.HELD_SINCE.is(since(tenure).toString()));
         }
         return new Rejection(code, sentence, parameters, commandId, tenure);
