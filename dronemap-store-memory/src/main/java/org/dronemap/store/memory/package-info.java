@@ -1,4 +1,4 @@
-/** Store ports kept in memory, for tests and tools; they keep the same contract but for durability. */
+/** Store ports kept in memory, for tests; they keep the same contract but for durability. */
 @NullMarked
 package org.dronemap.store.memory;
 
