@@ -1,0 +1,5 @@
+/** Makes the records of MAVLink messages from their definitions; runs within the build, and never with the product. */
+@NullMarked
+package org.dronemap.mavlink.generator;
+
+import org.jspecify.annotations.NullMarked;

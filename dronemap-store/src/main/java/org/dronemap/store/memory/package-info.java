@@ -1,5 +1,0 @@
-/** Store ports kept in memory, for tests and tools; they keep the same contract but for durability. */
-@NullMarked
-package org.dronemap.store.memory;
-
-import org.jspecify.annotations.NullMarked;
