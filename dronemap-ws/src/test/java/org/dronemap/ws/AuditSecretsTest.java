@@ -16,7 +16,7 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Sample;
 import org.dronemap.ws.house.SoapOperations;
 import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.reading.Secrets;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;

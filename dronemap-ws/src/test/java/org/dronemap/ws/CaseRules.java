@@ -43,7 +43,7 @@ final class CaseRules {
 
     /** Classes that ask for two records or more of a family by themselves, each with its reason. */
     static final Map<String, String> ASKING_FOR_SEVERAL = Map.of(
-            "org.dronemap.ws.service.CommandService", "It warns of places that look like slips, and forbids nothing.");
+            "org.dronemap.ws.command.CommandService", "It warns of places that look like slips, and forbids nothing.");
 
     /** Vehicles: what they do not say that they can they cannot, and refuse with a sentence. By their switch, each with its reason. */
     static final SortedMap<String, String> CANNOT_BY_DEFAULT = new TreeMap<>(Map.of(

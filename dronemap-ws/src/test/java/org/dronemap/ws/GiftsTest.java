@@ -25,7 +25,7 @@ import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.service.RobotKeyOf;
+import org.dronemap.ws.robotkey.RobotKeyOf;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 

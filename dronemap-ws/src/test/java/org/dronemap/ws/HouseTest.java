@@ -26,8 +26,8 @@ import org.dronemap.ws.planted.PlantedCases;
 import org.dronemap.ws.planted.PlantedHandlers;
 import org.dronemap.ws.planted.PlantedTime;
 import org.dronemap.ws.planted.PlantedViolation;
-import org.dronemap.ws.service.Alternatives;
-import org.dronemap.ws.service.ObjectsOnly;
+import org.dronemap.ws.reading.Alternatives;
+import org.dronemap.ws.reading.ObjectsOnly;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -72,7 +72,7 @@ class HouseTest {
                 HouseRules.FLOORS_OF_CORE,
                 HouseRules.FLOORS_OF_PROXY,
                 HouseRules.NO_CYCLES_IN_PROXY,
-                HouseRules.FLOORS_OF_WS,
+                RoomRules.ROOMS_SEE_OTHERS_ALONG_ARROWS_ALONE,
                 HouseRules.HANDLERS_SAY_WHO_MAY_CALL_THEM,
                 HouseRules.EACH_CODE_OF_A_PROBLEM_IS_TOLD,
                 HouseRules.EACH_OBJECTION_IS_IN_THE_CATALOGUE,

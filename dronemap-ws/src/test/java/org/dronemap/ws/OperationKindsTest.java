@@ -18,7 +18,7 @@ import org.dronemap.core.operation.OperationKind;
 import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.wiring.RunSide;
+import org.dronemap.ws.server.RunSide;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 

@@ -13,7 +13,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.AddressedHttp;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.service.Registration;
+import org.dronemap.ws.user.Registration;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;

@@ -1,7 +1,7 @@
 package org.dronemap.ws.access;
 
 import java.util.List;
-import org.dronemap.ws.service.Work;
+import org.dronemap.ws.budget.Work;
 
 /** The budgets that a request is taken from: those of the caller, or of the caller's address where anybody may call. */
 public enum Cost {

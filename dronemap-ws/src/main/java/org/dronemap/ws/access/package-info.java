@@ -1,4 +1,10 @@
-/** The operations of REST and their rules, as each handler says them. */
+/**
+ * Who may call a handler, what it costs, and which record it leaves.
+ *
+ * <p>Enters: what is decided for every operation alike.
+ *
+ * <p>Never: a single feature.
+ */
 @NullMarked
 package org.dronemap.ws.access;
 

@@ -9,10 +9,10 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.security.ProblemWriter;
-import org.dronemap.ws.service.Problem;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RequestProblem;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**

@@ -4,9 +4,9 @@ import jakarta.servlet.ReadListener;
 import jakarta.servlet.ServletInputStream;
 import java.io.IOException;
 import java.net.SocketTimeoutException;
-import org.dronemap.ws.service.ProblemParameter;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RequestProblem;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RequestProblem;
 
 /** A request's body that may have so many bytes and take so long. Owned by the request's thread. */
 final class BoundedBody extends ServletInputStream {

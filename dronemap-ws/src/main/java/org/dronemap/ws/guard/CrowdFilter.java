@@ -10,11 +10,11 @@ import java.time.Duration;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.core.link.Host;
+import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ServerProblem;
+import org.dronemap.ws.problem.Throttled;
 import org.dronemap.ws.security.ProblemWriter;
-import org.dronemap.ws.service.Problem;
-import org.dronemap.ws.service.ProblemParameter;
-import org.dronemap.ws.service.ServerProblem;
-import org.dronemap.ws.service.Throttled;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /** Keeps one host from holding all threads of the server with requests that it sends, or reads, slowly. */

@@ -5,10 +5,10 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.security.ProblemWriter;
-import org.dronemap.ws.service.Problem;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RequestProblem;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**

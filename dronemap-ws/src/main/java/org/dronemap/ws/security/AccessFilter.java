@@ -11,11 +11,11 @@ import org.dronemap.core.access.Role;
 import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.access.From;
 import org.dronemap.ws.access.RestOperations;
-import org.dronemap.ws.service.AccessProblem;
-import org.dronemap.ws.service.Budgets;
-import org.dronemap.ws.service.Problem;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.Roles;
+import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.budget.Budgets;
+import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 import org.springframework.web.filter.OncePerRequestFilter;
 

@@ -3,9 +3,9 @@ package org.dronemap.ws.security;
 import java.time.Duration;
 import java.util.concurrent.Semaphore;
 import java.util.function.Supplier;
-import org.dronemap.ws.service.PasswordHashing;
-import org.dronemap.ws.service.ServerProblem;
-import org.dronemap.ws.service.Throttled;
+import org.dronemap.ws.account.PasswordHashing;
+import org.dronemap.ws.problem.ServerProblem;
+import org.dronemap.ws.problem.Throttled;
 import org.springframework.security.crypto.argon2.Argon2PasswordEncoder;
 
 /**

@@ -19,16 +19,16 @@ import org.dronemap.core.access.User;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.service.AccessProblem;
-import org.dronemap.ws.service.FirstPassword;
-import org.dronemap.ws.service.InvalidInput;
-import org.dronemap.ws.service.OwnPassword;
-import org.dronemap.ws.service.PasswordHashing;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.Roles;
-import org.dronemap.ws.service.Secrets;
-import org.dronemap.ws.service.ValuesOf;
-import org.dronemap.ws.service.WireNames;
+import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.account.FirstPassword;
+import org.dronemap.ws.account.OwnPassword;
+import org.dronemap.ws.account.PasswordHashing;
+import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** Proves who asks: by session, access key, or name and password. Any thread. */

@@ -3,9 +3,9 @@ package org.dronemap.ws.security;
 import jakarta.servlet.ServletRequest;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.service.AccessProblem;
-import org.dronemap.ws.service.Caller;
-import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.access.Caller;
+import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.Rejection;
 import org.springframework.web.context.request.RequestAttributes;
 import org.springframework.web.context.request.RequestContextHolder;
 

@@ -9,9 +9,9 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
-import org.dronemap.ws.service.FirstPassword;
-import org.dronemap.ws.service.PasswordHashing;
-import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.account.FirstPassword;
+import org.dronemap.ws.account.PasswordHashing;
+import org.dronemap.ws.reading.Secrets;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -3,9 +3,9 @@ package org.dronemap.ws.security;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import org.dronemap.ws.service.AuditNotes;
-import org.dronemap.ws.service.JsonReader;
-import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.access.AuditNotes;
+import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.reading.JsonReader;
 
 /** Writes a problem where no controller is at work. */
 public final class ProblemWriter {

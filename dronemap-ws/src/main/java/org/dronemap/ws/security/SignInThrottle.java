@@ -5,8 +5,8 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.dronemap.ws.service.ServerProblem;
-import org.dronemap.ws.service.Throttled;
+import org.dronemap.ws.problem.ServerProblem;
+import org.dronemap.ws.problem.Throttled;
 
 /**
  * Makes guessing slow: wrong passwords in a row cost a rest that doubles, from 30 s up to 15 min. Counted for one name

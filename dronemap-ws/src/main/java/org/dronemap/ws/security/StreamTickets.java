@@ -6,7 +6,7 @@ import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.reading.Secrets;
 
 /** One-use tickets that carry a sign-in from the page to the stream's port within 30 s. Any thread. */
 public final class StreamTickets {

@@ -9,10 +9,10 @@ import org.apache.cxf.phase.AbstractPhaseInterceptor;
 import org.apache.cxf.phase.Phase;
 import org.apache.cxf.staxutils.DepthExceededStaxException;
 import org.dronemap.core.time.FatalErrors;
-import org.dronemap.ws.service.Outages;
-import org.dronemap.ws.service.Problem;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RequestProblem;
+import org.dronemap.ws.problem.Outages;
+import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RequestProblem;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

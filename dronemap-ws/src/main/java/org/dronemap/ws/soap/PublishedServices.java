@@ -1,6 +1,7 @@
 package org.dronemap.ws.soap;
 
 import org.apache.cxf.Bus;
+import org.dronemap.ws.soap.description.SoapServices;
 import org.jspecify.annotations.Nullable;
 
 /** Makes the services reachable on a bus, before the first of them is asked for. Any thread. */

@@ -8,7 +8,7 @@ import org.apache.cxf.message.Exchange;
 import org.apache.cxf.message.Message;
 import org.apache.cxf.phase.AbstractPhaseInterceptor;
 import org.apache.cxf.phase.Phase;
-import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.problem.Rejection;
 
 /**
  * Lets a message that is too long or too slow be refused once. The library reads on after a fault, to have nothing left

@@ -2,7 +2,7 @@ package org.dronemap.ws.soap;
 
 import java.util.Map;
 import java.util.Optional;
-import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.problem.Rejection;
 
 /** A request to REST. Immutable, but for the bytes of a body, which nobody changes. */
 final class RestRequest {

@@ -8,10 +8,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.security.ProblemWriter;
-import org.dronemap.ws.service.Problem;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RequestProblem;
+import org.dronemap.ws.soap.description.SoapService;
+import org.dronemap.ws.soap.description.SoapServices;
+import org.dronemap.ws.soap.description.Wsdl;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /** Answers with the description of a service to {@code ?wsdl}, and for addresses under /services that are none. */

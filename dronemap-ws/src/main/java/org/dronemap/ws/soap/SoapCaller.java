@@ -8,11 +8,12 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.apache.cxf.headers.Header;
 import org.apache.cxf.message.Message;
+import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CalledBy;
 import org.dronemap.ws.security.SignedIn;
-import org.dronemap.ws.service.AccessProblem;
-import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.soap.xml.Namespace;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 

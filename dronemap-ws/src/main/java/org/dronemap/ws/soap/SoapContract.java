@@ -1,6 +1,8 @@
 package org.dronemap.ws.soap;
 
 import java.util.function.Supplier;
+import org.dronemap.ws.soap.description.DescribedOperations;
+import org.dronemap.ws.soap.description.SoapServices;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 

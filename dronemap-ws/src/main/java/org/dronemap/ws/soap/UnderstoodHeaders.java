@@ -5,6 +5,7 @@ import javax.xml.namespace.QName;
 import org.apache.cxf.binding.soap.SoapMessage;
 import org.apache.cxf.binding.soap.interceptor.AbstractSoapInterceptor;
 import org.apache.cxf.phase.Phase;
+import org.dronemap.ws.soap.xml.Namespace;
 
 /** Says that headers with who calls are understood: clients may insist on that. */
 final class UnderstoodHeaders extends AbstractSoapInterceptor {

@@ -8,9 +8,10 @@ import java.time.OffsetDateTime;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.dronemap.ws.service.AccessProblem;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.ServerProblem;
+import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.ServerProblem;
+import org.dronemap.ws.soap.xml.XmlToJson;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 

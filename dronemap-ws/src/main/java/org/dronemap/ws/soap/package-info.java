@@ -1,4 +1,10 @@
-/** The SOAP face: the controller service around the use cases. */
+/**
+ * The SOAP face: one provider that carries each call over to REST.
+ *
+ * <p>Enters: what holds for every operation.
+ *
+ * <p>Never: a single feature.
+ */
 @NullMarked
 package org.dronemap.ws.soap;
 

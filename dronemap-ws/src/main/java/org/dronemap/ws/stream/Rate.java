@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.Map;
+import org.dronemap.ws.stream.delivery.Turns;
 
 /** How often clients are told of each thing of a topic. */
 public sealed interface Rate {

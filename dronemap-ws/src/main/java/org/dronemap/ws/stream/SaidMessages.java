@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dronemap.ws.service.Alternatives;
+import org.dronemap.ws.reading.Alternatives;
 import org.dronemap.ws.setting.SetupException;
 
 /**

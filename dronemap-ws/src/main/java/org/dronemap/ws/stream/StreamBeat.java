@@ -3,7 +3,7 @@ package org.dronemap.ws.stream;
 import java.time.Clock;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.reading.JsonReader;
 
 /**
  * The sign of life that every client is sent once a second: a browser sees no pings of the protocol, and a page shall

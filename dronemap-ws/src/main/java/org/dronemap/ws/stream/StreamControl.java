@@ -1,8 +1,8 @@
 package org.dronemap.ws.stream;
 
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.service.ControlService;
-import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.control.ControlService;
+import org.dronemap.ws.problem.InvalidInput;
 
 /** Answers what clients of the stream say about control. Any thread. */
 final class StreamControl {

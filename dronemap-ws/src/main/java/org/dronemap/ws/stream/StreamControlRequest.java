@@ -4,8 +4,8 @@ import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import jakarta.validation.constraints.Size;
-import org.dronemap.ws.service.ControlRequest;
-import org.dronemap.ws.service.ObjectsOnly;
+import org.dronemap.ws.control.ControlRequest;
+import org.dronemap.ws.reading.ObjectsOnly;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 

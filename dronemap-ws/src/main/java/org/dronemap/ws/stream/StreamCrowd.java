@@ -5,10 +5,10 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import org.dronemap.core.access.Principal;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.security.SignedIn;
-import org.dronemap.ws.service.ProblemParameter;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.ServerProblem;
 import org.java_websocket.WebSocket;
 import org.jspecify.annotations.Nullable;
 

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.access.Principal;
+import org.dronemap.ws.stream.delivery.Told;
 import org.jspecify.annotations.Nullable;
 
 /** What one client of the stream steers, and what it was told last of what it could not. Guarded by itself. */

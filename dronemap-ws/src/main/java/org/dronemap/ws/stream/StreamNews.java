@@ -3,7 +3,8 @@ package org.dronemap.ws.stream;
 import java.util.Collection;
 import java.util.List;
 import org.dronemap.core.access.GrantBook;
-import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.stream.delivery.Pump;
 
 /** All topics' feeds, and when they show what to whom. Owned by the pump, but for what its topics hear. */
 final class StreamNews {

@@ -2,8 +2,8 @@ package org.dronemap.ws.stream;
 
 import org.dronemap.core.audit.Activity;
 import org.dronemap.ws.access.Audit;
-import org.dronemap.ws.service.AuditNotes;
-import org.dronemap.ws.service.WireNames;
+import org.dronemap.ws.access.AuditNotes;
+import org.dronemap.ws.reading.WireNames;
 
 /** Notes what a client says, for the record that it leaves. */
 final class StreamNotes {

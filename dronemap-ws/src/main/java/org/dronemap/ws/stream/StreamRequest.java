@@ -5,10 +5,10 @@ import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
-import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.FollowRequest;
-import org.dronemap.ws.service.ObjectsOnly;
-import org.dronemap.ws.service.SteeringRequest;
+import org.dronemap.ws.command.CommandRequest;
+import org.dronemap.ws.control.SteeringRequest;
+import org.dronemap.ws.follow.FollowRequest;
+import org.dronemap.ws.reading.ObjectsOnly;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 

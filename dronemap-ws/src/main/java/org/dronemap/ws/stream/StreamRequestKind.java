@@ -1,7 +1,7 @@
 package org.dronemap.ws.stream;
 
 import java.util.Optional;
-import org.dronemap.ws.service.WireNames;
+import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** What there is of requests on the stream; {@link StreamRules} says by what each is judged. */

@@ -8,7 +8,7 @@ import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
-import org.dronemap.ws.service.ControlAction;
+import org.dronemap.ws.control.ControlAction;
 
 /** By what it is judged who may say something on the stream, what that costs and what record it leaves. */
 sealed interface StreamRule {

@@ -6,7 +6,7 @@ import org.dronemap.ws.access.Audit;
 import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
 import org.dronemap.ws.access.RestOperations;
-import org.dronemap.ws.service.ControlAction;
+import org.dronemap.ws.control.ControlAction;
 
 /** By what each request of the stream is judged: as the operation of REST that does the same, where there is one. */
 final class StreamRules {

@@ -1,10 +1,10 @@
 package org.dronemap.ws.stream;
 
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.service.InvalidInput;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.SteeringRequest;
-import org.dronemap.ws.service.SteeringService;
+import org.dronemap.ws.control.SteeringRequest;
+import org.dronemap.ws.control.SteeringService;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.Rejection;
 
 /**
  * Takes what clients of the stream steer by to the gate, and their hands off when they have gone or have to go. Any thread;

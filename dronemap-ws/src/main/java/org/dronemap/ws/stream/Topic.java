@@ -7,6 +7,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
+import org.dronemap.ws.stream.delivery.Subject;
+import org.dronemap.ws.stream.delivery.Told;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -11,7 +11,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.stream.delivery.Pump;
+import org.dronemap.ws.stream.delivery.Subject;
+import org.dronemap.ws.stream.delivery.Told;
+import org.dronemap.ws.stream.delivery.Turns;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,4 +1,10 @@
-/** The WebSocket face: live states out, commands in. */
+/**
+ * The stream: topics out, requests in, over WebSocket.
+ *
+ * <p>Enters: a topic or a request.
+ *
+ * <p>Never: what a feature decides.
+ */
 @NullMarked
 package org.dronemap.ws.stream;
 

@@ -1,5 +1,7 @@
 package org.dronemap.ws.wiring;
 
+import org.dronemap.ws.server.House;
+import org.dronemap.ws.settings.Settings;
 import org.springframework.boot.SpringBootConfiguration;
 import org.springframework.boot.autoconfigure.EnableAutoConfiguration;
 import org.springframework.context.annotation.ComponentScan;

@@ -2,7 +2,9 @@ package org.dronemap.ws.wiring;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.dronemap.ws.server.House;
 import org.dronemap.ws.setting.Variables;
+import org.dronemap.ws.settings.Settings;
 import org.springframework.boot.Banner;
 import org.springframework.boot.SpringApplication;
 import org.springframework.boot.builder.SpringApplicationBuilder;

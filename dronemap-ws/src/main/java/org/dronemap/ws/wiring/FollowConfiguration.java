@@ -1,9 +1,11 @@
 package org.dronemap.ws.wiring;
 
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.rest.FollowController;
-import org.dronemap.ws.service.FollowReliefs;
-import org.dronemap.ws.service.FollowService;
+import org.dronemap.ws.follow.AccountRights;
+import org.dronemap.ws.follow.FollowController;
+import org.dronemap.ws.follow.FollowReliefs;
+import org.dronemap.ws.follow.FollowService;
+import org.dronemap.ws.server.House;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;

@@ -8,6 +8,7 @@ import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.guard.PatientProtocol;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.settings.Settings;
 import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
 import org.springframework.boot.web.server.WebServerFactoryCustomizer;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;

@@ -3,6 +3,7 @@ package org.dronemap.ws.wiring;
 import java.io.IOException;
 import org.dronemap.ws.door.PhoneDoor;
 import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.settings.Settings;
 import org.jspecify.annotations.Nullable;
 
 /** Where the settings want a door for phones, if anywhere. */

@@ -1,13 +1,14 @@
 package org.dronemap.ws.wiring;
 
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.rest.PlanController;
-import org.dronemap.ws.rest.TourController;
-import org.dronemap.ws.service.CommandService;
-import org.dronemap.ws.service.DroneService;
-import org.dronemap.ws.service.PlanDesk;
-import org.dronemap.ws.service.PlanService;
-import org.dronemap.ws.service.TourService;
+import org.dronemap.ws.command.CommandService;
+import org.dronemap.ws.drone.DroneService;
+import org.dronemap.ws.plan.PlanController;
+import org.dronemap.ws.plan.PlanDesk;
+import org.dronemap.ws.plan.PlanService;
+import org.dronemap.ws.plan.TourController;
+import org.dronemap.ws.plan.TourService;
+import org.dronemap.ws.server.House;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;

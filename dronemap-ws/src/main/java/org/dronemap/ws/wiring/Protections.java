@@ -4,12 +4,12 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
+import org.dronemap.ws.budget.Budgets;
+import org.dronemap.ws.budget.Work;
 import org.dronemap.ws.guard.CrowdFilter;
 import org.dronemap.ws.guard.PatientProtocol;
-import org.dronemap.ws.service.Budgets;
-import org.dronemap.ws.service.ServerMetrics;
-import org.dronemap.ws.service.Work;
 import org.dronemap.ws.stream.StreamCrowd;
+import org.dronemap.ws.system.ServerMetrics;
 
 /** All that keeps clients from doing harm, asked what it has refused. Any thread. */
 final class Protections {

@@ -1,12 +1,13 @@
 package org.dronemap.ws.wiring;
 
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.rest.VirtualDroneController;
-import org.dronemap.ws.rest.WarehouseController;
-import org.dronemap.ws.service.DroneService;
-import org.dronemap.ws.service.VirtualDroneService;
-import org.dronemap.ws.service.VirtualDroneViews;
-import org.dronemap.ws.service.WarehouseService;
+import org.dronemap.ws.drone.DroneService;
+import org.dronemap.ws.server.House;
+import org.dronemap.ws.virtual.VirtualDroneController;
+import org.dronemap.ws.virtual.VirtualDroneService;
+import org.dronemap.ws.virtual.VirtualDroneViews;
+import org.dronemap.ws.virtual.WarehouseController;
+import org.dronemap.ws.virtual.WarehouseService;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;

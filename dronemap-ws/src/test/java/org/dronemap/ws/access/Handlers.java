@@ -32,7 +32,7 @@ public final class Handlers {
     public static List<RestOperation> all() {
         var scanner = new ClassPathScanningCandidateComponentProvider(false);
         scanner.addIncludeFilter(new AnnotationTypeFilter(RestController.class));
-        Class<?>[] controllers = scanner.findCandidateComponents("org.dronemap.ws.rest").stream()
+        Class<?>[] controllers = scanner.findCandidateComponents("org.dronemap.ws").stream()
                 .flatMap(found -> Stream.ofNullable(found.getBeanClassName()))
                 .map(name -> ClassUtils.resolveClassName(name, Handlers.class.getClassLoader()))
                 .toArray(Class<?>[]::new);

@@ -14,14 +14,14 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.ws.command.CommandRequest;
+import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.ScriptedPeer;
 import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.WireNames;
+import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 

@@ -15,13 +15,13 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.Hoverer;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RejectionKind;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 

@@ -16,7 +16,7 @@ import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.OtherStation;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.service.MissionItemRequest;
+import org.dronemap.ws.mission.MissionItemRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

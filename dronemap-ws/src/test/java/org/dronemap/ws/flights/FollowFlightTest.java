@@ -14,14 +14,14 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.ws.follow.FollowRequest.PlaceRequest;
+import org.dronemap.ws.follow.FollowView;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Phone;
 import org.dronemap.ws.lab.Traffic;
 import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.service.FollowRequest.PlaceRequest;
-import org.dronemap.ws.service.FollowView;
-import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.problem.Rejection;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

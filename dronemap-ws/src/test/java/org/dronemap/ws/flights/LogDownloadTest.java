@@ -10,16 +10,16 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.message.LogData;
+import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.lab.WireTap;
-import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.LogService;
-import org.dronemap.ws.service.LogsView;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.log.LogService;
+import org.dronemap.ws.log.LogsView;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RejectionKind;
 import org.junit.jupiter.api.Test;
 
 /** Logs on board: listed, fetched over a link that breaks in the middle, saved byte for byte. */

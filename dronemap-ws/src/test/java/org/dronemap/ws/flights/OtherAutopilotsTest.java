@@ -20,7 +20,7 @@ import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.WireTap;
-import org.dronemap.ws.service.MissionItemRequest;
+import org.dronemap.ws.mission.MissionItemRequest;
 import org.junit.jupiter.api.Test;
 
 /** The same flight with PX4 and over MAVLink 1. */

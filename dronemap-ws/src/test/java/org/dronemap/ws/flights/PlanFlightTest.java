@@ -12,14 +12,14 @@ import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.ws.access.Caller;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RunFlight;
 import org.dronemap.ws.lab.Track;
-import org.dronemap.ws.service.Caller;
-import org.dronemap.ws.service.PlanRequest;
-import org.dronemap.ws.service.PlanView;
+import org.dronemap.ws.plan.PlanRequest;
+import org.dronemap.ws.plan.PlanView;
 import org.junit.jupiter.api.Test;
 
 /** A mission of several drones, planned and flown by three calls. */

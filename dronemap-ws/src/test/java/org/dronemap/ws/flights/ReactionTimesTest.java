@@ -19,7 +19,7 @@ import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RunFlight;
-import org.dronemap.ws.service.PlanRequest;
+import org.dronemap.ws.plan.PlanRequest;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -8,14 +8,14 @@ import java.util.Objects;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.time.Repetition;
 import org.dronemap.sim.robot.Quirk;
+import org.dronemap.ws.command.CommandView;
+import org.dronemap.ws.control.SteeringRequest;
+import org.dronemap.ws.drone.DroneView;
 import org.dronemap.ws.lab.Commands;
 import org.dronemap.ws.lab.LabRobot;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RobotKit;
-import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.DroneView;
-import org.dronemap.ws.service.SteeringRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

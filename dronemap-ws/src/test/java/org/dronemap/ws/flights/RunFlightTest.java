@@ -32,8 +32,8 @@ import org.dronemap.ws.lab.Track;
 import org.dronemap.ws.lab.Traffic;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.service.PlanRequest;
-import org.dronemap.ws.service.RunView;
+import org.dronemap.ws.plan.PlanRequest;
+import org.dronemap.ws.run.RunView;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

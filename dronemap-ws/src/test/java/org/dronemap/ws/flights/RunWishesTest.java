@@ -27,12 +27,12 @@ import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RunFlight;
 import org.dronemap.ws.lab.Track;
 import org.dronemap.ws.lab.Zones;
-import org.dronemap.ws.service.PlanRequest;
-import org.dronemap.ws.service.PlanTaskRequest;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
-import org.dronemap.ws.service.RunRequest;
-import org.dronemap.ws.service.RunView;
+import org.dronemap.ws.plan.PlanRequest;
+import org.dronemap.ws.plan.PlanTaskRequest;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RejectionKind;
+import org.dronemap.ws.run.RunRequest;
+import org.dronemap.ws.run.RunView;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

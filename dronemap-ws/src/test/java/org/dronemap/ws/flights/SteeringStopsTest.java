@@ -6,12 +6,12 @@ import java.time.Duration;
 import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.time.Worker;
+import org.dronemap.ws.control.SteeringRequest;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.Robot;
-import org.dronemap.ws.service.GrantService;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.SteeringRequest;
+import org.dronemap.ws.organisation.GrantService;
+import org.dronemap.ws.problem.Rejection;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.follow.FollowRequest;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Phone;
@@ -14,11 +15,10 @@ import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.RunFlight;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.service.FollowRequest;
-import org.dronemap.ws.service.MissionItemRequest;
-import org.dronemap.ws.service.PlanRequest;
-import org.dronemap.ws.service.RunView;
-import org.dronemap.ws.service.VirtualDroneRequest;
+import org.dronemap.ws.mission.MissionItemRequest;
+import org.dronemap.ws.plan.PlanRequest;
+import org.dronemap.ws.run.RunView;
+import org.dronemap.ws.virtual.VirtualDroneRequest;
 
 /**
  * Ten minutes of everything at once over bad links: a mission run of three copters, a virtual drone, a phone that is followed,

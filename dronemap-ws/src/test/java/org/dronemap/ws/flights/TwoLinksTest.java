@@ -14,7 +14,7 @@ import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.service.DtlsKeyService.DtlsKeyRequest;
+import org.dronemap.ws.link.DtlsKeyService.DtlsKeyRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

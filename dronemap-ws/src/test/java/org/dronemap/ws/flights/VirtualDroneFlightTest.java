@@ -17,9 +17,9 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.service.MissionItemRequest;
-import org.dronemap.ws.service.VirtualDroneRequest;
-import org.dronemap.ws.service.VirtualDroneView;
+import org.dronemap.ws.mission.MissionItemRequest;
+import org.dronemap.ws.virtual.VirtualDroneRequest;
+import org.dronemap.ws.virtual.VirtualDroneView;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

@@ -6,8 +6,8 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import org.dronemap.ws.service.Recordings;
-import org.dronemap.ws.service.ReplayView;
+import org.dronemap.ws.recording.Recordings;
+import org.dronemap.ws.recording.ReplayView;
 
 /** Plays nothing: counts the bytes of a recording and calls it finished. */
 public final class CountingRecordings implements Recordings {

@@ -1,8 +1,8 @@
 package org.dronemap.ws.house;
 
-import org.dronemap.ws.service.PlanDesk;
-import org.dronemap.ws.service.PlanJob;
-import org.dronemap.ws.service.PlanListener;
+import org.dronemap.ws.plan.PlanDesk;
+import org.dronemap.ws.plan.PlanJob;
+import org.dronemap.ws.plan.PlanListener;
 
 /** Searches for plans that begin only when a gate is open. */
 public final class GatedPlans implements PlanListener {

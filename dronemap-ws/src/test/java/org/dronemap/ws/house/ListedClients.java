@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.proxy.outlet.AddressRange;
-import org.dronemap.ws.service.OutletControl;
-import org.dronemap.ws.service.OutletView;
+import org.dronemap.ws.outlet.OutletControl;
+import org.dronemap.ws.outlet.OutletView;
 
 /** An outlet that only remembers what it was told; as many clients are attached as anybody disconnects. */
 final class ListedClients implements OutletControl {

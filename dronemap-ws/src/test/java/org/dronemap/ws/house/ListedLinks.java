@@ -5,9 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.dronemap.ws.service.EndpointView;
-import org.dronemap.ws.service.TrafficView;
-import org.dronemap.ws.service.VehicleLinks;
+import org.dronemap.ws.link.EndpointView;
+import org.dronemap.ws.link.TrafficView;
+import org.dronemap.ws.link.VehicleLinks;
 
 /** Opens nothing: lists what it was told to keep, one configured endpoint before it. */
 public final class ListedLinks implements VehicleLinks {

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
-import org.dronemap.ws.wiring.Settings;
+import org.dronemap.ws.settings.Settings;
 
 /** A certificate that this machine makes for itself, in PEM files, and a client's trust in it. */
 public final class OwnCertificate {

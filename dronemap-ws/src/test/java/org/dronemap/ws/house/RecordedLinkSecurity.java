@@ -7,10 +7,10 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.ws.service.LinkSecurityControl;
-import org.dronemap.ws.service.LinkSecurityProblem;
-import org.dronemap.ws.service.LinkSecurityView;
-import org.dronemap.ws.service.WireNames;
+import org.dronemap.ws.link.LinkSecurityControl;
+import org.dronemap.ws.link.LinkSecurityView;
+import org.dronemap.ws.problem.LinkSecurityProblem;
+import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** Link security that takes every key, and lets no change succeed that nobody vouched for. */

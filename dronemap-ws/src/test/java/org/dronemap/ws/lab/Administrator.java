@@ -3,10 +3,10 @@ package org.dronemap.ws.lab;
 import java.util.Arrays;
 import java.util.List;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.service.GrantService.GrantRequest;
-import org.dronemap.ws.service.GrantService.OnlyGrantedRequest;
-import org.dronemap.ws.service.OutletView;
-import org.dronemap.ws.service.UserService;
+import org.dronemap.ws.organisation.GrantService.GrantRequest;
+import org.dronemap.ws.organisation.GrantService.OnlyGrantedRequest;
+import org.dronemap.ws.outlet.OutletView;
+import org.dronemap.ws.user.UserService;
 
 /** Who says what the users of the laboratory's server may do. */
 public final class Administrator {

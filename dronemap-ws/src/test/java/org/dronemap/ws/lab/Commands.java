@@ -1,8 +1,8 @@
 package org.dronemap.ws.lab;
 
 import java.util.List;
-import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.MissionItemRequest;
+import org.dronemap.ws.command.CommandRequest;
+import org.dronemap.ws.mission.MissionItemRequest;
 import org.jspecify.annotations.Nullable;
 
 /** Commands as clients ask for them, without ids and epochs of their own. */

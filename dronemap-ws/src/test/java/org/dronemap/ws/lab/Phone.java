@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Objects;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.Reach;
-import org.dronemap.ws.service.FollowRequest;
-import org.dronemap.ws.service.FollowView;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.follow.FollowRequest;
+import org.dronemap.ws.follow.FollowView;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RejectionKind;
 import org.jspecify.annotations.Nullable;
 
 /** A phone that is followed: goes straight on, and says once a second where it is, as long as it speaks and there is a server. */

@@ -11,15 +11,15 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.ws.service.Caller;
-import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.ControlRequest;
-import org.dronemap.ws.service.ControlView;
-import org.dronemap.ws.service.KeyRequest;
-import org.dronemap.ws.service.MissionItemRequest;
-import org.dronemap.ws.service.OutletService;
-import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.access.Caller;
+import org.dronemap.ws.command.CommandRequest;
+import org.dronemap.ws.command.CommandView;
+import org.dronemap.ws.control.ControlRequest;
+import org.dronemap.ws.drone.ControlView;
+import org.dronemap.ws.key.KeyRequest;
+import org.dronemap.ws.mission.MissionItemRequest;
+import org.dronemap.ws.outlet.OutletService;
+import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
 /** A user of the laboratory's server, by a face of its own. */

@@ -8,12 +8,12 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.ws.service.PlanObjectiveRequest;
-import org.dronemap.ws.service.PlanRequest;
-import org.dronemap.ws.service.PlanTaskRequest;
-import org.dronemap.ws.service.PlanView;
-import org.dronemap.ws.service.RunRequest;
-import org.dronemap.ws.service.RunView;
+import org.dronemap.ws.plan.PlanObjectiveRequest;
+import org.dronemap.ws.plan.PlanRequest;
+import org.dronemap.ws.plan.PlanTaskRequest;
+import org.dronemap.ws.plan.PlanView;
+import org.dronemap.ws.run.RunRequest;
+import org.dronemap.ws.run.RunView;
 import org.jspecify.annotations.Nullable;
 
 /** A mission run of some drones, as its pilot sees it and as it truly is flown. */

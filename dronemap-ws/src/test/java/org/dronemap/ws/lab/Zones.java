@@ -3,8 +3,8 @@ package org.dronemap.ws.lab;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.ws.service.ZoneFeature;
-import org.dronemap.ws.service.ZoneGeometry;
+import org.dronemap.ws.zone.ZoneFeature;
+import org.dronemap.ws.zone.ZoneGeometry;
 import org.jspecify.annotations.Nullable;
 
 /** No-fly zones as a person draws them. */

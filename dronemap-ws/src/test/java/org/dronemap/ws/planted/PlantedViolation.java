@@ -4,7 +4,7 @@ import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.store.memory.MemoryMissionStore;
-import org.dronemap.ws.service.PasswordHashing;
+import org.dronemap.ws.account.PasswordHashing;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.drafts.Draft_6455;
 

@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.time.ZoneOffset;
-import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.problem.Rejection;
 import org.junit.jupiter.api.Test;
 
 class SignInThrottleTest {

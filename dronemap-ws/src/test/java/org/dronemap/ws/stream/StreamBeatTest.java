@@ -6,7 +6,7 @@ import java.time.Clock;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.util.concurrent.TimeUnit;
-import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.reading.JsonReader;
 import org.junit.jupiter.api.Test;
 
 /** The sign of life by which pages know that their line stands. */

@@ -12,7 +12,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dronemap.ws.service.Alternatives;
+import org.dronemap.ws.reading.Alternatives;
 import org.jspecify.annotations.Nullable;
 
 /** Makes records whose members are always the same. */

@@ -3,8 +3,9 @@ package org.dronemap.ws.wiring;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.dronemap.ws.http.ErrorAnswer;
 import org.dronemap.ws.planted.PlantedHandlers;
-import org.dronemap.ws.rest.ErrorAnswer;
+import org.dronemap.ws.server.StartFailure;
 import org.junit.jupiter.api.Test;
 import org.springframework.boot.autoconfigure.EnableAutoConfiguration;
 import org.springframework.boot.builder.SpringApplicationBuilder;

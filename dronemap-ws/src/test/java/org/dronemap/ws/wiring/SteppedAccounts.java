@@ -2,16 +2,18 @@ package org.dronemap.ws.wiring;
 
 import java.time.Clock;
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.service.AccessKeyService;
-import org.dronemap.ws.service.Accounts;
-import org.dronemap.ws.service.AuditService;
-import org.dronemap.ws.service.ControlService;
-import org.dronemap.ws.service.DroneService;
-import org.dronemap.ws.service.GrantChanges;
-import org.dronemap.ws.service.GrantService;
-import org.dronemap.ws.service.OutletService;
-import org.dronemap.ws.service.Secrets;
-import org.dronemap.ws.service.UserService;
+import org.dronemap.ws.account.Accounts;
+import org.dronemap.ws.audit.AuditService;
+import org.dronemap.ws.control.ControlService;
+import org.dronemap.ws.drone.DroneService;
+import org.dronemap.ws.key.AccessKeyService;
+import org.dronemap.ws.organisation.GrantChanges;
+import org.dronemap.ws.organisation.GrantService;
+import org.dronemap.ws.outlet.OutletService;
+import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.server.Closing;
+import org.dronemap.ws.server.House;
+import org.dronemap.ws.user.UserService;
 
 /** The use cases of a {@link SteppedServer} around users: who they are, what they may do and have done, and what they attach. */
 public final class SteppedAccounts {

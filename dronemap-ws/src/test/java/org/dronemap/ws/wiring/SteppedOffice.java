@@ -1,20 +1,22 @@
 package org.dronemap.ws.wiring;
 
 import org.dronemap.store.parquet.ParquetTrack;
-import org.dronemap.ws.service.DroneService;
-import org.dronemap.ws.service.DroneViews;
-import org.dronemap.ws.service.DtlsKeyService;
-import org.dronemap.ws.service.FlightService;
-import org.dronemap.ws.service.GrantChanges;
-import org.dronemap.ws.service.LinkSecurityService;
-import org.dronemap.ws.service.OrganisationService;
-import org.dronemap.ws.service.RecordingService;
-import org.dronemap.ws.service.ReplayService;
-import org.dronemap.ws.service.TelemetryFiles;
-import org.dronemap.ws.service.TelemetryService;
-import org.dronemap.ws.service.TlogCut;
-import org.dronemap.ws.service.WaitingService;
-import org.dronemap.ws.service.ZoneService;
+import org.dronemap.ws.drone.DroneService;
+import org.dronemap.ws.drone.DroneViews;
+import org.dronemap.ws.enrol.WaitingService;
+import org.dronemap.ws.history.FlightService;
+import org.dronemap.ws.history.TelemetryFiles;
+import org.dronemap.ws.history.TelemetryService;
+import org.dronemap.ws.link.DtlsKeyService;
+import org.dronemap.ws.link.LinkSecurityService;
+import org.dronemap.ws.organisation.GrantChanges;
+import org.dronemap.ws.organisation.OrganisationService;
+import org.dronemap.ws.recording.RecordingService;
+import org.dronemap.ws.recording.ReplayService;
+import org.dronemap.ws.recording.TlogCut;
+import org.dronemap.ws.server.House;
+import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.zone.ZoneService;
 
 /** The use cases of a {@link SteppedServer} around links, recordings and what is remembered. */
 public record SteppedOffice(

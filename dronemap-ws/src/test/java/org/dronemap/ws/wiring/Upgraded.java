@@ -16,6 +16,10 @@ import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.store.postgres.Database;
+import org.dronemap.ws.server.Closing;
+import org.dronemap.ws.server.House;
+import org.dronemap.ws.server.OwnerTasks;
+import org.dronemap.ws.settings.Settings;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 

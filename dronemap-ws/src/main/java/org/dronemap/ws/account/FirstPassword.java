@@ -1,0 +1,15 @@
+package org.dronemap.ws.account;
+
+import java.util.Optional;
+
+/** Whether the server still has the administrator password it made up at its first start, and what follows from it. */
+public interface FirstPassword {
+    /** Why nothing but a sign-in and a password change is served; empty when everything is. */
+    Optional<String> closed();
+
+    /** The first administrator of a server that only its own machine reaches may keep the password for a while. */
+    boolean mayStay(String user);
+
+    /** A user has taken a password of their own. */
+    void changed(String user);
+}

@@ -1,0 +1,31 @@
+package org.dronemap.ws.account;
+
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ValueProblem;
+import org.jspecify.annotations.Nullable;
+
+/** What a password must be. */
+final class PasswordRule {
+    static final int SHORTEST = 10;
+    static final int LONGEST = 200;
+
+    private PasswordRule() {}
+
+    static String acceptable(String field, @Nullable String password) {
+        String allowed = SHORTEST + " to " + LONGEST + " characters";
+        if (password == null) {
+            throw InvalidInput.missing(field, allowed);
+        }
+        if (password.length() < SHORTEST || password.length() > LONGEST) {
+            throw new InvalidInput(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    field,
+                    allowed,
+                    "A password must have " + allowed + "; this one has " + password.length() + ".",
+                    ProblemParameter.LEAST.is(SHORTEST),
+                    ProblemParameter.MOST.is(LONGEST));
+        }
+        return password;
+    }
+}

@@ -1,0 +1,111 @@
+package org.dronemap.ws.audit;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import org.dronemap.core.audit.AuditQuery;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
+import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.jspecify.annotations.Nullable;
+import org.springdoc.core.annotations.ParameterObject;
+import org.springframework.http.HttpHeaders;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.ModelAttribute;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.RestController;
+
+/** What was done by whom. */
+@RestController
+@RequestMapping("/api/v1/audit")
+@Tag(
+        name = "Activity",
+        description =
+                "What was done, or asked for and refused, by whom, through which face. Every record stands for all"
+                        + " before it, so that later changes show; for supervisors.")
+public class AuditController {
+    private final AuditService audit;
+    private final CurrentPrincipal current;
+    private final JsonReader json;
+
+    public AuditController(AuditService audit, CurrentPrincipal current, JsonReader json) {
+        this.audit = audit;
+        this.current = current;
+        this.json = json;
+    }
+
+    @GetMapping
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
+    @Operation(
+            operationId = "searchAudit",
+            summary = "Look for records (supervisor)",
+            description = "Newest first, 50 unless limit says otherwise (1 to 200); go on with before = next. Times are"
+                    + " as 2026-03-04T05:06:07Z.")
+    public AuditService.AuditPage records(
+            @ParameterObject @ModelAttribute AuditSearch search,
+            @RequestParam(required = false) @Nullable Long before,
+            @RequestParam(required = false) @Nullable Integer limit) {
+        return audit.page(current.principal(), search, before, limit);
+    }
+
+    @GetMapping("/file")
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
+    @TakesOrGivesFile(gives = {"text/csv", "application/jsonl"})
+    @Operation(
+            operationId = "exportAudit",
+            summary = "Take all that are looked for along as a file (supervisor)",
+            description = "form: csv, or jsonl for a line of JSON each. Newest first.")
+    public void file(
+            @ParameterObject @ModelAttribute AuditSearch search,
+            @RequestParam(defaultValue = "csv") String form,
+            HttpServletResponse response)
+            throws IOException {
+        AuditQuery query = audit.checked(current.principal(), search);
+        AuditFile file = AuditFile.named(form);
+        response.setContentType(file.mediaType() + ";charset=UTF-8");
+        response.setHeader(HttpHeaders.CONTENT_DISPOSITION, "attachment; filename=\"" + file.fileName() + "\"");
+        Writer out = new BufferedWriter(new OutputStreamWriter(response.getOutputStream(), StandardCharsets.UTF_8));
+        file.begin(out);
+        audit.export(query, record -> file.write(record, json, out));
+        out.flush();
+    }
+
+    @GetMapping("/receipt")
+    @Access(from = From.SUPERVISOR, about = About.SERVER)
+    @Operation(
+            operationId = "getAuditReceipt",
+            summary = "Get a receipt for all records up to now (supervisor)",
+            description =
+                    "Kept outside of the server, it shows later whether any of them was changed or removed, even by"
+                            + " whoever runs the server.")
+    public ResponseEntity<ReceiptView> receipt() {
+        return ResponseEntity.ok()
+                .header(HttpHeaders.CONTENT_DISPOSITION, "attachment; filename=\"dronemap-receipt.json\"")
+                .body(audit.receipt(current.principal()));
+    }
+
+    @PostMapping("/verification")
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Answers(never = 409)
+    @Operation(
+            operationId = "verifyAudit",
+            summary = "Verify all records, against a receipt too if one is sent (administrator)",
+            description = "Names the first record that is not as it was.")
+    public AuditService.VerdictView verify(@RequestBody(required = false) @Nullable ReceiptView receipt) {
+        return audit.verify(current.principal(), receipt);
+    }
+}

@@ -1,0 +1,13 @@
+package org.dronemap.ws.control;
+
+/** What can be done about the control of a drone. */
+public enum ControlAction {
+    TAKE,
+    REQUEST,
+    GRANT,
+    REFUSE,
+    HAND_OVER,
+    TAKE_OVER,
+    HEARTBEAT,
+    RELEASE
+}

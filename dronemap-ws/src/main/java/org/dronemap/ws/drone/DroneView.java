@@ -1,0 +1,214 @@
+package org.dronemap.ws.drone;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.command.Refusal;
+import org.dronemap.core.drone.CloudLossState;
+import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.MissionPhase;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.ws.mission.MissionItemView;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.reading.ValuesOf;
+import org.jspecify.annotations.Nullable;
+
+/** A drone as clients see it; a fact that nobody knows is null. */
+@Schema(name = "DroneView", description = "A drone now. A fact that nobody knows is null, never 0.")
+public record DroneView(
+        String id,
+        String name,
+        boolean replay,
+        LinkView link,
+        IdentityView identity,
+        @ValuesOf(VehicleKind.class) String kind,
+        String autopilot,
+        String vehicle,
+        @Nullable String firmware,
+        @Nullable String mode,
+        List<String> modes,
+        @Nullable Boolean armed,
+        @Nullable Boolean readyToArm,
+        @ValuesOf(FlightPhase.class) @Nullable String flight,
+        @Nullable PositionView position,
+        @Nullable LocalView local,
+
+        @Schema(description = "The numbers of the newest that its sensors brought; null while there was nothing")
+        @Nullable
+        SensedNumbersView sensed,
+
+        @Nullable String place,
+        @Nullable MotionView motion,
+        @Nullable AttitudeView attitude,
+        @Nullable BatteryView battery,
+        @Nullable GpsView gps,
+        @Nullable HomeView home,
+        CloudLossView cloudLoss,
+        MissionView mission,
+        List<MessageView> messages,
+
+        @Schema(
+                description =
+                        "Every kind of command, and forceDisarm: the motors off even in the air (disarm with force)")
+        Map<String, ActionView> actions,
+
+        ControlView control,
+
+        @Schema(description = "What becomes of it when whoever has it has it no more; null: it is not in the air")
+        @Nullable
+        OutlookView outlook,
+
+        Instant lastUpdate,
+        long version) {
+
+    /** The link that it is reached by. */
+    @Schema(name = "DroneLinkView")
+    public record LinkView(
+            String address,
+            int port,
+            int systemId,
+            String transport,
+            @ValuesOf(LinkState.class) String state,
+            @Nullable Instant lastHeard,
+            QualityView quality,
+
+            @Schema(description = "Further addresses on which the same vehicle is heard")
+            List<String> others) {}
+
+    /** How it showed who it is: its address, hardware, signature or link; only the last two prove it. */
+    @Schema(name = "DroneIdentityView")
+    public record IdentityView(
+            @ValuesOf(Evidence.class) String evidence,
+            boolean proved,
+            @Nullable String hardwareId) {}
+
+    /** Shares from 0 to 1 of the vehicle's messages that were lost over some 5 s and 60 s; milliseconds there and back. */
+    @Schema(name = "DroneQualityView")
+    public record QualityView(
+            @Nullable Double lossShort,
+            @Nullable Double lossLong,
+            @Nullable Double rttMs) {}
+
+    /** Degrees, and metres above sea level and above home. */
+    @Schema(name = "DronePositionView")
+    public record PositionView(
+            @Nullable Double latitude,
+            @Nullable Double longitude,
+            @Nullable Double altitudeAmsl,
+            @Nullable Double altitudeAboveHome) {}
+
+    /** Metres in a frame of its own, such as its map; yaw in degrees counter-clockwise from x. */
+    @Schema(name = "DroneLocalView")
+    public record LocalView(
+            double x,
+            double y,
+            @Nullable Double z,
+            @Nullable Double yaw) {}
+
+    /** Each kind counted by itself; null where there was none yet. */
+    @Schema(name = "DroneSensedNumbersView")
+    public record SensedNumbersView(
+            @Nullable Long scan,
+            @Nullable Long picture,
+            @Nullable Long map) {}
+
+    /** Metres a second; heading in degrees. */
+    @Schema(name = "DroneMotionView")
+    public record MotionView(
+            @Nullable Double groundSpeed,
+            @Nullable Double airSpeed,
+            @Nullable Double climbRate,
+            @Nullable Double heading) {}
+
+    /** Degrees. */
+    @Schema(name = "DroneAttitudeView")
+    public record AttitudeView(double roll, double pitch, double yaw) {}
+
+    /** Per cent, volts, amperes. */
+    @Schema(name = "DroneBatteryView")
+    public record BatteryView(
+            @Nullable Integer percent,
+            @Nullable Double volts,
+            @Nullable Double amps) {}
+
+    /** Satellite reception. */
+    @Schema(name = "DroneGpsView")
+    public record GpsView(
+            @Schema(allowableValues = {"none", "2D", "3D", "DGPS", "RTK float", "RTK fixed"})
+            String fix,
+
+            @Nullable Integer satellites,
+            @Nullable Double hdop) {}
+
+    /** Where it returns to; degrees and metres above sea level. */
+    @Schema(name = "DroneHomeView")
+    public record HomeView(double latitude, double longitude, double altitudeAmsl) {}
+
+    /**
+     * What it does by itself when it does not hear the cloud any more. {@code state} is set, notSet or cannotBeSet;
+     * {@code sentence} says it for people; {@code returnHeight} is metres above home, where the cloud chose it.
+     */
+    @Schema(name = "DroneCloudLossView")
+    public record CloudLossView(
+            @ValuesOf(CloudLossState.State.class) String state,
+            @Nullable String action,
+            @Nullable Double afterSeconds,
+            @Nullable Double returnHeight,
+            String sentence,
+
+            @Schema(description = "What its owner had set, and is put back once nobody uses it")
+            List<OutstandingView> outstanding) {}
+
+    /** A parameter that the cloud has changed, with what its owner had set. */
+    @Schema(name = "DroneOutstandingView")
+    public record OutstandingView(String name, double owners, double now) {}
+
+    /**
+     * The mission that is on the vehicle; indices are into the items. {@code state} is stopped, running, paused or
+     * complete; null when the vehicle does not say. {@code hash} stands for all that the vehicle keeps of the mission,
+     * finer settings included: equal hashes, equal missions.
+     */
+    @Schema(name = "DroneMissionView")
+    public record MissionView(
+            @Nullable List<MissionItemView> items,
+            @Nullable Integer current,
+            List<Integer> reached,
+            @Nullable Integer total,
+            boolean running,
+            @ValuesOf(MissionPhase.class) @Nullable String state,
+            @Nullable String notice,
+            @Nullable String hash) {}
+
+    /** A sentence of the vehicle or about it. */
+    @Schema(name = "DroneMessageView")
+    public record MessageView(@ValuesOf(Severity.class) String severity, String text, Instant at) {}
+
+    /** Whether a command can be given now, and if not, why. */
+    @Schema(name = "DroneActionView")
+    public record ActionView(
+            boolean allowed,
+            @Nullable String why,
+
+            @Schema(description = "Why not, for programs; docs/problems.md lists them") @Nullable
+            String code,
+
+            @Schema(description = "The vehicle refuses it in its mode of now: change to this one first") @Nullable
+            String mode) {
+
+        static ActionView allowedIn(@Nullable String mode) {
+            return new ActionView(true, null, null, mode);
+        }
+
+        static ActionView forbidden(Rejection why) {
+            return new ActionView(false, why.sentence(), why.code().word(), null);
+        }
+
+        static ActionView forbidden(Refusal why, @Nullable String mode) {
+            return new ActionView(false, why.sentence(), why.code().word(), mode);
+        }
+    }
+}

@@ -1,0 +1,11 @@
+package org.dronemap.ws.drone;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
+import org.jspecify.annotations.Nullable;
+
+/** A drone's new name. */
+@Schema(name = "RenameRequest")
+public record RenameRequest(
+        @Size(min = 1, max = DroneService.LONGEST_NAME) @Nullable
+        String name) {}

@@ -1,0 +1,37 @@
+package org.dronemap.ws.drone;
+
+import java.util.Optional;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.Picture;
+import org.dronemap.core.drone.Sensed;
+
+/** Use cases around what drones' sensors bring, for all who see the drone. Any thread. */
+public final class SensingService {
+    private final CloudManager cloud;
+    private final DroneService drones;
+
+    public SensingService(CloudManager cloud, DroneService drones) {
+        this.cloud = cloud;
+        this.drones = drones;
+    }
+
+    public SensedView sensed(Principal principal, String droneId) {
+        return SensedView.of(of(principal, droneId));
+    }
+
+    /** Empty when none came yet. */
+    public Optional<Picture> picture(Principal principal, String droneId) {
+        return Optional.ofNullable(of(principal, droneId).picture()).map(Sensed.Kept::value);
+    }
+
+    /** Empty when none came yet. */
+    public Optional<Picture> map(Principal principal, String droneId) {
+        return Optional.ofNullable(of(principal, droneId).map())
+                .map(kept -> kept.value().picture());
+    }
+
+    private Sensed of(Principal principal, String droneId) {
+        return cloud.sensed(drones.state(principal, droneId).id());
+    }
+}

@@ -1,0 +1,125 @@
+package org.dronemap.ws.fence;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
+import org.dronemap.ws.command.CommandAnswer;
+import org.dronemap.ws.command.CommandView;
+import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** The fence and the rally points that a vehicle keeps on board. */
+@RestController
+@RequestMapping("/api/v1/drones/{id}")
+@Tag(
+        name = "Fences",
+        description = "The fence and the rally points that the vehicle itself keeps; read back when changed.")
+public class FenceController {
+    private final FenceService fences;
+    private final CurrentPrincipal current;
+
+    public FenceController(FenceService fences, CurrentPrincipal current) {
+        this.fences = fences;
+        this.current = current;
+    }
+
+    @GetMapping("/fence")
+    @Access(from = From.VIEWER, about = About.DRONE)
+    @Operation(
+            operationId = "getFence",
+            summary = "Look at the fence",
+            description = "As last read from the vehicle; null until it first was.")
+    public FenceView fence(@PathVariable String id) {
+        return fences.fence(current.principal(), id);
+    }
+
+    @PostMapping("/fence/refresh")
+    @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers(202)
+    @Operation(operationId = "readFence", summary = "Read the fence from the vehicle (operator)")
+    public ResponseEntity<CommandView> readFence(@PathVariable String id) {
+        return CommandAnswer.begun(fences.readFence(current.caller(), id));
+    }
+
+    @PutMapping("/fence")
+    @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers(202)
+    @Operation(
+            operationId = "setFence",
+            summary = "Replace the fence (operator)",
+            description = "Up to 50 polygons and circles.")
+    public ResponseEntity<CommandView> setFence(@PathVariable String id, @RequestBody FenceView fence) {
+        return CommandAnswer.begun(fences.setFence(current.caller(), id, fence));
+    }
+
+    @PutMapping("/fence/zones")
+    @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers(202)
+    @Operation(
+            operationId = "setFenceFromZones",
+            summary = "Make the cloud's zones the vehicle's own fence (planner)",
+            description =
+                    "All zones without floor and ceiling that bind this drone now, whoever flies it; they then hold"
+                            + " also where the vehicle does not hear the cloud. Zones that a vehicle cannot keep are named among"
+                            + " the warnings. What was its fence before is replaced.")
+    public ResponseEntity<CommandView> putZonesOnBoard(@PathVariable String id) {
+        return CommandAnswer.begun(fences.putZonesOnBoard(current.caller(), id));
+    }
+
+    @DeleteMapping("/fence")
+    @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers(value = 202, refuses = 409)
+    @Operation(operationId = "clearFence", summary = "Take the fence away (operator)")
+    public ResponseEntity<CommandView> clearFence(@PathVariable String id) {
+        return CommandAnswer.begun(fences.clearFence(current.caller(), id));
+    }
+
+    @GetMapping("/rally-points")
+    @Access(from = From.VIEWER, about = About.DRONE)
+    @Operation(
+            operationId = "getRallyPoints",
+            summary = "Look at the rally points",
+            description = "As last read; null until they first were.")
+    public FenceView.RallyView rallyPoints(@PathVariable String id) {
+        return fences.rallyPoints(current.principal(), id);
+    }
+
+    @PostMapping("/rally-points/refresh")
+    @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers(202)
+    @Operation(operationId = "readRallyPoints", summary = "Read the rally points from the vehicle (operator)")
+    public ResponseEntity<CommandView> readRallyPoints(@PathVariable String id) {
+        return CommandAnswer.begun(fences.readRallyPoints(current.caller(), id));
+    }
+
+    @PutMapping("/rally-points")
+    @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers(202)
+    @Operation(
+            operationId = "setRallyPoints",
+            summary = "Replace the rally points (operator)",
+            description = "Up to 50.")
+    public ResponseEntity<CommandView> setRallyPoints(
+            @PathVariable String id, @RequestBody FenceView.RallyView points) {
+        return CommandAnswer.begun(fences.setRallyPoints(current.caller(), id, points));
+    }
+
+    @DeleteMapping("/rally-points")
+    @Access(from = From.PLANNER, about = About.DRONE)
+    @Answers(value = 202, refuses = 409)
+    @Operation(operationId = "clearRallyPoints", summary = "Take the rally points away (operator)")
+    public ResponseEntity<CommandView> clearRallyPoints(@PathVariable String id) {
+        return CommandAnswer.begun(fences.clearRallyPoints(current.caller(), id));
+    }
+}

@@ -1,0 +1,142 @@
+package org.dronemap.ws.history;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.access.Insight;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Sight;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.history.Flight;
+import org.dronemap.core.history.HistoryEvent;
+import org.dronemap.core.history.SeriesQuery;
+import org.dronemap.core.history.Span;
+import org.dronemap.core.history.TelemetryStore;
+import org.dronemap.ws.drone.DroneService;
+import org.dronemap.ws.drone.EventView;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ValueProblem;
+import org.dronemap.ws.reading.PointView;
+import org.dronemap.ws.reading.WireTimes;
+
+/** Use cases around what was measured and what happened, of a drone over some time or of one flight. Any thread. */
+public final class TelemetryService {
+    private static final Duration USUAL = Duration.ofHours(1);
+    /** Commands are given before what comes of them. */
+    private static final Duration MARGIN = Duration.ofSeconds(10);
+
+    private static final int MOST_EVENTS = 5_000;
+
+    private final TelemetryStore store;
+    private final DroneService drones;
+    private final FlightService flights;
+    private final InstantSource clock;
+
+    /** Whose telemetry is asked for, and when it usually is looked at. */
+    public record Subject(DroneId drone, String name, Span usual, Insight insight) {
+        /** What is asked for, all of which has to be shown to the asker. */
+        Span span(TelemetrySearch search) {
+            return span(search, usual);
+        }
+
+        private Span span(TelemetrySearch search, Span usually) {
+            Span asked = search.span(shown(usually));
+            Span shown = shown(asked);
+            if (!shown.equals(asked) && !asked.length().isZero()) {
+                throw new InvalidInput(
+                        ValueProblem.TIME_NOT_SHOWN,
+                        "from",
+                        "a time that is shown to you",
+                        "The drone was another organisation's then"
+                                + (shown.length().isZero()
+                                        ? "."
+                                        : "; ask from " + shown.from() + " until " + shown.until() + "."));
+            }
+            return asked;
+        }
+
+        private Span shown(Span span) {
+            return insight.within(span.from(), span.until())
+                    .map(part -> new Span(part.from(), part.until()))
+                    .orElse(new Span(span.until(), span.until()));
+        }
+
+        HistoryEvent shown(HistoryEvent event) {
+            return insight.at(event.at()) == Sight.ALL ? event : Nameless.event(event);
+        }
+    }
+
+    public TelemetryService(TelemetryStore store, DroneService drones, FlightService flights, InstantSource clock) {
+        this.store = store;
+        this.drones = drones;
+        this.flights = flights;
+        this.clock = clock;
+    }
+
+    /** A drone, over the last hour. */
+    public Subject drone(Principal principal, String id) {
+        DroneState state = drones.state(principal, id);
+        Instant now = clock.instant();
+        return new Subject(state.id(), state.name(), new Span(now.minus(USUAL), now), principal.insight(state.id()));
+    }
+
+    /** A flight, from its beginning to its end or to now. */
+    public Subject flight(Principal principal, String id) {
+        Flight flight = flights.find(principal, id);
+        Instant end = flight.end() == null ? clock.instant() : flight.end();
+        // The moment of the end is the flight's, too.
+        Instant until = end.plusMillis(1);
+        return new Subject(
+                flight.drone(),
+                flight.droneName(),
+                new Span(flight.start(), max(flight.start(), until)),
+                principal.insight(flight.drone()));
+    }
+
+    public SeriesView series(Subject subject, TelemetrySearch search) {
+        SeriesQuery query = new SeriesQuery(subject.drone(), subject.span(search), search.chosen(), search.slotCount());
+        return SeriesView.of(query, store.series(query));
+    }
+
+    /** All points, or so many of them that they are no more than is asked for, evenly over the time. */
+    public PointView.Points points(Subject subject, TelemetrySearch search) {
+        Span span = subject.span(search);
+        Duration apart = span.length().dividedBy(search.mostPoints());
+        List<PointView> points = new ArrayList<>();
+        Instant[] next = {span.from()};
+        store.points(subject.drone(), span, point -> {
+            if (!point.at().isBefore(next[0])) {
+                points.add(PointView.of(point));
+                next[0] = point.at().plus(apart);
+            }
+        });
+        return new PointView.Points(
+                subject.drone().value(), WireTimes.shown(span.from()), WireTimes.shown(span.until()), points);
+    }
+
+    public EventView.Events events(Subject subject, TelemetrySearch search) {
+        Span span = subject.span(search, around(subject.usual()));
+        List<HistoryEvent> events = store.events(subject.drone(), span, MOST_EVENTS + 1);
+        return new EventView.Events(
+                subject.drone().value(),
+                WireTimes.shown(span.from()),
+                WireTimes.shown(span.until()),
+                events.stream()
+                        .limit(MOST_EVENTS)
+                        .map(subject::shown)
+                        .map(EventView::of)
+                        .toList(),
+                events.size() > MOST_EVENTS);
+    }
+
+    private static Span around(Span span) {
+        return new Span(span.from().minus(MARGIN), span.until().plus(MARGIN));
+    }
+
+    private static Instant max(Instant one, Instant other) {
+        return one.isAfter(other) ? one : other;
+    }
+}

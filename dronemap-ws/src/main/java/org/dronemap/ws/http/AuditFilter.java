@@ -1,0 +1,141 @@
+package org.dronemap.ws.http;
+
+import jakarta.servlet.AsyncEvent;
+import jakarta.servlet.AsyncListener;
+import jakarta.servlet.FilterChain;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.dronemap.core.audit.Activity;
+import org.dronemap.core.audit.AuditDesk;
+import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.ws.access.AccessRule;
+import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.RestOperations;
+import org.dronemap.ws.security.CalledBy;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.springframework.web.filter.OncePerRequestFilter;
+
+/**
+ * Takes each request down that may change something, whoever it comes from and whatever becomes of it. The answer leaves
+ * when the record is there.
+ */
+public final class AuditFilter extends OncePerRequestFilter {
+    private static final String API = "/api/";
+    private static final String SOAP = "/services/";
+    private static final int FIRST_BAD_STATUS = 400;
+    private static final int FIRST_OWN_FAULT = 500;
+
+    private final AuditDesk desk;
+    private final RestOperations operations;
+
+    public AuditFilter(AuditDesk desk, RestOperations operations) {
+        this.desk = desk;
+        this.operations = operations;
+    }
+
+    @Override
+    protected boolean shouldNotFilter(HttpServletRequest request) {
+        String path = request.getRequestURI();
+        if (path.startsWith(SOAP)) {
+            return Audit.onlyLooks(request.getMethod());
+        }
+        return !path.startsWith(API) || operations.rule(request).audit() == Audit.ONLY_LOOKS;
+    }
+
+    @Override
+    protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
+            throws ServletException, IOException {
+        Activity call = request.getRequestURI().startsWith(SOAP) ? desk.begin("soap", "unreadable") : rest(request);
+        HeldResponse held = new HeldResponse(response, () -> finish(call, request, response));
+        try {
+            call.<Boolean, Exception>during(() -> {
+                chain.doFilter(request, held);
+                return true;
+            });
+        } catch (ServletException | IOException | RuntimeException e) {
+            call.turnedAway(AuditOutcome.FAILED, "The server failed, or the client went away.");
+            throw e;
+        } catch (Exception e) {
+            throw new ServletException(e);
+        } finally {
+            end(call, request, held);
+        }
+    }
+
+    private Activity rest(HttpServletRequest request) {
+        AccessRule rule = operations.rule(request);
+        AuditedOperation operation = AuditedOperation.of(request, rule.operation());
+        String face = CurrentPrincipal.otherFace(request).map(CalledBy::face).orElse("rest");
+        Activity call = desk.begin(face, operation.name());
+        call.drone(operation.drone());
+        call.parameters(operation.parameters());
+        switch (rule.audit()) {
+            case RECORDED_WITH_PLACE -> call.parameters(place(request));
+            case REFUSALS_ONLY -> call.leaveOutUnlessTurnedAway();
+            case LEFT_OUT -> call.leaveOut();
+            case BY_METHOD, RECORDED, ONLY_LOOKS -> {}
+        }
+        return call;
+    }
+
+    private static String place(HttpServletRequest request) {
+        return "from " + request.getRemoteAddr();
+    }
+
+    private void end(Activity call, HttpServletRequest request, HeldResponse response) {
+        response.letGo();
+        if (request.isAsyncStarted()) {
+            request.getAsyncContext().addListener(new AtTheEnd(call, request, response));
+        } else {
+            finish(call, request, response);
+        }
+    }
+
+    private void finish(Activity call, HttpServletRequest request, HttpServletResponse response) {
+        int status = response.getStatus();
+        if (status >= FIRST_BAD_STATUS) {
+            call.turnedAway(
+                    status >= FIRST_OWN_FAULT ? AuditOutcome.FAILED : AuditOutcome.REFUSED,
+                    "It was answered with status " + status + ".");
+        }
+        if (call.entry().by() == null && operations.rule(request).audit() != Audit.RECORDED_WITH_PLACE) {
+            call.parameters(place(request));
+        }
+        desk.end(call);
+    }
+
+    /** For what is answered by another thread. */
+    private final class AtTheEnd implements AsyncListener {
+        private final Activity call;
+        private final HttpServletRequest request;
+        private final HttpServletResponse response;
+
+        AtTheEnd(Activity call, HttpServletRequest request, HttpServletResponse response) {
+            this.call = call;
+            this.request = request;
+            this.response = response;
+        }
+
+        @Override
+        public void onComplete(AsyncEvent event) {
+            finish(call, request, response);
+        }
+
+        @Override
+        public void onTimeout(AsyncEvent event) {
+            call.turnedAway(AuditOutcome.FAILED, "It took too long.");
+        }
+
+        @Override
+        public void onError(AsyncEvent event) {
+            call.turnedAway(AuditOutcome.FAILED, "The server failed, or the client went away.");
+        }
+
+        @Override
+        public void onStartAsync(AsyncEvent event) {
+            event.getAsyncContext().addListener(this);
+        }
+    }
+}

@@ -1,0 +1,23 @@
+package org.dronemap.ws.link;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import org.jspecify.annotations.Nullable;
+
+/** What went between one vehicle and the cloud over one link since its session began, in messages. */
+@Schema(name = "TrafficView")
+public record TrafficView(
+        @Nullable String drone,
+        String address,
+        int port,
+        int systemId,
+        String transport,
+        long received,
+        long sent,
+        long lost,
+        long doubled,
+        long dropped,
+        int queue) {
+    TrafficView withoutDrone() {
+        return new TrafficView(null, address, port, systemId, transport, received, sent, lost, doubled, dropped, queue);
+    }
+}

@@ -1,0 +1,56 @@
+package org.dronemap.ws.mission;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ValueProblem;
+import org.dronemap.ws.reading.Ranges;
+import org.jspecify.annotations.Nullable;
+
+/** Turns the items that a client wrote into a mission, or says which member of which item is wrong. */
+final class MissionReader {
+    private static final String COUNT = "1 to " + Mission.MAX_ITEMS + " items";
+    private static final String REFERENCES = "home or amsl";
+
+    private MissionReader() {}
+
+    static Mission read(@Nullable List<MissionItemRequest> items) {
+        if (items == null || items.isEmpty()) {
+            throw InvalidInput.missing("items", COUNT);
+        }
+        if (items.size() > Mission.MAX_ITEMS) {
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "items",
+                    COUNT,
+                    items.size(),
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(Mission.MAX_ITEMS));
+        }
+        List<MissionItem> read = new ArrayList<>(items.size());
+        for (int index = 0; index < items.size(); index++) {
+            read.add(items.get(index).read("items[" + index + "]."));
+        }
+        return new Mission(read);
+    }
+
+    static MissionItem.SetServo servo(String at, @Nullable Integer output, @Nullable Integer pulse) {
+        return new MissionItem.SetServo(Ranges.output(at + "output", output), Ranges.pulse(at + "pulse", pulse));
+    }
+
+    /** {@code at} is what stands before the field's name, such as {@code items[2].}. */
+    static Altitude altitude(String at, @Nullable Double meters, @Nullable String reference) {
+        double checked = Ranges.altitude(at + "altitude", meters);
+        return switch (reference == null ? "home" : reference) {
+            case "home" -> new Altitude(checked, Altitude.Reference.HOME);
+            case "amsl" -> new Altitude(checked, Altitude.Reference.AMSL);
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, at + "altitudeReference", REFERENCES, "\"" + reference + "\"");
+        };
+    }
+}

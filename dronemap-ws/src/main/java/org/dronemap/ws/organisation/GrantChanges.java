@@ -1,0 +1,42 @@
+package org.dronemap.ws.organisation;
+
+import java.util.function.Consumer;
+import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.GrantStore;
+import org.dronemap.core.access.Holdings;
+
+/** Changes of organisations, groups, fleets and grants, one at a time: kept first, in force at once. Any thread. */
+public final class GrantChanges {
+    private final GrantStore store;
+    private final GrantBook book;
+
+    public GrantChanges(GrantStore store, GrantBook book) {
+        this.store = store;
+        this.book = book;
+        book.replace(store.holdings());
+    }
+
+    public Holdings holdings() {
+        return book.holdings();
+    }
+
+    GrantBook book() {
+        return book;
+    }
+
+    boolean isOnlyGranted(String user) {
+        return book.isOnlyGranted(user);
+    }
+
+    synchronized void make(Consumer<GrantStore> change) {
+        try {
+            change.accept(store);
+        } finally {
+            book.replace(store.holdings());
+        }
+    }
+
+    void forgetUser(String name) {
+        make(kept -> kept.forgetUser(name));
+    }
+}

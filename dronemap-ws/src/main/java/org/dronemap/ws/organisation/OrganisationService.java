@@ -1,0 +1,198 @@
+package org.dronemap.ws.organisation;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Size;
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.Organisation;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.ServerProblem;
+import org.dronemap.ws.problem.UnknownProblem;
+import org.dronemap.ws.problem.ValueProblem;
+import org.dronemap.ws.reading.Names;
+import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.zone.ZoneService;
+import org.jspecify.annotations.Nullable;
+
+/** Organisations, for those who run the server: what they hold is counted here, never shown. Any thread. */
+public final class OrganisationService {
+    static final int LONGEST_NAME = 60;
+    private static final int MOST = 200;
+    private static final String HOME_NAME = "Home";
+    private static final String ID_FORM = "the id of an organisation";
+
+    private final GrantChanges grants;
+    private final AccessStore access;
+    private final CloudManager cloud;
+    private final ZoneService zones;
+    private final Clock clock;
+    private final Secrets secrets = new Secrets();
+
+    /** What it is called. */
+    @Schema(name = "OrganisationNameRequest")
+    public record NameRequest(
+            @Size(min = 1, max = OrganisationService.LONGEST_NAME) @Nullable
+            String name) {}
+
+    /** An organisation as the server's administrators see it. */
+    @Schema(name = "OrganisationView")
+    public record OrganisationView(
+            String id,
+            String name,
+            long users,
+            long drones,
+            @Nullable Instant madeAt) {}
+
+    public OrganisationService(
+            GrantChanges grants, AccessStore access, CloudManager cloud, ZoneService zones, Clock clock) {
+        this.zones = zones;
+        this.grants = grants;
+        this.access = access;
+        this.cloud = cloud;
+        this.clock = clock;
+    }
+
+    /** The default one first. */
+    public List<OrganisationView> organisations(Principal principal) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        List<User> users = access.users();
+        List<OrganisationView> all = new ArrayList<>();
+        all.add(view(OrganisationId.HOME, HOME_NAME, null, users));
+        grants.holdings().organisations().forEach(each -> all.add(view(each.id(), each.name(), each.madeAt(), users)));
+        return List.copyOf(all);
+    }
+
+    public OrganisationView add(Principal principal, NameRequest request) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        if (grants.holdings().organisations().size() >= MOST) {
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "There are " + MOST + " organisations already.",
+                    ProblemParameter.WHAT.is("organisations"),
+                    ProblemParameter.MOST.is(MOST));
+        }
+        String id = "o"
+                + secrets.token()
+                        .toLowerCase(Locale.ROOT)
+                        .replaceAll("[^a-z0-9]", "")
+                        .substring(0, 10);
+        Organisation made = new Organisation(
+                new OrganisationId(id),
+                free(request.name(), null),
+                clock.instant().truncatedTo(ChronoUnit.MILLIS));
+        grants.make(store -> store.save(made));
+        return view(made.id(), made.name(), made.madeAt(), List.of());
+    }
+
+    public OrganisationView rename(Principal principal, String id, NameRequest request) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        Organisation before = find(id);
+        Organisation renamed = new Organisation(before.id(), free(request.name(), before.id()), before.madeAt());
+        grants.make(store -> store.save(renamed));
+        return view(renamed.id(), renamed.name(), renamed.madeAt(), access.users());
+    }
+
+    /** Only when nobody and nothing belongs to it any more. */
+    public void delete(Principal principal, String id) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        Organisation going = find(id);
+        OrganisationView holds = view(going.id(), going.name(), going.madeAt(), access.users());
+        if (holds.users() + holds.drones() > 0) {
+            throw Rejection.of(
+                    AccessProblem.ORGANISATION_NOT_EMPTY,
+                    going.name() + " still has " + holds.users() + " users and " + holds.drones()
+                            + " drones; only an empty organisation can be removed.",
+                    ProblemParameter.USERS.is(holds.users()),
+                    ProblemParameter.DRONES.is(holds.drones()));
+        }
+        zones.forget(going.id());
+        grants.make(store -> store.deleteOrganisation(going.id()));
+    }
+
+    /** Null: the default one. */
+    OrganisationId named(@Nullable String id) {
+        if (id == null || id.equals(OrganisationId.HOME.value())) {
+            return OrganisationId.HOME;
+        }
+        return known(id)
+                .map(Organisation::id)
+                .orElseThrow(() -> InvalidInput.outside(
+                        ValueProblem.REFERENCE_UNKNOWN, "organisation", ID_FORM, "\"" + id + "\""));
+    }
+
+    /** Only those who run the server invite into others than their own. */
+    OrganisationId invitedInto(Principal principal, @Nullable String id) {
+        if (id == null) {
+            return principal.organisation();
+        }
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        return named(id);
+    }
+
+    /** Whether that drone has changed hands since. */
+    boolean wasGiven(DroneId drone, Instant since) {
+        return grants.book()
+                .lastGift(drone)
+                .filter(gift -> gift.at().isAfter(since))
+                .isPresent();
+    }
+
+    void enrolled(DroneId drone, OrganisationId owner) {
+        if (!grants.book().owner(drone).equals(owner)) {
+            grants.make(store -> store.assign(drone, owner));
+        }
+    }
+
+    /** A name that no other one has, whichever case it is written in. */
+    private String free(@Nullable String name, @Nullable OrganisationId own) {
+        String checked = Names.checked("name", name, LONGEST_NAME);
+        boolean taken = HOME_NAME.equalsIgnoreCase(checked)
+                || grants.holdings().organisations().stream()
+                        .anyMatch(each -> each.name().equalsIgnoreCase(checked)
+                                && !each.id().equals(own));
+        if (taken) {
+            throw Rejection.of(
+                    AccessProblem.NAME_TAKEN,
+                    "There is an organisation " + checked + " already.",
+                    ProblemParameter.NAME.is(checked));
+        }
+        return checked;
+    }
+
+    Organisation find(String id) {
+        return known(id).orElseThrow(() -> Rejection.unknown(UnknownProblem.ORGANISATION, id));
+    }
+
+    private Optional<Organisation> known(String id) {
+        return grants.holdings().organisations().stream()
+                .filter(each -> each.id().value().equals(id))
+                .findFirst();
+    }
+
+    private OrganisationView view(OrganisationId id, String name, @Nullable Instant madeAt, List<User> users) {
+        return new OrganisationView(
+                id.value(),
+                name,
+                users.stream().filter(user -> user.organisation().equals(id)).count(),
+                cloud.drones().stream()
+                        .filter(drone -> grants.book().owner(drone.id()).equals(id))
+                        .count(),
+                madeAt);
+    }
+}

@@ -1,0 +1,65 @@
+package org.dronemap.ws.parameter;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterComparison;
+import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.ws.command.CommandView;
+import org.dronemap.ws.reading.ValuesOf;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The parameters of a vehicle as clients see them.
+ *
+ * @param readAt when the list was last read whole; null when it never was
+ * @param total how many there are, found or not
+ */
+@Schema(name = "ParametersView")
+public record ParametersView(@Nullable Instant readAt, int total, List<ParameterView> parameters) {
+    /** {@code type}: int8 to int64, uint8 to uint64, real32 or real64. */
+    @Schema(name = "ParameterView")
+    public record ParameterView(
+            String name, @ValuesOf(ParameterType.class) String type, double value) {
+        static ParameterView of(Parameter parameter) {
+            return new ParameterView(
+                    parameter.name(), parameter.type().name().toLowerCase(Locale.ROOT), parameter.value());
+        }
+    }
+
+    /** A value in a file that is not the vehicle's. */
+    @Schema(name = "ParametersDifferenceView")
+    public record DifferenceView(
+            String name, @ValuesOf(ParameterType.class) String type, double held, double wanted) {
+        static DifferenceView of(ParameterComparison.Difference difference) {
+            ParameterView view = ParameterView.of(difference.held());
+            return new DifferenceView(view.name(), view.type(), view.value(), difference.wanted());
+        }
+    }
+
+    /**
+     * What a file would change, or changes.
+     *
+     * @param unknown names that the vehicle does not have; they are left out
+     * @param unfit values that the vehicle cannot hold; they are left out
+     * @param command the change under way; null for a dry run, or when there is nothing to change
+     */
+    @Schema(name = "ParametersFileView")
+    public record FileView(
+            List<DifferenceView> different,
+            int same,
+            List<String> unknown,
+            List<DifferenceView> unfit,
+            @Nullable CommandView command) {
+        static FileView of(ParameterComparison comparison, @Nullable CommandView command) {
+            return new FileView(
+                    comparison.different().stream().map(DifferenceView::of).toList(),
+                    comparison.same(),
+                    comparison.unknown(),
+                    comparison.unfit().stream().map(DifferenceView::of).toList(),
+                    command);
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package org.dronemap.ws.plan;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBook;
+
+/** The cloud's own zones that bind this user's drones and lie near enough to be in the way. */
+final class PlanBarriers {
+    /** What comes into force while they fly counts already. */
+    private static final Duration AHEAD = Duration.ofHours(1);
+    /** Ways round zones lead out of the area of the places by this at least. */
+    private static final double LEAST_MARGIN_METERS = 2_000;
+
+    private final LocalPlane plane;
+    private final double west;
+    private final double east;
+    private final double south;
+    private final double north;
+
+    private PlanBarriers(List<Waypoint> waypoints, List<Craft> crafts) {
+        plane = new LocalPlane(crafts.get(0).start().place().point());
+        List<Spot> spots = Stream.concat(
+                        waypoints.stream().map(Waypoint::place),
+                        crafts.stream()
+                                .flatMap(craft -> Stream.of(
+                                        craft.start().place(), craft.finish().place())))
+                .map(place -> plane.spot(place.point()))
+                .toList();
+        double left = spots.stream().mapToDouble(Spot::eastMeters).min().orElse(0);
+        double right = spots.stream().mapToDouble(Spot::eastMeters).max().orElse(0);
+        double low = spots.stream().mapToDouble(Spot::northMeters).min().orElse(0);
+        double high = spots.stream().mapToDouble(Spot::northMeters).max().orElse(0);
+        double margin = LEAST_MARGIN_METERS + Math.max(right - left, high - low) / 2;
+        west = left - margin;
+        east = right + margin;
+        south = low - margin;
+        north = high + margin;
+    }
+
+    static List<Barrier> of(String user, ZoneBook book, List<Waypoint> waypoints, List<Craft> crafts, Instant now) {
+        PlanBarriers near = new PlanBarriers(waypoints, crafts);
+        Map<Zone, Set<DroneId>> bound = new LinkedHashMap<>();
+        for (Craft craft : crafts) {
+            book.binding(user, craft.id(), now, now.plus(AHEAD)).stream()
+                    .filter(near::isNear)
+                    .forEach(zone -> bound.computeIfAbsent(zone, each -> new LinkedHashSet<>())
+                            .add(craft.id()));
+        }
+        List<Barrier> barriers = new ArrayList<>();
+        bound.forEach((zone, drones) -> barriers.add(new Barrier(
+                zone.words(), zone.shape(), zone.band(), drones.size() == crafts.size() ? Set.of() : drones)));
+        return barriers;
+    }
+
+    /** What drones have to stay in counts wherever it lies. */
+    private boolean isNear(Zone zone) {
+        if (zone.shape().inside()) {
+            return true;
+        }
+        if (zone.shape() instanceof FenceZone.Circle circle) {
+            return meets(List.of(plane.spot(circle.center())), circle.radiusMeters());
+        }
+        return zone.shape() instanceof FenceZone.Polygon polygon && meets(spots(polygon.corners()), 0);
+    }
+
+    private List<Spot> spots(List<Geodetic> corners) {
+        return corners.stream().map(plane::spot).toList();
+    }
+
+    private boolean meets(List<Spot> spots, double around) {
+        return spots.stream().anyMatch(spot -> spot.eastMeters() + around >= west)
+                && spots.stream().anyMatch(spot -> spot.eastMeters() - around <= east)
+                && spots.stream().anyMatch(spot -> spot.northMeters() + around >= south)
+                && spots.stream().anyMatch(spot -> spot.northMeters() - around <= north);
+    }
+}

@@ -1,0 +1,241 @@
+package org.dronemap.ws.plan;
+
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+import org.dronemap.cognitive.allocate.Budget;
+import org.dronemap.cognitive.engine.Engine;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.time.Pool;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.ServerProblem;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Where plans are searched for: a few threads, a queue that refuses when it is full, and the jobs of each organisation, of
+ * which the oldest that have ended are forgotten first. Any thread.
+ */
+public final class PlanDesk implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(PlanDesk.class);
+    private static final double NANOS = 1e9;
+    private static final int MOST_LAUNCHES = 10_000;
+
+    private final Bounds bounds;
+    private final Time time;
+    private final Pool pool;
+    /** What waits here is bounded by the drones of the jobs that are kept. */
+    private final Worker launches;
+
+    private final CopyOnWriteArrayList<PlanListener> listeners = new CopyOnWriteArrayList<>();
+    /** Guarded by this; the oldest first. */
+    private final Map<String, Kept> jobs = new LinkedHashMap<>();
+
+    /** A job and what works it off. */
+    private record Kept(PlanJob job, Runnable work) {}
+
+    /**
+     * How much may be planned.
+     *
+     * @param kept of one organisation, whatever their state
+     * @param underWay of one user
+     * @param remembered for so long a job is kept that has ended
+     */
+    public record Bounds(int threads, int queued, int kept, int underWay, Duration remembered) {
+        /** Leaves a core to what flies. */
+        public static Bounds of(int cores) {
+            return new Bounds(Math.max(1, Math.min(4, cores / 2)), 16, 50, 3, Duration.ofHours(1));
+        }
+    }
+
+    public PlanDesk(Bounds bounds, Time time) {
+        this.bounds = bounds;
+        this.time = time;
+        pool = time.pool("planner", bounds.threads(), bounds.queued());
+        launches = time.worker("plan-launches", MOST_LAUNCHES);
+    }
+
+    /** Where commands of accepted plans are given: never on a thread that drones wait for. */
+    Executor launches() {
+        return launches;
+    }
+
+    public void addListener(PlanListener listener) {
+        listeners.add(listener);
+    }
+
+    /** Queues a job, or refuses it with a sentence. */
+    void submit(PlanJob job) {
+        tidy();
+        Optional<PlanJob> oldest;
+        synchronized (this) {
+            requireFewUnderWay(job.account());
+            oldest = toMakeRoom(job.organisation());
+            Kept kept = new Kept(job, () -> work(job));
+            try {
+                pool.execute(kept.work());
+            } catch (RejectedExecutionException full) {
+                throw Rejection.of(
+                        ServerProblem.SERVER_BUSY,
+                        bounds.queued() + " plans wait to be worked out already; try again in a minute.",
+                        ProblemParameter.WHAT.is("plans"));
+            }
+            jobs.put(job.id(), kept);
+            oldest.ifPresent(one -> jobs.remove(one.id()));
+        }
+        oldest.ifPresent(this::tellRemoved);
+        tell(job);
+    }
+
+    private void requireFewUnderWay(String account) {
+        long underWay = all().stream()
+                .filter(one ->
+                        one.account().equals(account) && one.status().state().isUnderWay())
+                .count();
+        if (underWay >= bounds.underWay()) {
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "You have " + underWay + " plans under way already; wait for one of them, or cancel it.",
+                    ProblemParameter.WHAT.is("plans"),
+                    ProblemParameter.MOST.is(bounds.underWay()));
+        }
+    }
+
+    /** The one that goes when another one comes; empty while there is room. */
+    private Optional<PlanJob> toMakeRoom(OrganisationId organisation) {
+        List<PlanJob> same = all().stream()
+                .filter(one -> one.organisation().equals(organisation))
+                .toList();
+        if (same.size() < bounds.kept()) {
+            return Optional.empty();
+        }
+        Optional<PlanJob> oldest =
+                same.stream().filter(PlanDesk::isOver).min(Comparator.comparingLong(PlanJob::endedNanos));
+        if (oldest.isEmpty()) {
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "Your organisation has " + same.size() + " plans under way already; wait for one of them.",
+                    ProblemParameter.WHAT.is("plans"),
+                    ProblemParameter.MOST.is(bounds.kept()));
+        }
+        return oldest;
+    }
+
+    private static boolean isOver(PlanJob job) {
+        PlanJob.Status status = job.status();
+        return !status.state().isUnderWay() && !status.busy();
+    }
+
+    private void tidy() {
+        List<PlanJob> old;
+        synchronized (this) {
+            long now = time.nanos();
+            old = all().stream()
+                    .filter(job -> isOver(job)
+                            && now - job.endedNanos() > bounds.remembered().toNanos())
+                    .toList();
+            old.forEach(job -> jobs.remove(job.id()));
+        }
+        old.forEach(this::tellRemoved);
+    }
+
+    private List<PlanJob> all() {
+        return jobs.values().stream().map(Kept::job).toList();
+    }
+
+    /** Those of an organisation, the oldest first. */
+    List<PlanJob> jobs(OrganisationId organisation) {
+        tidy();
+        return everybodys().stream()
+                .filter(job -> job.organisation().equals(organisation))
+                .toList();
+    }
+
+    public synchronized Optional<PlanJob> find(String id) {
+        return Optional.ofNullable(jobs.get(id)).map(Kept::job);
+    }
+
+    /** Everybody's, for who shows them. */
+    public synchronized List<PlanJob> everybodys() {
+        return all();
+    }
+
+    /** Cancels what is under way; forgets what has ended. */
+    void remove(PlanJob job) {
+        if (job.cancel(time.nanos())) {
+            kept(job).ifPresent(kept -> pool.callOff(kept.work()));
+            tell(job);
+            return;
+        }
+        synchronized (this) {
+            jobs.remove(job.id());
+        }
+        tellRemoved(job);
+    }
+
+    private synchronized Optional<Kept> kept(PlanJob job) {
+        return Optional.ofNullable(jobs.get(job.id()));
+    }
+
+    /** Something about it has changed. */
+    void tell(PlanJob job) {
+        listeners.forEach(listener -> listener.changed(job));
+    }
+
+    private void tellRemoved(PlanJob job) {
+        listeners.forEach(listener -> listener.removed(job));
+    }
+
+    Time time() {
+        return time;
+    }
+
+    long nowNanos() {
+        return time.nanos();
+    }
+
+    private void work(PlanJob job) {
+        if (!job.begin()) {
+            return;
+        }
+        tell(job);
+        PlanOrder order = job.order();
+        long began = time.nanos();
+        try {
+            Budget budget = Budget.time(order.search(), time.effort()).orWhen(job::isCancelled);
+            job.finish(
+                    Engine.watched(order.problem(), order.seed(), budget, (progress, orders) -> {
+                        double seconds = (time.nanos() - began) / NANOS;
+                        if (job.improve(new PlanJob.Step(seconds, progress), orders)) {
+                            tell(job);
+                        }
+                    }),
+                    time.nanos());
+        } catch (RuntimeException e) {
+            LOG.error("The plan {} could not be worked out", job.id(), e);
+            job.fail("The search failed; those who run the server find out why in its log.", time.nanos());
+        }
+        tell(job);
+    }
+
+    @Override
+    public void close() {
+        everybodys().forEach(job -> {
+            job.cancel(time.nanos());
+            job.stop(PlanFlight.Reason.of(
+                    ServerProblem.NOT_AVAILABLE,
+                    "It has its mission and was not started, since the server was shut down."));
+        });
+        pool.close();
+        launches.close();
+    }
+}

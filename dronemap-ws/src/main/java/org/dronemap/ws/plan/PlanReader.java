@@ -1,0 +1,121 @@
+package org.dronemap.ws.plan;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Objective;
+import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.Rules;
+import org.dronemap.cognitive.problem.Separation;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.cognitive.problem.Wind;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.virtual.Selection;
+import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.ws.drone.DroneService;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ValueProblem;
+import org.dronemap.ws.reading.Ranges;
+import org.jspecify.annotations.Nullable;
+
+/** Turns what a client wrote, what the cloud knows of the drones and what binds them into a problem. Any thread. */
+final class PlanReader {
+    static final String DRONES_FORM = "a list of 1 to 100 ids of drones";
+    static final int MOST_DRONES = 100;
+    private static final double USUAL_SECONDS = 5;
+    static final double LEAST_SECONDS = 0.1;
+    static final int MOST_SECONDS = 60;
+    /** In m/s. */
+    static final int STRONGEST_WIND = 100;
+    /** In degrees. */
+    static final int FULL_CIRCLE = 360;
+
+    private static final double MILLIS = 1_000;
+    /** Profiles of speed are not known to the metre, so more room than must be kept is asked for. */
+    private static final Rules RULES = new Rules(new Separation(15, 5), 1 - Selection.WORST_LOSS_PERCENT / 100.0, 3, 5);
+
+    private final DroneService drones;
+    private final ZoneBook zones;
+    private final Clock clock;
+
+    PlanReader(DroneService drones, ZoneBook zones, Clock clock) {
+        this.drones = drones;
+        this.zones = zones;
+        this.clock = clock;
+    }
+
+    PlanOrder read(Principal principal, PlanRequest request) {
+        Duration search = search(request.seconds());
+        PlanObjectiveRequest asked = request.objective();
+        Objective objective = asked == null ? Objective.earliestEnd() : asked.read("objective.");
+        Wind wind = wind(request.wind());
+        List<DroneState> states = states(principal, request.drones());
+        List<Craft> crafts = states.stream().map(PlanCrafts::of).toList();
+        List<Waypoint> waypoints = new PlanWaypoints(crafts).read(request.waypoints());
+        List<Barrier> barriers = PlanBarriers.of(principal.name(), zones, waypoints, crafts, clock.instant());
+        try {
+            Problem problem = new Problem(waypoints, crafts, barriers, wind, objective, RULES);
+            Long seed = request.seed();
+            return new PlanOrder(problem, states, search, seed == null ? 1 : seed);
+        } catch (IllegalArgumentException tooMuch) {
+            throw InvalidInput.unplannable(tooMuch);
+        }
+    }
+
+    private List<DroneState> states(Principal principal, @Nullable List<@Nullable String> asked) {
+        if (asked == null || asked.isEmpty()) {
+            throw InvalidInput.missing("drones", DRONES_FORM);
+        }
+        Set<String> each = new LinkedHashSet<>();
+        for (String drone : asked) {
+            if (drone == null) {
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_MALFORMED, "drones", DRONES_FORM, "a list with null in it");
+            }
+            each.add(drone);
+        }
+        if (each.size() > MOST_DRONES) {
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    "drones",
+                    DRONES_FORM,
+                    each.size() + " ids",
+                    ProblemParameter.LEAST.is(1),
+                    ProblemParameter.MOST.is(MOST_DRONES));
+        }
+        List<DroneState> states = new ArrayList<>();
+        each.forEach(drone -> states.add(drones.state(principal, drone, Role.PLANNER)));
+        return states;
+    }
+
+    private static Duration search(@Nullable Double seconds) {
+        double asked = seconds == null ? USUAL_SECONDS : seconds;
+        if (!(asked >= LEAST_SECONDS && asked <= MOST_SECONDS)) {
+            throw InvalidInput.outside(
+                    ValueProblem.VALUE_OUT_OF_RANGE,
+                    "seconds",
+                    LEAST_SECONDS + " to " + MOST_SECONDS + " seconds",
+                    asked,
+                    ProblemParameter.LEAST.is(LEAST_SECONDS),
+                    ProblemParameter.MOST.is(MOST_SECONDS),
+                    ProblemParameter.UNIT.is("seconds"));
+        }
+        return Duration.ofMillis(Math.round(asked * MILLIS));
+    }
+
+    private static Wind wind(PlanRequest.@Nullable WindRequest asked) {
+        return asked == null
+                ? Wind.CALM
+                : new Wind(
+                        Ranges.checked("wind.speed", asked.speed(), 0, STRONGEST_WIND, "m/s"),
+                        Ranges.checked("wind.from", asked.from(), 0, FULL_CIRCLE, "degrees"));
+    }
+}

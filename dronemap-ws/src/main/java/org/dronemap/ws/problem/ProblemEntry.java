@@ -1,0 +1,52 @@
+package org.dronemap.ws.problem;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * What the catalogue says of one code.
+ *
+ * @param word that programs read
+ * @param kind the class of problems that it belongs to, and with it the status
+ * @param meaning one line
+ * @param example a sentence that is told with it
+ * @param parameters told each time
+ * @param optional told where they are known
+ */
+public record ProblemEntry(
+        String word,
+        RejectionKind kind,
+        String meaning,
+        String example,
+        List<ProblemParameter> parameters,
+        List<ProblemParameter> optional) {
+
+    static ProblemEntry of(String word, RejectionKind kind, String meaning, String example) {
+        return new ProblemEntry(word, kind, meaning, example, List.of(), List.of());
+    }
+
+    /** Always with these. */
+    ProblemEntry with(ProblemParameter... always) {
+        return new ProblemEntry(word, kind, meaning, example, List.of(always), optional);
+    }
+
+    /** With these where they are known. */
+    ProblemEntry maybe(ProblemParameter... sometimes) {
+        return new ProblemEntry(word, kind, meaning, example, parameters, List.of(sometimes));
+    }
+
+    /** Programs rely on what is declared: a refusal that tells more, less, or one thing twice is a fault of ours. */
+    void check(List<ProblemParameter.Given> given) {
+        Set<ProblemParameter> told = given.stream()
+                .map(ProblemParameter.Given::parameter)
+                .collect(Collectors.toCollection(LinkedHashSet::new));
+        Set<ProblemParameter> known = new LinkedHashSet<>(parameters);
+        known.addAll(optional);
+        if (told.size() < given.size() || !known.containsAll(told) || !told.containsAll(parameters)) {
+            throw new IllegalArgumentException(
+                    "\"" + word + "\" is told with " + parameters + ", maybe " + optional + ", not with " + told);
+        }
+    }
+}

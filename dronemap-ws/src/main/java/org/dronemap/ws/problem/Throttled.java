@@ -1,0 +1,30 @@
+package org.dronemap.ws.problem;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Refused because there was too much of it, with how long to wait. */
+public final class Throttled extends Rejection {
+    private static final long serialVersionUID = 1L;
+
+    private final long retryAfterSeconds;
+
+    private Throttled(
+            ServerProblem code, String sentence, long retryAfterSeconds, List<ProblemParameter.Given> parameters) {
+        super(code, sentence, parameters);
+        this.retryAfterSeconds = retryAfterSeconds;
+    }
+
+    /** {@code what} was too much, such as {@code Too many commands}; the wait is told in whole seconds, at least one. */
+    public static Throttled of(ServerProblem code, String what, Duration wait, ProblemParameter.Given... parameters) {
+        long seconds = Math.max(1, (wait.toMillis() + 999) / 1000);
+        List<ProblemParameter.Given> all = new ArrayList<>(List.of(parameters));
+        all.add(ProblemParameter.RETRY_AFTER_SECONDS.is(seconds));
+        return new Throttled(code, what + "; wait " + seconds + " s and try again.", seconds, all);
+    }
+
+    public long retryAfterSeconds() {
+        return retryAfterSeconds;
+    }
+}

@@ -1,0 +1,31 @@
+package org.dronemap.ws.problem;
+
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.core.virtual.UnfitCode;
+
+/** The code of why a drone cannot serve, which stands beside that drone in answers: nobody's request is refused for it. */
+public record UnfitProblem(UnfitCode reason) implements ProblemCode {
+    /** Requests and commands are refused for these, too: they have the word already. */
+    private static final Set<UnfitCode> OF_OTHERS = EnumSet.of(
+            UnfitCode.CONTACT_NOT_GOOD,
+            UnfitCode.NOT_AT_REST,
+            UnfitCode.CAPABILITY_MISSING,
+            UnfitCode.POSITION_UNKNOWN,
+            UnfitCode.HOME_UNKNOWN,
+            UnfitCode.BATTERY_UNKNOWN);
+
+    static List<UnfitProblem> values() {
+        return Arrays.stream(UnfitCode.values())
+                .filter(reason -> !OF_OTHERS.contains(reason))
+                .map(UnfitProblem::new)
+                .toList();
+    }
+
+    @Override
+    public ProblemEntry entry() {
+        return ProblemEntry.of(reason.word(), RejectionKind.CONFLICT, reason.meaning(), reason.example());
+    }
+}

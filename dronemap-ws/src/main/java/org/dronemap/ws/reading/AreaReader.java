@@ -1,0 +1,97 @@
+package org.dronemap.ws.reading;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.ShapeFaults;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ValueProblem;
+import org.jspecify.annotations.Nullable;
+
+/** Turns the geometry that a client wrote into an area: a polygon of one ring, or a circle around a point. */
+final class AreaReader {
+    static final String SHAPES = "Polygon or Point";
+
+    private static final String CORNERS = "3 to 100 corners";
+
+    private final String at;
+    private final String radiusField;
+
+    /** {@code at} is the name of the field that holds the geometry, such as {@code features[2].geometry}. */
+    AreaReader(String at, String radiusField) {
+        this.at = at;
+        this.radiusField = radiusField;
+    }
+
+    /** {@code rings}: of positions, longitude first. */
+    FenceZone polygon(boolean inside, @Nullable List<List<List<Double>>> rings) {
+        return sound(new FenceZone.Polygon(inside, corners(rings)));
+    }
+
+    /** {@code radius}: in metres. */
+    FenceZone circle(boolean inside, @Nullable List<Double> middle, @Nullable Double radius) {
+        return sound(new FenceZone.Circle(
+                inside, position(at + ".coordinates", middle), Ranges.radius(radiusField, radius)));
+    }
+
+    private FenceZone sound(FenceZone shape) {
+        Optional<String> fault = ShapeFaults.of(shape);
+        if (fault.isPresent()) {
+            throw new InvalidInput(ValueProblem.AREA_UNUSABLE, at, "a simple area", fault.get());
+        }
+        return shape;
+    }
+
+    private List<Geodetic> corners(@Nullable List<List<List<Double>>> written) {
+        String field = at + ".coordinates";
+        List<List<List<Double>>> rings = list(field, "one ring of positions", written);
+        if (rings.isEmpty()) {
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "one ring of positions", "none");
+        }
+        if (rings.size() != 1) {
+            throw new InvalidInput(
+                    ValueProblem.AREA_UNUSABLE,
+                    field,
+                    "one ring",
+                    "An area with holes cannot be guarded as one; draw it in parts without holes.");
+        }
+        List<List<Double>> ring = list(field + "[0]", CORNERS, rings.get(0));
+        List<Geodetic> corners = new ArrayList<>();
+        for (int i = 0; i < ring.size(); i++) {
+            corners.add(position(field + "[0][" + i + "]", ring.get(i)));
+        }
+        // A ring of GeoJSON ends where it began.
+        if (corners.size() > 1 && corners.get(0).equals(corners.get(corners.size() - 1))) {
+            corners.remove(corners.size() - 1);
+        }
+        if (corners.size() < 3 || corners.size() > 100) {
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    field + "[0]",
+                    CORNERS,
+                    corners.size(),
+                    ProblemParameter.LEAST.is(3),
+                    ProblemParameter.MOST.is(100));
+        }
+        return corners;
+    }
+
+    private static <T> List<T> list(String field, String allowed, @Nullable List<T> written) {
+        if (written == null) {
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, allowed, "nothing");
+        }
+        return written;
+    }
+
+    private static Geodetic position(String field, @Nullable List<Double> written) {
+        List<Double> numbers = list(field, "longitude and latitude", written);
+        if (numbers.size() < 2) {
+            throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "longitude and latitude", numbers);
+        }
+        return new Geodetic(
+                Ranges.latitude(field + "[1]", numbers.get(1)), Ranges.longitude(field + "[0]", numbers.get(0)));
+    }
+}

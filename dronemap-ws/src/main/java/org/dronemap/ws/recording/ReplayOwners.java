@@ -1,0 +1,54 @@
+package org.dronemap.ws.recording;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.OrganisationId;
+
+/** To whom recordings that play belong, and with them the drones that they show. Any thread. */
+public final class ReplayOwners {
+    /** More than are kept to be looked at. */
+    private static final int MOST = 1_000;
+    /** Of a drone that is there before it is known who plays it. */
+    private static final OrganisationId NOBODY = new OrganisationId("nobody");
+
+    private final GrantBook book;
+
+    /** Guarded by this. */
+    private final Map<String, Played> played = new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Played> eldest) {
+            return size() > MOST;
+        }
+    };
+
+    private record Played(OrganisationId owner, List<DroneId> drones) {}
+
+    public ReplayOwners(GrantBook book) {
+        this.book = book;
+    }
+
+    /** A recording shows a drone, which nobody can see yet. */
+    public synchronized void appeared(String replay, DroneId drone) {
+        Played by = played.computeIfAbsent(replay, id -> new Played(NOBODY, new ArrayList<>()));
+        by.drones().add(drone);
+        book.lend(drone, by.owner());
+    }
+
+    synchronized void began(String replay, OrganisationId owner) {
+        Played before = played.get(replay);
+        Played now = new Played(owner, before == null ? new ArrayList<>() : before.drones());
+        played.put(replay, now);
+        now.drones().forEach(drone -> book.lend(drone, owner));
+    }
+
+    synchronized boolean isOf(String replay, OrganisationId organisation) {
+        Played known = played.get(replay);
+        return known != null && known.owner().equals(organisation);
+    }
+}

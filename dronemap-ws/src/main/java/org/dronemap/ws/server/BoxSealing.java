@@ -1,0 +1,18 @@
+package org.dronemap.ws.server;
+
+import java.util.Optional;
+import org.dronemap.store.secret.SecretBox;
+import org.dronemap.ws.reading.Sealing;
+
+/** Seals under the server's secret. */
+public record BoxSealing(SecretBox box) implements Sealing {
+    @Override
+    public String seal(String purpose, byte[] secret) {
+        return box.seal(secret, purpose);
+    }
+
+    @Override
+    public Optional<byte[]> open(String purpose, String sealed) {
+        return box.open(sealed, purpose);
+    }
+}

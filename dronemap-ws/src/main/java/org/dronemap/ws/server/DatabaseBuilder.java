@@ -1,0 +1,37 @@
+package org.dronemap.ws.server;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.dronemap.store.postgres.Database;
+import org.dronemap.store.postgres.DatabaseSettings;
+import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.settings.Settings;
+
+/** Opens the database that the settings name, or the server's own. */
+final class DatabaseBuilder {
+    private final Settings settings;
+
+    DatabaseBuilder(Settings settings) {
+        this.settings = settings;
+    }
+
+    /** It is handed to {@code closing}. */
+    Database open(Closing closing) {
+        Path directory = settings.dataDirectory();
+        try {
+            Files.createDirectories(directory);
+        } catch (IOException e) {
+            throw new SetupException(
+                    "The data directory " + directory + " (DRONEMAP_DATA_DIR) cannot be made: " + e.getMessage(), e);
+        }
+        if (!Files.isWritable(directory)) {
+            throw new SetupException("The data directory " + directory + " (DRONEMAP_DATA_DIR) cannot be written to.");
+        }
+        String url = settings.databaseUrl();
+        Database database =
+                url == null ? Database.openOwn(directory.resolve("postgres")) : Database.open(DatabaseSettings.of(url));
+        closing.add("the database", database);
+        return database;
+    }
+}

@@ -1,0 +1,54 @@
+package org.dronemap.ws.server;
+
+import java.time.Duration;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.history.FlightLog;
+import org.dronemap.core.history.FlightStore;
+import org.dronemap.core.history.History;
+import org.dronemap.core.history.HistoryKeeper;
+import org.dronemap.core.history.HistoryPolicy;
+import org.dronemap.core.history.TelemetryStore;
+import org.dronemap.core.history.TelemetryWriter;
+import org.dronemap.core.time.Time;
+
+/** Has all that drones do remembered. */
+final class HistoryBuilder {
+    private static final Duration FLIGHTS_EVERY = Duration.ofSeconds(1);
+    private static final Duration TIDY_EVERY = Duration.ofHours(1);
+    private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
+    private static final int LETTERS_OF_AN_ID = 12;
+
+    private final HistoryPolicy policy;
+    private final Time time;
+
+    HistoryBuilder(HistoryPolicy policy, Time time) {
+        this.policy = policy;
+        this.time = time;
+    }
+
+    /** From now on; what is opened is handed to {@code closing}. */
+    History open(TelemetryStore telemetry, FlightStore flightStore, CloudManager cloud, Closing closing) {
+        HistoryKeeper keeper = new HistoryKeeper(telemetry, policy.retention(), time);
+        TelemetryWriter writer = new TelemetryWriter(telemetry, TelemetryWriter.Rhythm.DEFAULT, time);
+        FlightLog flights = new FlightLog(flightStore, FLIGHTS_EVERY, time);
+        closing.add("the keeper of old telemetry", keeper);
+        closing.add("the flights", flights);
+        closing.add("the telemetry", writer);
+        History history =
+                new History(new History.Keeping(telemetry, writer, flights, keeper), policy, time.clock(), this::newId);
+        keeper.start(TIDY_EVERY);
+        writer.start();
+        flights.start();
+        history.start();
+        cloud.addListener(history);
+        return history;
+    }
+
+    private String newId() {
+        StringBuilder id = new StringBuilder();
+        for (int i = 0; i < LETTERS_OF_AN_ID; i++) {
+            id.append(LETTERS.charAt(time.random().nextInt(LETTERS.length())));
+        }
+        return id.toString();
+    }
+}

@@ -1,0 +1,91 @@
+package org.dronemap.ws.server;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.OutletStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.User;
+import org.dronemap.core.cloud.CloudListener;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.Time;
+import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.outlet.Outlet;
+import org.dronemap.proxy.outlet.OutletPolicy;
+import org.dronemap.proxy.outlet.OutletRights;
+import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.settings.OutletSettings;
+
+/** Builds where ground stations of other makers attach. */
+final class OutletBuilder {
+    private final OutletSettings settings;
+    private final Time time;
+    private final List<EndpointUrl> urls;
+
+    OutletBuilder(OutletSettings settings, Time time) {
+        this.settings = settings;
+        this.time = time;
+        urls = settings.urls().stream().map(OutletBuilder::url).toList();
+    }
+
+    private static EndpointUrl url(String text) {
+        try {
+            EndpointUrl url = EndpointUrl.parse(text);
+            if (url.kind().isListener()) {
+                return url;
+            }
+        } catch (IllegalArgumentException e) {
+            throw new SetupException("DRONEMAP_OUTLET: " + e.getMessage(), e);
+        }
+        throw new SetupException(
+                "DRONEMAP_OUTLET: \"" + text + "\" cannot be an outlet; write udpserver://, tcpserver://,"
+                        + " wsserver://, wssserver:// or dtlsserver://, or off.");
+    }
+
+    Outlet build(
+            AuditedOutletControl control, OutletStore store, Journal journal, AccountOutletRights rights, Doors doors) {
+        CloudManager cloud = control.cloud();
+        OutletPolicy policy = new OutletPolicy(cloud, store, journal, rights, control, time);
+        Outlet outlet = new Outlet(urls, settings.personal(), policy, doors);
+        cloud.addListener(new ForgottenDrones(outlet));
+        cloud.controls().watchedBy((user, drone) -> outlet.isAttached(user));
+        return outlet;
+    }
+
+    /** Lets clients in. A port of a setting must be free; the usual ones may be another server's for now. */
+    void open(Outlet outlet) {
+        try {
+            outlet.start(settings.usual());
+        } catch (IOException e) {
+            throw new SetupException(e.getMessage() + " (DRONEMAP_OUTLET)", e);
+        }
+    }
+
+    private record ForgottenDrones(Outlet outlet) implements CloudListener {
+        @Override
+        public void droneRemoved(DroneId id) {
+            outlet.forget(id);
+        }
+    }
+
+    /** What a user may do who attaches: the same as anywhere. */
+    record AccountOutletRights(AccessStore store, GrantBook grants) implements OutletRights {
+        @Override
+        public Optional<Principal> principal(String user) {
+            return store.user(user)
+                    .filter(User::isActive)
+                    .map(active -> Principal.of(
+                            active,
+                            active.role(),
+                            KeyScope.ALL,
+                            null,
+                            grants.reach(active.organisation(), active.name())));
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package org.dronemap.ws.server;
+
+import java.util.List;
+import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.cognitive.operation.follow.Follow;
+import org.dronemap.cognitive.operation.follow.FollowInput;
+import org.dronemap.cognitive.operation.follow.FollowState;
+import org.dronemap.cognitive.operation.run.MissionRun;
+import org.dronemap.cognitive.operation.run.RunInput;
+import org.dronemap.cognitive.operation.run.RunState;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.OperationRights;
+import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.time.Time;
+import org.dronemap.ws.journal.FollowCodec;
+import org.dronemap.ws.journal.RunCodec;
+
+/** What is conducted for users over time. */
+public record RunSide(
+        Operations operations,
+        OperationKind<RunState, RunInput> kind,
+        OperationKind<FollowState, FollowInput> follows) {
+    /** Stored with each mission run. */
+    private static final String MISSION_RUN = "missionRun";
+
+    /** Stored with each follow. */
+    private static final String FOLLOW = "follow";
+
+    /** Not started yet; {@code apart}: what drones that follow keep from others. */
+    public static RunSide of(CloudManager cloud, OperationStore store, OperationRights rights, Apart apart, Time time) {
+        OperationKind<RunState, RunInput> kind = new OperationKind<>(MISSION_RUN, new MissionRun(), new RunCodec());
+        OperationKind<FollowState, FollowInput> follows =
+                new OperationKind<>(FOLLOW, new Follow(apart), new FollowCodec());
+        return new RunSide(new Operations(cloud, store, rights, time, List.of(kind, follows)), kind, follows);
+    }
+}

@@ -1,6 +1,0 @@
-package org.dronemap.ws.service;
-
-import org.dronemap.core.access.Principal;
-
-/** Who asks, through which face. */
-public record Caller(Principal principal, String face) {}

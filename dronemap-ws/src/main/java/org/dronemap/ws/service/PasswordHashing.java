@@ -1,8 +1,0 @@
-package org.dronemap.ws.service;
-
-/** Turns passwords into salted hashes and checks them. */
-public interface PasswordHashing {
-    String hash(String password);
-
-    boolean matches(String password, String hash);
-}

@@ -1,8 +1,0 @@
-package org.dronemap.ws.service;
-
-/** Hears of plans on their way, on any thread; must return at once. */
-public interface PlanListener {
-    void changed(PlanJob job);
-
-    void removed(PlanJob job);
-}

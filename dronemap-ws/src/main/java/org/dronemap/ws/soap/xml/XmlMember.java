@@ -1,0 +1,10 @@
+package org.dronemap.ws.soap.xml;
+
+/**
+ * One element within another.
+ *
+ * @param required it is always there
+ * @param nullable it may be without a value
+ * @param words what it means, for who reads the description; may be empty
+ */
+record XmlMember(String name, XmlType type, boolean required, boolean nullable, String words) {}

@@ -1,0 +1,31 @@
+package org.dronemap.ws.soap.xml;
+
+import java.util.List;
+
+/** The type of a value in XML, and how it is written as JSON. */
+sealed interface XmlType {
+
+    /**
+     * A text.
+     *
+     * @param xsd of XML Schema
+     * @param values all that it may be; empty: what {@code xsd} allows
+     */
+    record Text(String xsd, List<String> values) implements XmlType {
+        static Text of(String xsd) {
+            return new Text(xsd, List.of());
+        }
+    }
+
+    /** Elements called {@code item} within the one of the list, so that an empty list is not the same as none. */
+    record Listed(XmlType item) implements XmlType {}
+
+    /** Elements called {@code entry} with an attribute {@code key}. */
+    record Mapped(XmlType value) implements XmlType {}
+
+    /** A text, a number or a truth value, as its attribute {@code type} says: {@code string}, {@code number}, {@code boolean}. */
+    record Plain() implements XmlType {}
+
+    /** What {@link XmlTypes} has under the name. */
+    record Named(String name) implements XmlType {}
+}

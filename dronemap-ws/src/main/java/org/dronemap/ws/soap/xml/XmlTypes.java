@@ -1,0 +1,47 @@
+package org.dronemap.ws.soap.xml;
+
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** The types with names that operations take and answer with. Immutable. */
+record XmlTypes(Map<String, Complex> named) {
+
+    /** Something with elements of its own. */
+    sealed interface Complex {
+        String words();
+    }
+
+    record Structure(List<XmlMember> members, String words) implements Complex {
+        @Nullable
+        XmlMember member(String name) {
+            return members.stream()
+                    .filter(one -> one.name().equals(name))
+                    .findFirst()
+                    .orElse(null);
+        }
+    }
+
+    /**
+     * Exactly one of several, each an element called as the alternative.
+     *
+     * @param told the member of JSON that says which it is
+     * @param kinds the named type of each alternative
+     */
+    record Alternatives(String told, Map<String, String> kinds, String words) implements Complex {}
+
+    Complex get(String name) {
+        Complex found = named.get(name);
+        if (found == null) {
+            throw new IllegalStateException("the description has no type " + name);
+        }
+        return found;
+    }
+
+    Structure structure(String name) {
+        if (get(name) instanceof Structure structure) {
+            return structure;
+        }
+        throw new IllegalStateException(name + " has no members of its own");
+    }
+}

@@ -1,0 +1,52 @@
+package org.dronemap.ws.system;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
+import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Backups of all that is stored. */
+@RestController
+@RequestMapping("/api/v1/backup")
+@Tag(name = "Server")
+public class BackupController {
+    private final BackupService backups;
+    private final CurrentPrincipal current;
+
+    public BackupController(BackupService backups, CurrentPrincipal current) {
+        this.backups = backups;
+        this.current = current;
+    }
+
+    @PostMapping
+    @Access(from = From.ADMINISTRATOR, about = About.SERVER, costs = Cost.EXPORT)
+    @Answers(never = 409)
+    @TakesOrGivesFile(gives = "application/zip")
+    @Operation(
+            operationId = "makeBackup",
+            summary = "Make a backup (administrator)",
+            description = "The answer is a zip of all that is stored.")
+    public void backup(HttpServletResponse response) throws IOException {
+        Path file = backups.backup(current.principal());
+        try {
+            response.setContentType("application/zip");
+            response.setHeader("Content-Disposition", "attachment; filename=\"dronemap-backup.zip\"");
+            response.setContentLengthLong(Files.size(file));
+            Files.copy(file, response.getOutputStream());
+        } finally {
+            Files.deleteIfExists(file);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package org.dronemap.ws.system;
+
+import io.prometheus.metrics.expositionformats.PrometheusTextFormatWriter;
+import io.prometheus.metrics.model.snapshots.MetricSnapshots;
+import io.swagger.v3.oas.annotations.Hidden;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Metrics as Prometheus reads them; a viewer's access key for all drones is enough. */
+@RestController
+@Hidden
+public class MetricsController {
+    private static final PrometheusTextFormatWriter WRITER = PrometheusTextFormatWriter.create();
+
+    private final ServerMetrics metrics;
+    private final CurrentPrincipal current;
+
+    public MetricsController(ServerMetrics metrics, CurrentPrincipal current) {
+        this.metrics = metrics;
+        this.current = current;
+    }
+
+    @GetMapping("/metrics")
+    @Access(from = From.VIEWER, about = About.SERVER)
+    public void metrics(HttpServletResponse response) throws IOException {
+        Roles.requireServer(current.principal(), Role.VIEWER);
+        MetricSnapshots now = metrics.now(current.principal());
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        WRITER.write(text, now);
+        response.setContentType(PrometheusTextFormatWriter.CONTENT_TYPE);
+        response.getOutputStream().write(text.toByteArray());
+    }
+}

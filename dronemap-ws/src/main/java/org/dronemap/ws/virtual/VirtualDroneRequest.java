@@ -1,0 +1,67 @@
+package org.dronemap.ws.virtual;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.Max;
+import jakarta.validation.constraints.Min;
+import jakarta.validation.constraints.Size;
+import java.util.List;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.virtual.Needs;
+import org.dronemap.ws.mission.MissionItemRequest;
+import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.ValuesOf;
+import org.jspecify.annotations.Nullable;
+
+/** A virtual drone as its owner writes it. */
+@Schema(name = "VirtualDroneRequest", description = "A virtual drone as its owner writes it.")
+public record VirtualDroneRequest(
+        @Size(min = 1, max = VirtualDroneService.LONGEST_NAME) @Nullable
+        String name,
+
+        @Schema(description = "What a drone must be to serve; left out: any that can fly the mission") @Nullable
+        NeedsView needs,
+
+        @Schema(description = "Its mission: perhaps a take-off, waypoints, perhaps return or land; left out: none yet")
+        @Nullable
+        List<MissionItemRequest> items) {
+
+    /** What a drone must be to serve. */
+    @Schema(name = "VirtualDroneNeedsView", description = "What a drone must be to serve.")
+    public record NeedsView(
+            @Schema(description = "null: any") @ValuesOf(VehicleKind.class) @Nullable
+            String kind,
+
+            @Schema(description = "names of actions") @ValuesOf(Capability.class) @Nullable
+            List<@Nullable String> capabilities,
+
+            @Schema(description = "minutes in the air with what is in its battery; null: what the mission takes")
+            @Min(1)
+            @Max(Needs.LONGEST_ENDURANCE_MINUTES)
+            @Nullable
+            Integer enduranceMinutes,
+
+            @Schema(description = "where it has to stand; null: anywhere") @Nullable
+            AreaView area) {}
+
+    /** A circle. */
+    @Schema(name = "VirtualDroneAreaView")
+    public record AreaView(
+            @Schema(description = "degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            Double latitude,
+
+            @Schema(description = "degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            Double longitude,
+
+            @Schema(description = "metres, 1 to 100000") @Min(Ranges.LEAST_RADIUS) @Max(Ranges.MOST_RADIUS) @Nullable
+            Double radius) {}
+
+    /** How a mission is started. */
+    @Schema(name = "VirtualDroneStartRequest")
+    public record StartRequest(
+            @Schema(
+                    description = "what a drone does by itself when it no longer hears the cloud",
+                    allowableValues = {"continue", "rtl"})
+            @Nullable
+            String onCloudLoss) {}
+}

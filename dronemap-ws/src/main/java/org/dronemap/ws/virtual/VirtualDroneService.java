@@ -1,0 +1,230 @@
+package org.dronemap.ws.virtual;
+
+import java.time.Clock;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.random.RandomGenerator;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.conduct.VirtualDrones;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.virtual.Needs;
+import org.dronemap.core.virtual.Tour;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.mission.MissionItemRequest;
+import org.dronemap.ws.mission.MissionReader;
+import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ObjectionProblem;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.ServerProblem;
+import org.dronemap.ws.problem.UnknownProblem;
+import org.dronemap.ws.problem.ValueProblem;
+import org.dronemap.ws.reading.Names;
+import org.dronemap.ws.virtual.VirtualDroneViews.VirtualAction;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around virtual drones: make, plan, start, stop. Each belongs to who made it; supervisors see all. Any thread. */
+public final class VirtualDroneService {
+    static final int LONGEST_NAME = 60;
+    private static final int MOST_OF_ONE_USER = 50;
+    private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
+    private static final int ID_LENGTH = 12;
+    private static final String CLOUD_LOSS = "continue or rtl";
+
+    private final VirtualDrones virtuals;
+    private final VirtualDroneViews views;
+    private final Clock clock;
+    private final RandomGenerator random;
+
+    public VirtualDroneService(VirtualDrones virtuals, VirtualDroneViews views, Time time) {
+        this.virtuals = virtuals;
+        this.views = views;
+        this.clock = time.clock();
+        this.random = time.random();
+    }
+
+    /** Others do not exist for this one. */
+    public static boolean isShownTo(Principal principal, VirtualDrone drone) {
+        return principal.organisation().equals(drone.organisation())
+                && principal.mayVirtually(Role.VIEWER)
+                && (drone.account().equals(principal.account())
+                        || (principal.may(Role.SUPERVISOR) && principal.isWhole()));
+    }
+
+    public List<VirtualDroneView> all(Principal principal) {
+        Roles.require(principal, Role.VIEWER);
+        return virtuals.all().stream()
+                .filter(drone -> isShownTo(principal, drone))
+                .map(drone -> views.view(drone, principal))
+                .toList();
+    }
+
+    public VirtualDroneView one(Principal principal, String id) {
+        Roles.require(principal, Role.VIEWER);
+        return views.view(find(principal, id), principal);
+    }
+
+    public VirtualDroneView add(Principal principal, VirtualDroneRequest request) {
+        requireVirtually(principal, Role.PLANNER);
+        long own = virtuals.all().stream()
+                .filter(drone -> drone.account().equals(principal.account()))
+                .count();
+        if (own >= MOST_OF_ONE_USER) {
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "You have " + MOST_OF_ONE_USER + " virtual drones already; remove one first.",
+                    ProblemParameter.WHAT.is("virtual drones"),
+                    ProblemParameter.MOST.is(MOST_OF_ONE_USER));
+        }
+        VirtualDrone drone = new VirtualDrone(
+                newId(),
+                name(request),
+                principal.name(),
+                principal.account(),
+                principal.organisation(),
+                NeedsReader.read(request.needs()),
+                mission(request.items()),
+                null,
+                List.of(),
+                clock.instant().truncatedTo(ChronoUnit.MICROS));
+        conducted(drone.id(), () -> {
+            virtuals.add(drone);
+            return drone;
+        });
+        return views.view(drone, principal);
+    }
+
+    /** Holds from the next start on; what is under way goes on as it was asked for. */
+    public VirtualDroneView replace(Principal principal, String id, VirtualDroneRequest request) {
+        VirtualDroneId known = allowed(principal, id, VirtualAction.PLAN);
+        String name = name(request);
+        Needs needs = NeedsReader.read(request.needs());
+        Mission mission = mission(request.items());
+        return views.view(
+                conducted(known, () -> virtuals.edit(known, now -> now.with(name, needs, mission))), principal);
+    }
+
+    public VirtualDroneView start(Principal principal, String id, VirtualDroneRequest.@Nullable StartRequest request) {
+        CloudLoss onCloudLoss = onCloudLoss(request == null ? null : request.onCloudLoss());
+        VirtualDroneId known = allowed(principal, id, VirtualAction.START);
+        return views.view(conducted(known, () -> virtuals.launch(known, onCloudLoss)), principal);
+    }
+
+    public VirtualDroneView stop(Principal principal, String id) {
+        VirtualDroneId known = allowed(principal, id, VirtualAction.STOP);
+        return views.view(conducted(known, () -> virtuals.stop(known)), principal);
+    }
+
+    public VirtualDroneView resume(Principal principal, String id) {
+        VirtualDroneId known = allowed(principal, id, VirtualAction.RESUME);
+        return views.view(conducted(known, () -> virtuals.resume(known)), principal);
+    }
+
+    public void remove(Principal principal, String id) {
+        VirtualDroneId known = allowed(principal, id, VirtualAction.REMOVE);
+        conducted(known, () -> {
+            virtuals.remove(known);
+            return known;
+        });
+    }
+
+    private VirtualDroneId allowed(Principal principal, String id, VirtualAction action) {
+        requireVirtually(principal, action.needed());
+        VirtualDrone drone = find(principal, id);
+        action.whyNot(drone, principal).ifPresent(why -> {
+            throw why;
+        });
+        return drone.id();
+    }
+
+    private static void requireVirtually(Principal principal, Role needed) {
+        Roles.require(principal, needed);
+        if (!principal.mayVirtually(needed)) {
+            throw notVirtually(principal);
+        }
+    }
+
+    private static Rejection notVirtually(Principal principal) {
+        if (!principal.scope().coversAllDrones()) {
+            return Rejection.of(
+                    AccessProblem.KEY_FOR_SOME_DRONES,
+                    "This access key is for certain drones only, and any may serve a virtual one.");
+        }
+        return principal.scope().isBounded()
+                ? Rejection.of(
+                        AccessProblem.KEY_BOUNDED,
+                        "This access key has an area or heights, and a virtual drone flies without it.")
+                : Rejection.of(
+                        AccessProblem.NOT_GRANTED,
+                        "This was not granted to you with virtual drones; ask an administrator.");
+    }
+
+    private VirtualDrone find(Principal principal, String id) {
+        return parse(id)
+                .flatMap(virtuals::find)
+                .filter(drone -> isShownTo(principal, drone))
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.VIRTUAL_DRONE, id));
+    }
+
+    private static Optional<VirtualDroneId> parse(String id) {
+        try {
+            return Optional.of(new VirtualDroneId(id));
+        } catch (IllegalArgumentException notAnId) {
+            return Optional.empty();
+        }
+    }
+
+    private static String name(VirtualDroneRequest request) {
+        return Names.checked("name", request.name(), LONGEST_NAME);
+    }
+
+    private static @Nullable Mission mission(@Nullable List<MissionItemRequest> items) {
+        if (items == null || items.isEmpty()) {
+            return null;
+        }
+        Mission mission = MissionReader.read(items);
+        Tour.fault(mission).ifPresent(fault -> {
+            throw new InvalidInput(
+                    ValueProblem.MISSION_UNUSABLE,
+                    "items",
+                    "a take-off, waypoints, then returnToLaunch or land",
+                    fault);
+        });
+        return mission;
+    }
+
+    private static CloudLoss onCloudLoss(@Nullable String name) {
+        return switch (name == null ? "continue" : name) {
+            case "continue" -> CloudLoss.CONTINUE;
+            case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
+            default ->
+                throw InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", CLOUD_LOSS, "\"" + name + "\"");
+        };
+    }
+
+    /** What the conductor refuses is a conflict with what goes on. */
+    private static <T> T conducted(VirtualDroneId id, Supplier<T> work) {
+        try {
+            return work.get();
+        } catch (VirtualDrones.Refused refused) {
+            throw ObjectionProblem.rejection(refused.objection(), id.value());
+        }
+    }
+
+    private VirtualDroneId newId() {
+        StringBuilder id = new StringBuilder("v");
+        while (id.length() < ID_LENGTH) {
+            id.append(LETTERS.charAt(random.nextInt(LETTERS.length())));
+        }
+        return new VirtualDroneId(id.toString());
+    }
+}

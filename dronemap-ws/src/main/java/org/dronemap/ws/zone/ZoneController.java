@@ -1,0 +1,99 @@
+package org.dronemap.ws.zone;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import org.dronemap.ws.access.About;
+import org.dronemap.ws.access.Access;
+import org.dronemap.ws.access.Cost;
+import org.dronemap.ws.access.From;
+import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** The zones of the cloud, as GeoJSON. */
+@RestController
+@RequestMapping("/api/v1/zones")
+@Tag(
+        name = "Zones",
+        description = "Areas of the cloud that drones stay in or out of: every way is checked against them before it is"
+                + " sent, and flights are watched. Not the fence that a vehicle keeps itself.")
+public class ZoneController {
+    private final ZoneService zones;
+    private final CurrentPrincipal current;
+
+    public ZoneController(ZoneService zones, CurrentPrincipal current) {
+        this.zones = zones;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Access(from = From.VIEWER, about = About.SHARED)
+    @Operation(operationId = "listZones", summary = "List the zones", description = "A GeoJSON FeatureCollection.")
+    public ZoneFeature.ZoneCollection zones() {
+        return zones.zones(current.principal());
+    }
+
+    @GetMapping("/{id}")
+    @Access(from = From.VIEWER, about = About.SHARED)
+    @Operation(operationId = "getZone", summary = "Look at one zone")
+    public ZoneFeature zone(@PathVariable String id) {
+        return zones.zone(current.principal(), id);
+    }
+
+    @PostMapping
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
+    @Answers(201)
+    @Operation(
+            operationId = "addZone",
+            summary = "Add a zone (supervisor)",
+            description = "A GeoJSON feature: a Polygon with one ring, or a Point with properties.radius.")
+    public ResponseEntity<ZoneFeature> add(@RequestBody ZoneFeature zone) {
+        ZoneFeature added = zones.add(current.principal(), zone);
+        return ResponseEntity.created(URI.create("/api/v1/zones/" + added.id())).body(added);
+    }
+
+    @PostMapping("/import")
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
+    @ResponseStatus(HttpStatus.CREATED)
+    @TakesOrGivesFile(takes = {"application/geo+json", "application/vnd.google-earth.kml+xml"})
+    @Operation(
+            operationId = "importZones",
+            summary = "Add the zones of a GeoJSON or KML file (supervisor)",
+            description = "All of them, or none. Members of other programs are passed over, a MultiPolygon becomes"
+                    + " several zones, what has no name gets one.")
+    public ZoneFeature.ZoneCollection take(@RequestBody byte[] file) {
+        return zones.take(current.principal(), new String(file, StandardCharsets.UTF_8));
+    }
+
+    @PutMapping("/{id}")
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
+    @Answers(never = 409)
+    @Operation(
+            operationId = "replaceZone",
+            summary = "Replace a zone (supervisor)",
+            description = "Binds at once, drones in flight too.")
+    public ZoneFeature replace(@PathVariable String id, @RequestBody ZoneFeature zone) {
+        return zones.replace(current.principal(), id, zone);
+    }
+
+    @DeleteMapping("/{id}")
+    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(operationId = "deleteZone", summary = "Remove a zone (supervisor)")
+    public void delete(@PathVariable String id) {
+        zones.delete(current.principal(), id);
+    }
+}

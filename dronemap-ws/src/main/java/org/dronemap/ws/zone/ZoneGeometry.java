@@ -1,0 +1,74 @@
+package org.dronemap.ws.zone;
+
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.reading.AreaReader;
+import org.dronemap.ws.reading.ObjectsOnly;
+import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.annotation.JsonTypeResolver;
+
+/** A geometry of GeoJSON (RFC 7946) as zones have it: degrees, longitude before latitude; one record for each type. */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
+@JsonTypeResolver(ObjectsOnly.class)
+@JsonSubTypes({
+    @JsonSubTypes.Type(value = ZoneGeometry.Polygon.class, name = "Polygon"),
+    @JsonSubTypes.Type(value = ZoneGeometry.Point.class, name = "Point")
+})
+@Schema(name = "ZoneGeometry", description = "A geometry of GeoJSON.")
+public sealed interface ZoneGeometry extends ZoneImport.Geometry {
+    /** Throws {@link InvalidInput} where the coordinates cannot be used; {@code radius}: of a circle, in metres. */
+    FenceZone shape(AreaReader reader, boolean inside, @Nullable Double radius);
+
+    /** An area within corners. */
+    @Schema(name = "PolygonGeometry", description = "An area of 3 to 100 corners.")
+    record Polygon(
+            @Schema(
+                    requiredMode = Schema.RequiredMode.REQUIRED,
+                    description =
+                            "One ring of positions, the last as the first; each longitude and latitude in degrees")
+            @Nullable
+            List<List<List<Double>>> coordinates)
+            implements ZoneGeometry {
+        @Override
+        public FenceZone shape(AreaReader reader, boolean inside, @Nullable Double radius) {
+            return reader.polygon(inside, coordinates);
+        }
+    }
+
+    /** The middle of a circle. */
+    @Schema(name = "PointGeometry", description = "The middle of a circle.")
+    record Point(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Longitude and latitude in degrees")
+            @Nullable
+            List<Double> coordinates)
+            implements ZoneGeometry {
+        @Override
+        public FenceZone shape(AreaReader reader, boolean inside, @Nullable Double radius) {
+            return reader.circle(inside, coordinates, radius);
+        }
+    }
+
+    static ZoneGeometry of(FenceZone shape) {
+        return shape instanceof FenceZone.Circle circle
+                ? new Point(position(circle.center()))
+                : new Polygon(rings((FenceZone.Polygon) shape));
+    }
+
+    /** One, which ends where it began. */
+    static List<List<List<Double>>> rings(FenceZone.Polygon polygon) {
+        List<List<Double>> ring = new ArrayList<>();
+        polygon.corners().forEach(corner -> ring.add(position(corner)));
+        ring.add(ring.get(0));
+        return List.of(ring);
+    }
+
+    static List<Double> position(Geodetic point) {
+        return List.of(point.longitudeDegrees(), point.latitudeDegrees());
+    }
+}

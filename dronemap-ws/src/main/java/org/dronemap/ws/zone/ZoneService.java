@@ -1,0 +1,182 @@
+package org.dronemap.ws.zone;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.UUID;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.zone.Binding;
+import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneStore;
+import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.drone.DroneService;
+import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.ServerProblem;
+import org.dronemap.ws.problem.UnknownProblem;
+import org.dronemap.ws.problem.ValueProblem;
+
+/** Use cases around the zones of the cloud: each change is kept first and binds at once. Any thread. */
+public final class ZoneService {
+    private static final int MOST = 500;
+
+    private final Keeping keeping;
+    private final DroneService drones;
+    private final Clock clock;
+
+    /** Where zones are kept, where they bind from, and the users that they may name. */
+    public record Keeping(ZoneStore store, ZoneBook book, AccessStore users) {}
+
+    public ZoneService(Keeping keeping, DroneService drones, Clock clock) {
+        this.keeping = keeping;
+        this.drones = drones;
+        this.clock = clock;
+    }
+
+    public ZoneFeature.ZoneCollection zones(Principal principal) {
+        return ZoneFeature.ZoneCollection.of(
+                keeping.store().zones().stream()
+                        .filter(zone -> isShownTo(principal, zone))
+                        .toList(),
+                principal.organisation());
+    }
+
+    public ZoneFeature zone(Principal principal, String id) {
+        return ZoneFeature.of(find(principal, id), principal.organisation());
+    }
+
+    /** One's own organisation's, unless it names a drone out of reach, and such as bind everybody. */
+    public static boolean isShownTo(Principal principal, Zone zone) {
+        if (!zone.organisation().equals(principal.organisation())) {
+            return zone.isGlobal();
+        }
+        return !(zone.binding() instanceof Binding.OfDrone drone) || principal.sees(drone.id());
+    }
+
+    public ZoneFeature add(Principal principal, ZoneFeature feature) {
+        Roles.requireForAll(principal, Role.SUPERVISOR);
+        Zone zone = read("", newId(), feature, principal);
+        keep(List.of(zone));
+        return ZoneFeature.of(zone, principal.organisation());
+    }
+
+    public ZoneFeature replace(Principal principal, String id, ZoneFeature feature) {
+        Roles.requireForAll(principal, Role.SUPERVISOR);
+        Zone zone = read("", changeable(principal, id).id(), feature, principal);
+        keep(List.of(zone));
+        return ZoneFeature.of(zone, principal.organisation());
+    }
+
+    /** GeoJSON of others; all of it, or nothing. */
+    public ZoneFeature.ZoneCollection take(Principal principal, String text) {
+        Roles.requireForAll(principal, Role.SUPERVISOR);
+        List<Zone> zones = ZoneImport.parts(text).stream()
+                .map(part -> read(part.at(), newId(), part.feature(), principal))
+                .toList();
+        keep(zones);
+        return ZoneFeature.ZoneCollection.of(zones, principal.organisation());
+    }
+
+    public synchronized void delete(Principal principal, String id) {
+        Roles.requireForAll(principal, Role.SUPERVISOR);
+        if (!keeping.store().delete(changeable(principal, id).id())) {
+            throw Rejection.unknown(UnknownProblem.ZONE, id);
+        }
+        keeping.book().remove(id);
+    }
+
+    /** In one piece, so that store and book never part. */
+    private synchronized void keep(List<Zone> zones) {
+        OrganisationId owner =
+                zones.isEmpty() ? OrganisationId.HOME : zones.get(0).organisation();
+        List<String> known = keeping.book().zones().stream()
+                .filter(zone -> zone.organisation().equals(owner))
+                .map(Zone::id)
+                .toList();
+        long more = zones.stream().filter(zone -> !known.contains(zone.id())).count();
+        if (known.size() + more > MOST) {
+            throw Rejection.of(
+                    ServerProblem.LIMIT_REACHED,
+                    "There may be " + MOST + " zones at most; there are " + known.size() + " already.",
+                    ProblemParameter.WHAT.is("zones"),
+                    ProblemParameter.MOST.is(MOST));
+        }
+        keeping.store().save(zones);
+        keeping.book().put(zones);
+    }
+
+    private Zone read(String at, String id, ZoneFeature feature, Principal principal) {
+        ZoneReader reader = new ZoneReader(at, feature);
+        Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
+        return new Zone(
+                id,
+                reader.name(),
+                reader.shape(),
+                reader.band(),
+                known(at, reader.binding(), principal),
+                reader.validity(now),
+                reader.onBreach(),
+                principal.name(),
+                now,
+                principal.organisation());
+    }
+
+    /** A slip of the pen must not make a zone that binds nobody. */
+    private Binding known(String at, Binding binding, Principal principal) {
+        if (binding instanceof Binding.OfUser user
+                && keeping.users()
+                        .user(user.name())
+                        .filter(known -> known.organisation().equals(principal.organisation()))
+                        .isEmpty()) {
+            throw InvalidInput.outside(
+                    ValueProblem.REFERENCE_UNKNOWN,
+                    at + "properties.user",
+                    "the name of a user",
+                    "\"" + user.name() + "\"");
+        }
+        if (binding instanceof Binding.OfDrone drone
+                && drones.find(principal, drone.id().value()).isEmpty()) {
+            throw InvalidInput.outside(
+                    ValueProblem.REFERENCE_UNKNOWN,
+                    at + "properties.drone",
+                    "the id of a drone",
+                    "\"" + drone.id() + "\"");
+        }
+        return binding;
+    }
+
+    /** All of an organisation's, which is no more. */
+    synchronized void forget(OrganisationId organisation) {
+        for (Zone zone : keeping.store().zones()) {
+            if (zone.organisation().equals(organisation) && keeping.store().delete(zone.id())) {
+                keeping.book().remove(zone.id());
+            }
+        }
+    }
+
+    private Zone changeable(Principal principal, String id) {
+        Zone zone = find(principal, id);
+        if (!zone.organisation().equals(principal.organisation())) {
+            throw Rejection.of(AccessProblem.SERVER_ONLY, "This zone binds the whole server; ask those who run it.");
+        }
+        return zone;
+    }
+
+    private Zone find(Principal principal, String id) {
+        return keeping.store().zones().stream()
+                .filter(zone -> zone.id().equals(id) && isShownTo(principal, zone))
+                .findFirst()
+                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ZONE, id));
+    }
+
+    private static String newId() {
+        return UUID.randomUUID().toString();
+    }
+}
