@@ -30,7 +30,7 @@ public final class DayArchive {
     private final Rows rows;
     private final MessageType schema = Columns.schema();
 
-    /** What became of a day. */
+    /** The status of a day after archiving. */
     public enum Outcome {
         WRITTEN,
         /** It was written before. */

@@ -5,7 +5,7 @@ import java.time.LocalDate;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Where the rows of a day come from: the same ones in the same order each time, for they are asked for twice. */
+/** A source of a day's telemetry rows: the same rows in the same order at each read. */
 public interface Rows {
     /** The values in the order of the columns, null: not known. Each moment of a drone once, by drone and time. */
     void of(LocalDate day, Taker taker) throws IOException;

@@ -31,7 +31,7 @@ public final class Proxy implements AutoCloseable {
     public record EndpointStatus(EndpointUrl url, EndpointCounters.Counts counts) {}
 
     /**
-     * How sessions are made.
+     * The rules and collaborators that sessions of vehicles are made with.
      *
      * @param keyrings the keys that vehicles sign with
      * @param taps hear every frame of every session

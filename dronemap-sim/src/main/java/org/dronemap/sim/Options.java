@@ -5,7 +5,10 @@ import java.util.Map;
 import org.dronemap.sim.link.ServerAddress;
 import org.dronemap.sim.physics.LocalFrame;
 
-/** What the command line says. Speeds in m/s, times in seconds of the vehicles' clocks. */
+/**
+ * The options of the simulator's command line, speeds in m/s, times in seconds of the vehicles' clocks. Speeds in m/s,
+ * times in seconds of the vehicles' clocks.
+ */
 record Options(
         int count,
         LocalFrame home,

@@ -7,7 +7,7 @@ import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.UserGroup;
 import org.dronemap.core.organisation.Organisation;
 
-/** How organisations, groups, fleets, grants and gifts are listed, in every adapter alike. */
+/** Sort orders of organisations, groups, fleets, grants and gifts, the same in every adapter. */
 public final class GrantOrder {
     public static final Comparator<Organisation> ORGANISATIONS = Comparator.comparing(
                     Organisation::name, String.CASE_INSENSITIVE_ORDER)

@@ -3,7 +3,7 @@ package org.dronemap.store;
 import java.util.Comparator;
 import org.dronemap.core.mission.SavedMission;
 
-/** How the mission library is listed, in every adapter alike. */
+/** The sort order of the mission library, the same in every adapter. */
 public final class MissionOrder {
     public static final Comparator<SavedMission> BY_NAME = Comparator.comparing(
                     SavedMission::name, String.CASE_INSENSITIVE_ORDER)

@@ -3,7 +3,7 @@ package org.dronemap.store;
 import java.util.Comparator;
 import org.dronemap.core.recording.Recording;
 
-/** In which order recordings are listed, in every adapter alike. */
+/** The sort order of recordings, the same in every adapter. */
 public final class RecordingOrder {
     public static final Comparator<Recording> NEWEST_FIRST =
             Comparator.comparing(Recording::start).thenComparing(Recording::id).reversed();

@@ -28,10 +28,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Who was recognised lately is recognised while the store is away, too, so that drones can be held and called home then:
- * what was read last answers where it cannot be read now. Every change of an account forgets all of that, whether the change
- * succeeded or not; nothing can be changed while the store is away. A store that hangs counts as away after a second, for
- * whoever is remembered. At most 1,000 accounts, sessions and keys each. Thread-safe.
+ * An access store that answers from a cache for known users while the store behind it is away. Every change of an
+ * account forgets all of that, whether the change succeeded or not; nothing can be changed while the store is away. A
+ * store that hangs counts as away after a second, for whoever is remembered. At most 1,000 accounts, sessions and keys
+ * each. Thread-safe.
  */
 public final class RememberedAccess implements AccessStore {
     private static final Logger LOG = LoggerFactory.getLogger(RememberedAccess.class);

@@ -1,6 +1,6 @@
 package org.dronemap.store;
 
-/** How many sessions are kept for one user, in every adapter alike; those that end first make room. */
+/** The greatest number of sessions for one user, the same in every adapter. */
 public final class SignInLimit {
     public static final int PER_USER = 50;
 

@@ -3,7 +3,7 @@ package org.dronemap.store;
 import org.dronemap.core.time.Outage;
 import org.jspecify.annotations.Nullable;
 
-/** Something could not be kept or found; the message is a sentence for the person who runs the server. */
+/** A failure to store or find something; its message is a sentence for the operator of the server. */
 public final class StoreException extends RuntimeException implements Outage {
     private static final long serialVersionUID = 1L;
 

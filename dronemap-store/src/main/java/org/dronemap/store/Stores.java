@@ -22,7 +22,7 @@ import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.secret.SecretBox;
 
-/** Everywhere that a server keeps something, open and up to date. Any thread. */
+/** All stores of a server, open and migrated to the present schema. Any thread. */
 public interface Stores extends AutoCloseable {
     DroneStore drones();
 

@@ -3,7 +3,7 @@ package org.dronemap.store;
 import java.util.Comparator;
 import org.dronemap.core.zone.Zone;
 
-/** How zones are listed, in every adapter alike. */
+/** The sort order of zones, the same in every adapter. */
 public final class ZoneOrder {
     public static final Comparator<Zone> BY_NAME = Comparator.comparing(Zone::name, String.CASE_INSENSITIVE_ORDER)
             .thenComparing(Zone::name)

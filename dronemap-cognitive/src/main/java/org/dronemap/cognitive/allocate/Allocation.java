@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.dronemap.cognitive.cost.Instance;
 
-/** What a search found: for each drone its waypoints in order. Those in no tour are unserved. Immutable. */
+/** The result of a search: each drone's waypoints in order. Those in no tour are unserved. Immutable. */
 public final class Allocation {
     private final int[][] orders;
     private final int[] unserved;

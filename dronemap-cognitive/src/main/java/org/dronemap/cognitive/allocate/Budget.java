@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
-/** How long a search may go on. */
+/** A limit on a search: iterations, time, or until cancelled, as a share used up. */
 @FunctionalInterface
 public interface Budget {
     /** The share that is used up after so many iterations; 1 and more ends the search. */

@@ -11,8 +11,8 @@ import org.dronemap.cognitive.cost.Visit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What it costs to go from one place to another and to serve it there. Small problems keep all times in tables. Immutable,
- * safe for several threads.
+ * Time, energy and objective of each leg with the service at its end, in tables for small problems. Small problems keep
+ * all times in tables. Immutable, safe for several threads.
  */
 final class Costs {
     /** Beyond this many entries a table misses the processor's cache more often than computing anew costs. */

@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.allocate;
 
-/** What one drone's tour takes, flown leg by leg: waits for windows to open, and notices those that closed before. */
+/** Evaluates one tour leg by leg: waits for windows to open, and counts those that closed before arrival. */
 final class Flight {
     private final Costs costs;
     private final int drone;

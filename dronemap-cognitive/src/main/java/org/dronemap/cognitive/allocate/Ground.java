@@ -2,7 +2,10 @@ package org.dronemap.cognitive.allocate;
 
 import org.dronemap.cognitive.cost.Instance;
 
-/** What all searches of one problem share. Never changes, safe for several threads. */
+/**
+ * The immutable context that all searches of one problem share: costs, penalties and neighbour lists. Never changes,
+ * safe for several threads.
+ */
 record Ground(Instance instance, Costs costs, Stakes stakes, Neighbours near) {
     static Ground of(Instance instance) {
         Costs costs = new Costs(instance);

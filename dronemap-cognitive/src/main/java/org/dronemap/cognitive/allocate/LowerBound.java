@@ -5,10 +5,11 @@ import org.dronemap.cognitive.cost.Aim;
 import org.dronemap.cognitive.cost.Instance;
 
 /**
- * What no plan that serves every waypoint can undercut. All starts and ends are seen as one base: then the tours hold a
- * 1-tree over waypoints and base, and what a tree costs at least is pushed up by multipliers on the waypoints, each of which
- * has two legs (Held and Karp, The Traveling-Salesman Problem and Minimum Spanning Trees, 1970-71). The longest tour is no
- * shorter than the mean, nor than the way out to any waypoint and back.
+ * A lower bound on the cost of any plan that serves every waypoint (Held and Karp's 1-tree bound). All starts and ends
+ * are seen as one base: then the tours hold a 1-tree over waypoints and base, and what a tree costs at least is pushed
+ * up by multipliers on the waypoints, each of which has two legs (Held and Karp, The Traveling-Salesman Problem and
+ * Minimum Spanning Trees, 1970-71). The longest tour is no shorter than the mean, nor than the way out to any waypoint
+ * and back.
  */
 public final class LowerBound {
     /** Beyond this many waypoints only the way out and back is looked at: a tree costs their square each time. */

@@ -2,7 +2,7 @@ package org.dronemap.cognitive.allocate;
 
 import org.jspecify.annotations.Nullable;
 
-/** Whether a drone could call at a waypoint besides what its tour has already. */
+/** Decides whether a waypoint fits into a drone's tour by skills, battery and time windows. */
 final class Room {
     private static final double ROUNDING = 1e-9;
 

@@ -3,7 +3,10 @@ package org.dronemap.cognitive.allocate;
 import org.dronemap.cognitive.cost.Aim;
 import org.dronemap.cognitive.cost.Instance;
 
-/** What leaving a waypoint out costs: so much that it never pays. Immutable, safe for several threads. */
+/**
+ * Penalties for waypoints that a plan leaves out, so high that leaving one out never pays. Immutable, safe for several
+ * threads.
+ */
 final class Stakes {
     private final double most;
     private final double[] leftOut;

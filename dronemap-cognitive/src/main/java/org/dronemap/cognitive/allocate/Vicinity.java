@@ -2,7 +2,7 @@ package org.dronemap.cognitive.allocate;
 
 import java.util.Arrays;
 
-/** What lies around one waypoint: the nearest of all and the nearest of each quarter of the compass. */
+/** Finds the neighbours of one waypoint: the nearest of all, and the nearest in each compass quarter. */
 final class Vicinity {
     private static final int QUARTERS = 4;
     private static final int OF_EACH = 2;

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.dronemap.cognitive.cost.Aim;
 
 /**
- * What tours are worth to the search; less is better. In place of the longest tour it looks at a high norm of all, which
- * also tells two plans apart whose longest tours are equal, and at a little of the sum even where nobody asked for it.
+ * The cost that the search minimises: a high norm of all tours' durations, and the weighted sum. In place of the
+ * longest tour it looks at a high norm of all, which also tells two plans apart whose longest tours are equal, and at a
+ * little of the sum even where nobody asked for it.
  */
 final class Worth {
     /** The norm; powers of it are six multiplications. */
@@ -121,7 +122,7 @@ final class Worth {
         return stakes.leftOut(waypoint);
     }
 
-    /** What counts of a plan: its longest tour in seconds, what the aim sums, and how many drones stay idle. */
+    /** Totals of a plan: the longest tour in seconds, the objective's sum, and the number of idle drones. */
     record Tally(double longest, double total, int idle) {
         Tally with(double seconds, double sum) {
             return new Tally(Math.max(longest, seconds), total + sum, idle);

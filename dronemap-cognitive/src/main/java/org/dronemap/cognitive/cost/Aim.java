@@ -1,7 +1,7 @@
 package org.dronemap.cognitive.cost;
 
 /**
- * What a plan is to be good at: the weighted sum of the longest tour's duration and of a measure summed over all tours.
+ * The objective in numbers: weighted sum of the longest tour's duration and of a measure over all tours.
  *
  * @param longestWeight weight of the duration of the longest tour, in seconds
  * @param measure what is summed
@@ -9,7 +9,7 @@ package org.dronemap.cognitive.cost;
  * @param everyDrone whether each drone must fly, else drones may be left on the ground
  */
 public record Aim(double longestWeight, Measure measure, double sumWeight, boolean everyDrone) {
-    /** What is summed over all tours. */
+    /** The quantity that is summed over all tours. */
     public enum Measure {
         SECONDS,
         METERS,

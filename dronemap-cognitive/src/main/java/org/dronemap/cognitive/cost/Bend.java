@@ -1,7 +1,7 @@
 package org.dronemap.cognitive.cost;
 
 /**
- * How far the straight lines on map, globe and compass part on the way, as the command gate reckons it, and a little more.
+ * An upper bound on how far straight lines on map, globe and plane differ over the length of a leg.
  *
  * @param factor times the square of a length in metres
  */

@@ -34,7 +34,7 @@ abstract class Block {
     /** Where ways round it turn, with that room beside them; one spot a corner if a drone may be there. */
     abstract void turns(double room, Spots free, List<double[]> turns);
 
-    /** Where drones may be. */
+    /** A test for points where drones may be. */
     interface Spots {
         boolean contains(double x, double y);
     }

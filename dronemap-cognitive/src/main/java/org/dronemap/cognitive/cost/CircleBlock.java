@@ -15,7 +15,7 @@ final class CircleBlock extends Block {
     private final double doubt;
 
     /**
-     * Where it is on the chart.
+     * Centre, scales and radius of a disc on the chart.
      *
      * @param scaleX the chart's x times this is metres there
      * @param doubt by how many metres a circle on the globe and one on a plane differ at that size

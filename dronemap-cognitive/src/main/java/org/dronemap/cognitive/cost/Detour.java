@@ -6,7 +6,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is known of the way between two places. Immutable, so that threads may find it twice and pass it on as they like.
+ * The shortest allowed path between two places: its turns, and its costs by drone type. Immutable, so that threads may
+ * find it twice and pass it on as they like.
  *
  * @param turns nothing for a straight way
  * @param costs of each type that may fly it; null where the straight way is free

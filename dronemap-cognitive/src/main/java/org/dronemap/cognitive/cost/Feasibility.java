@@ -8,7 +8,7 @@ import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Problem;
 import org.dronemap.cognitive.problem.Waypoint;
 
-/** Which drones could visit a waypoint if they had nothing else to do, and why none can. Never changes. */
+/** Decides which drones could visit a waypoint as their only one, and says why none can. Never changes. */
 final class Feasibility {
     private final Problem problem;
     private final Fleet fleet;

@@ -10,7 +10,7 @@ import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.Problem;
 import org.dronemap.core.mission.Altitude;
 
-/** Which drones fly alike: those of one type have the same performance and are bound by the same barriers. Never changes. */
+/** Groups drones into types: those of one type have the same performance and the same barriers. Never changes. */
 final class Fleet {
     private final int[] types;
     private final Pace[] paces;

@@ -21,7 +21,7 @@ final class Guide {
     private final Detour.Costs unreachable;
     private final Map<Maze, Seen> seen = new ConcurrentHashMap<>();
 
-    /** What is seen of a maze from each place, and the ways from there. */
+    /** A cache of the turns visible from each place of a visibility graph, and of the shortest paths from there. */
     private static final class Seen {
         final AtomicReferenceArray<int[]> turns;
         final AtomicReferenceArray<Rooted> trees;

@@ -7,7 +7,7 @@ import org.dronemap.cognitive.problem.Wind;
 import org.dronemap.cognitive.problem.WindResponse;
 
 /**
- * How long one type of drone takes for a straight piece of its way, and what it draws. It gathers speed, cruises and
+ * A model of time and energy that one type of drone takes for a straight piece of flight. It gathers speed, cruises and
  * brakes; it climbs or descends meanwhile, and stays where it is for what is left of that.
  */
 final class Pace {

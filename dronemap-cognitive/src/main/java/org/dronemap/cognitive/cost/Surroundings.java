@@ -13,8 +13,8 @@ import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that stands around one group of drones. Which of it is in the way depends on how high a leg leads: each such choice
- * has a maze of its own. Safe for several threads.
+ * The barriers around one group of drones, with one visibility graph for each set that blocks a height. Which of it is
+ * in the way depends on how high a leg leads: each such choice has a maze of its own. Safe for several threads.
  */
 final class Surroundings {
     /** How far heights above home and above the sea may be off each other for the command gate, and a little. */

@@ -5,10 +5,10 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Problem;
 
 /**
- * All places of a problem as flat numbers, in the order of {@link Legs}. Never changes.
+ * Coordinates of all places of a problem, numbered as in {@link Legs}. Never changes.
  *
- * <p>The way between two places is taken east by the mean of their parallels and north along the meridian, which is right
- * within 1 in 100,000 up to 100 km.
+ * <p>The way between two places is taken east by the mean of their parallels and north along the meridian, which is
+ * right within 1 in 100,000 up to 100 km.
  */
 final class Track {
     final int waypoints;

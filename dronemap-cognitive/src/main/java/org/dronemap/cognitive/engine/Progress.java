@@ -1,7 +1,7 @@
 package org.dronemap.cognitive.engine;
 
 /**
- * How far a search has come.
+ * Figures of a search so far: longest tour, sum, unserved waypoints, gap to the bound, iterations.
  *
  * @param longestSeconds when the last tour ends, on the plan's clock, before drones are kept apart
  * @param sum what the objective sums, in its unit

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.follow;
 import org.dronemap.core.geo.Geodetic;
 
 /**
- * Where a drone shall be once it hears of it, and how it shall move there.
+ * A setpoint for a drone that follows: position, velocity and heading for the moment that it arrives.
  *
  * @param eastward m/s
  * @param northward m/s
@@ -19,7 +19,7 @@ public record Aim(
         double upward,
         double headingDegrees,
         Doing doing) {
-    /** What a drone does that is led. */
+    /** The phase of the guidance. */
     public enum Doing {
         FOLLOWING,
         /** Nothing was heard of the target lately: it stays where it is. */

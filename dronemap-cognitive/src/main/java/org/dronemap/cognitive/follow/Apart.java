@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.follow;
 
-/** How far drones that follow stay from all others in the air: at least one of the two, on the ground and in height. */
+/** The least separation of drones that follow from all others: one of the distances on the ground and in height. */
 public record Apart(double groundMeters, double heightMeters) {
     /** Less cannot be kept over a network that is slow and loses: one in two hundred trials with 5 m fell short by up to 3 m. */
     public static final double LEAST_GROUND_METERS = 8;

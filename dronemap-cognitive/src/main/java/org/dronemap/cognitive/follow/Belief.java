@@ -16,8 +16,8 @@ final class Belief {
     private double[][] spread = new double[SIZE][SIZE];
 
     /**
-     * How it is taken to move. Whoever walks, runs or rides leans into bends about as much: how quickly they turn follows from
-     * that and from their speed.
+     * A motion model: how fast speed changes, and the lateral acceleration in bends. Whoever walks, runs or rides leans
+     * into bends about as much: how quickly they turn follows from that and from their speed.
      *
      * @param push what speeds change by in a second, m/s (one sigma)
      * @param lean the acceleration to its left, m/s²; 0: it goes straight on

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.dronemap.core.geo.LocalPlane;
 import org.jspecify.annotations.Nullable;
 
-/** What is known of a target. */
+/** A tracked target: its motion on a local plane at a given time. */
 public interface Followed {
     /** What its motion is counted in. */
     LocalPlane plane();

@@ -47,7 +47,7 @@ public final class Guidance {
     /** It has been as high as it has to be. */
     private boolean risen;
 
-    /** How much time passes, and what is to be kept to meanwhile. */
+    /** One guidance cycle: the time that passes, and the limits for it. */
     private record Step(double seconds, Limits limits, double speed, Surroundings around, Spot drone) {
         /** Who rises goes nowhere but up, among trees as it may be: all others keep away from it. */
         Step alone() {
@@ -55,10 +55,10 @@ public final class Guidance {
         }
     }
 
-    /** What is kept out of the way of: edges, and other drones. */
+    /** The flyable area and the other drones to keep away from. */
     public record Surroundings(Room room, Others others) {}
 
-    /** Where the drone shall be, in metres of the plane, and how it shall move, in m/s. */
+    /** The reference point that the drone follows: position in metres of the plane, velocity in m/s. */
     private record Carrot(Spot spot, double eastward, double northward, double up, double upward) {}
 
     /** {@code target}: whoever is followed; its filter may be told of fixes meanwhile. */

@@ -5,9 +5,9 @@ import java.util.function.ToDoubleFunction;
 import org.dronemap.core.geo.Spot;
 
 /**
- * Where the target is and how it moves, if its phone errs by so much. It goes on, bends to its left or right, or changes its
- * speed: an opinion is kept for each, and counts as much as it foretold the fixes (interacting multiple models). Owned by its
- * {@link TargetFilter}.
+ * An interacting multiple model filter of the target's motion under one assumed noise of its phone. It goes on, bends
+ * to its left or right, or changes its speed: an opinion is kept for each, and counts as much as it foretold the fixes
+ * (interacting multiple models). Owned by its {@link TargetFilter}.
  */
 final class Hypothesis {
     private static final double LIKELY_SPEED = 3;
@@ -34,7 +34,7 @@ final class Hypothesis {
     private double credit;
 
     /**
-     * How good a phone is, as shares of the accuracy that it tells.
+     * The noise of a phone's fixes, as shares of the accuracy that it reports.
      *
      * @param fresh what is new in the error of each fix, in metres an axis
      * @param wander by how much the rest changes in a second: most of an error stays from fix to fix, and is followed

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.follow;
 import org.dronemap.core.geo.Spot;
 
 /**
- * Where something is and how it moves, in metres and m/s of a plane.
+ * Position, velocity and turn rate of a point on a local plane, in metres and m/s.
  *
  * @param turn radians a second, from east towards north
  */

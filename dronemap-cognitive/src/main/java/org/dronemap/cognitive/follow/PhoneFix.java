@@ -5,7 +5,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a phone says that it was.
+ * A position that a phone reported, with its accuracy and, if known, its course.
  *
  * @param at by the cloud's clock, see {@link PhoneClock}
  * @param accuracyMeters the phone is within so much of the place in two cases of three, by its own word

@@ -8,7 +8,9 @@ import org.dronemap.core.geo.Outline;
 import org.dronemap.core.geo.Spot;
 import org.dronemap.core.geo.Stretch;
 
-/** Where a drone may be led: within all areas that it has to stay in, out of all others, with room to each edge. Immutable. */
+/**
+ * The area that a drone may be guided in: within all keep-in areas and outside all others, with a margin. Immutable.
+ */
 public final class Room {
     /** Room without an edge. */
     public static final Room EVERYWHERE = new Room(List.of(), 0);

@@ -4,11 +4,11 @@ import org.dronemap.core.stored.Stored;
 
 /** On which side of its target a drone stays. */
 public sealed interface Side {
-    /** Where the target comes from. */
+    /** Behind the target, by its direction of motion. */
     @Stored(as = "Behind")
     record Behind() implements Side {}
 
-    /** Where the target goes. */
+    /** Ahead of the target, by its direction of motion. */
     @Stored(as = "Ahead")
     record Ahead() implements Side {}
 

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.dronemap.core.geo.Spot;
 import org.jspecify.annotations.Nullable;
 
-/** Where a drone has to be beside a target that moves. Owned by its {@link Guidance}. */
+/** Computes the position and velocity that a drone needs beside a target that moves. Owned by its {@link Guidance}. */
 final class Stance {
     /** A course that is slower than this is none. */
     private static final double WALKS = 0.6;
@@ -17,7 +17,7 @@ final class Stance {
     /** Radians clockwise from north, from the target to the drone; NaN: not begun. */
     private double bearing = Double.NaN;
 
-    /** Where the target and the drone have to be, and how the drone has to move, in m/s. */
+    /** Positions of target and drone, and the velocity that the drone needs, in m/s. */
     record Wanted(Spot target, Spot spot, double eastward, double northward) {}
 
     Stance(Followed filter) {

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * its error changes: each {@link Hypothesis} of that counts as much as it foretold the fixes. Owned by one thread.
  */
 public final class TargetFilter implements Followed {
-    /** What becomes of a fix. */
+    /** The result of a fix for the filter. */
     public enum Verdict {
         TAKEN,
         /** It is older than one that was taken. */

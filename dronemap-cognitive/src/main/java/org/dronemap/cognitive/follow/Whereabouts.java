@@ -7,7 +7,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 
 /**
- * Where a drone said that it is, and how it moves, in m/s.
+ * A drone's reported position with its velocity in m/s.
  *
  * @param at when it was there
  */

@@ -12,7 +12,7 @@ import org.dronemap.core.geo.Stretch;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 
-/** Whether a straight piece of one drone's way touches what it must not: seen piece by piece on a plane of its own. */
+/** Checks straight pieces of a drone's path against barriers, each on a local plane of its own. */
 public final class FenceJudge {
     private static final Spot CENTER = new Spot(0, 0);
 

@@ -8,10 +8,7 @@ import org.dronemap.cognitive.problem.WindResponse;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 
-/**
- * What a straight piece takes a drone, worked out from headings and crab angles: for judging plans, and therefore on
- * purpose not the arithmetic that they were made with.
- */
+/** A flight model of its own for checking plans: time and energy of a piece by heading and crab angle. */
 final class FlightRules {
     private static final double STRAIGHT_UP_METERS = 0.05;
 
@@ -20,7 +17,7 @@ final class FlightRules {
     private final WindResponse response;
     private final Wind wind;
 
-    /** What a piece takes. */
+    /** Time and energy of a piece. */
     record Effort(double seconds, double joules) {}
 
     FlightRules(Craft craft, Wind wind) {

@@ -39,7 +39,7 @@ final class Passage {
     /** So much later than at once, and so high above the plan. */
     private record Try(double delaySeconds, int layer) {}
 
-    /** Where the search stands at one way of the tour. */
+    /** The state of the search at one leg of the tour. */
     private static final class Leg {
         double free;
         int next;

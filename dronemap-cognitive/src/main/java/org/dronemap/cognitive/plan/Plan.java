@@ -3,7 +3,7 @@ package org.dronemap.cognitive.plan;
 import java.util.List;
 import org.dronemap.core.stored.Stored;
 
-/** Who flies where and when; drones without a tour stay where they are. */
+/** A plan: the drones' tours and the waypoints left out; drones without a tour stay where they are. */
 @Stored(names = "tours unserved")
 public record Plan(List<Tour> tours, List<Unserved> unserved) {
     public Plan {

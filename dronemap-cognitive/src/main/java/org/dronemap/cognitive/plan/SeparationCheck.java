@@ -13,8 +13,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.LocalPlane;
 
 /**
- * Whether drones in the air keep apart: by strides that are never longer than it takes two drones to come near, so that
- * no moment is missed. Drones on the ground count for nothing.
+ * Checks the separation of drones in the air, in time steps so short that no conflict is missed. Drones on the ground
+ * count for nothing.
  */
 public final class SeparationCheck {
     /** Nearer to the limit than this is at it. */

@@ -2,6 +2,6 @@ package org.dronemap.cognitive.plan;
 
 import org.dronemap.core.stored.Stored;
 
-/** Which item of a mission, from 0, does which part, from 0, of a waypoint's task. */
+/** A link from a mission item to the part of a waypoint's task that it does. */
 @Stored(names = "item waypoint part")
 public record TaskItem(int item, String waypoint, int part) {}

@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What one drone flies.
+ * One drone's tour: its stops in order, the leg to its end, and the energy it draws.
  *
  * @param last from the last stop, or from the start, to the drone's end
  * @param usedJoules drawn in all

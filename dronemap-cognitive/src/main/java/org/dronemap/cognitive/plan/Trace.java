@@ -10,8 +10,7 @@ import org.dronemap.core.geo.Spot;
 import org.dronemap.core.geo.Stretch;
 
 /**
- * Where one drone is at each moment that it is in the air: pieces, one after the other, on each of which it moves
- * straight, gathering speed and braking, at any height between those of its ends. Never changes.
+ * The trajectory of one drone in the air as straight pieces, each with its speed and range of heights. Never changes.
  */
 final class Trace {
     private final Craft craft;

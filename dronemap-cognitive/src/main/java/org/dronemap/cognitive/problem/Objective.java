@@ -3,14 +3,13 @@ package org.dronemap.cognitive.problem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What a plan is to be good at: the weighted sum of the longest tour's duration in seconds and of a measure summed over
- * all tours, in its unit.
+ * The objective of a plan: weighted sum of the longest tour's duration and of a measure over all tours.
  *
  * @param everyDrone whether each drone must fly, else drones may be left where they are
  */
 @Stored(names = "longestWeight measure sumWeight everyDrone")
 public record Objective(double longestWeight, Measure measure, double sumWeight, boolean everyDrone) {
-    /** What is summed. */
+    /** The quantity that is summed. */
     @Stored(names = "SECONDS METERS JOULES")
     public enum Measure {
         SECONDS,

@@ -8,7 +8,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.stored.Stored;
 
-/** Who is to visit which waypoints: all that a planner knows. Never changes. */
+/** A planning problem: waypoints, drones, barriers, wind, objective and rules. Never changes. */
 @Stored(names = "waypoints crafts barriers wind objective rules")
 public record Problem(
         List<Waypoint> waypoints,

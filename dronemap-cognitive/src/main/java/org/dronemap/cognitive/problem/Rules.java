@@ -3,7 +3,7 @@ package org.dronemap.cognitive.problem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What every plan keeps to.
+ * Rules for every plan: separation, least link quality, room beside barriers and take-off height.
  *
  * @param leastLinkQuality drones whose link is worse are given nothing, 0 to 1
  * @param roomMeters what ways round barriers leave beside them

@@ -4,7 +4,7 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.stored.Stored;
 
 /**
- * Something that a task takes and that some drones can do.
+ * A skill that a task needs and that some drones have.
  *
  * @param words completes the sentence "no drone can …": "take a picture"
  */

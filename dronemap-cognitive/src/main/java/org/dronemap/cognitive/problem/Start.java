@@ -3,7 +3,7 @@ package org.dronemap.cognitive.problem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * Where a drone is when the plan begins.
+ * The position of a drone at the beginning of the plan, and when it can depart.
  *
  * @param place the ground under it, or where it flies
  * @param readySeconds when it can set off, on the plan's clock; till then it stays there

@@ -2,7 +2,7 @@ package org.dronemap.cognitive.problem;
 
 import org.dronemap.core.stored.Stored;
 
-/** What is left in a battery and what must be left in it at the end, in J; infinite without a limit. */
+/** The energy left in a battery and the reserve to keep at the end, in J; infinite without a limit. */
 @Stored(names = "remainingJoules reserveJoules")
 public record Supply(double remainingJoules, double reserveJoules) {
     public static final Supply UNLIMITED = new Supply(Double.POSITIVE_INFINITY, 0);

@@ -6,7 +6,7 @@ import org.dronemap.core.mission.WaypointTask;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What is done at a waypoint.
+ * The task at a waypoint: how long it takes, the skills it needs, and its parts in order.
  *
  * @param serviceSeconds how long a drone stays for all of it
  * @param needs what it must be able to do

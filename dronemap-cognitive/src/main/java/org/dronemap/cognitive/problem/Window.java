@@ -2,7 +2,7 @@ package org.dronemap.cognitive.problem;
 
 import org.dronemap.core.stored.Stored;
 
-/** When a task may begin, in seconds on the plan's clock; an infinite end is none. */
+/** A time window in which a task may begin, in seconds on the plan's clock; infinite where open. */
 @Stored(names = "opensSeconds closesSeconds")
 public record Window(double opensSeconds, double closesSeconds) {
     public static final Window ALWAYS = new Window(0, Double.POSITIVE_INFINITY);

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.replan;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What a plan comes to, before drones are kept apart.
+ * Figures of a plan before deconfliction: longest tour, sum, cost and unserved waypoints.
  *
  * @param longestSeconds when the last tour ends, on the plan's clock
  * @param sum what the objective sums, in its unit

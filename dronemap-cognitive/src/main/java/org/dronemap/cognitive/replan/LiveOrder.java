@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What one drone has been told to visit, in order, as far as it is not done.
+ * The assignment that one drone is flying: its open waypoints in order, firm ones first.
  *
  * @param firm what comes first and stays so, as the waypoint that it is flying to
  * @param next what may be given to others

@@ -24,7 +24,7 @@ public record Replanned(
     }
 
     /**
-     * What is another way than before.
+     * Differences from the plan before: waypoints moved, and drones whose order changed.
      *
      * @param moved in the order of the problem's waypoints
      * @param drones those whose order is another one, in the order of the problem; done and cancelled waypoints do not count

@@ -2,7 +2,7 @@ package org.dronemap.core.access;
 
 import org.dronemap.core.stored.Stored;
 
-/** Whether a user may come in. */
+/** Sign-in state of a user account. */
 @Stored(names = "WAITING ACTIVE DISABLED")
 public enum AccountState {
     /** Asked for an account; an administrator decides. */

@@ -13,8 +13,8 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who belongs where and what was granted to whom, here and now: each change, and each beginning and end of a grant, holds
- * from its moment on, for all who ask. Any thread; who asks never waits.
+ * Registry of organisations and grants in force; each change holds at once, for all callers, on any thread. Any thread;
+ * who asks never waits.
  */
 public final class GrantBook {
     /** Drones of recordings that play; only the newest are remembered. */

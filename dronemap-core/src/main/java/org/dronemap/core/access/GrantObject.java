@@ -3,7 +3,10 @@ package org.dronemap.core.access;
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 
-/** With which drones something is granted. A further kind of drone is a further case here. */
+/**
+ * The drones that a grant covers; a further kind of drone is a further case here. A further kind of drone is a further
+ * case here.
+ */
 public sealed interface GrantObject {
     /** All drones of the organisation, also those to come. */
     record Everything() implements GrantObject {}

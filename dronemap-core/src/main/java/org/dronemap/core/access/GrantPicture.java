@@ -16,7 +16,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
-/** What a {@link GrantBook} holds at one time, made ready to be asked often. */
+/** Immutable snapshot of a {@link GrantBook}, indexed for frequent lookups. */
 final class GrantPicture {
     private static final int BITS_FOR_TURNS = 24;
 

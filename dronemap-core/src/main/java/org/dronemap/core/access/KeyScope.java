@@ -11,7 +11,7 @@ import org.dronemap.core.zone.Bounds;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How far a way of signing in reaches; it takes from what the user's role allows and never adds to it.
+ * Scope of a credential: drones, permissions and bounds; restricts the user's role and never extends it.
  *
  * @param drones null: all of them, also those to come; others do not exist for it
  * @param permissions looking is always among them

@@ -2,7 +2,7 @@ package org.dronemap.core.access;
 
 import org.dronemap.core.stored.Stored;
 
-/** What the cloud asks of the messages that speak for a drone. */
+/** Signing policy for messages that speak for a drone. */
 @Stored(names = "OFF OPTIONAL REQUIRED")
 public enum LinkPolicy {
     /** Nothing is checked. With a key the cloud signs all the same: the vehicle may insist on it. */

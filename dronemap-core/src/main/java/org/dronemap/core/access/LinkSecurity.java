@@ -4,7 +4,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How one drone's link is secured.
+ * Link security of one drone: policy, signing keys and the last stamp.
  *
  * @param key null: none was made
  * @param nextKey the key that a change began with and that the vehicle may use already; null: no change is open

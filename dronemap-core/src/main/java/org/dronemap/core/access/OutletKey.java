@@ -1,7 +1,7 @@
 package org.dronemap.core.access;
 
 /**
- * What a user signs with when attaching a ground station of another maker; it never shows itself.
+ * Signing key of a user's own ground stations; its secret is never shown.
  *
  * @param stamp the last number that a message signed with it carried; only rises
  */

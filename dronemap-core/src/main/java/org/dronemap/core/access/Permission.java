@@ -2,7 +2,7 @@ package org.dronemap.core.access;
 
 import org.dronemap.core.stored.Stored;
 
-/** What keys and grants leave of what a role allows. */
+/** A permission that keys and grants can leave of a role. */
 @Stored(names = "VIEW PLAN COMMAND ADMINISTER")
 public enum Permission {
     VIEW,

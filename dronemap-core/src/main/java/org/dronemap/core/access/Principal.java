@@ -8,7 +8,8 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who asks, once it is proved. The name is for people; what belongs to whom goes by the account.
+ * An authenticated caller; the name is for people, ownership goes by the account. The name is for people; what belongs
+ * to whom goes by the account.
  *
  * @param scope how far the proof reaches
  * @param key the id of the access key that was shown; null: none, or the machine owner's

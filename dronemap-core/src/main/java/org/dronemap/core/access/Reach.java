@@ -6,7 +6,7 @@ import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** How far somebody's rights go, as things are whenever it is asked. Any thread. */
+/** Effective permissions of a user, evaluated at each call; any thread. Any thread. */
 public interface Reach {
     /** All operations. */
     Set<Permission> ALL = Collections.unmodifiableSet(EnumSet.allOf(Permission.class));

@@ -3,7 +3,7 @@ package org.dronemap.core.access;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** What a user may do, least first; each role may do all that the ones before it may. */
+/** Roles of users in rising order; each one includes the roles before it. */
 @Stored(names = "REPORTER VIEWER PLANNER OPERATOR SUPERVISOR ADMINISTRATOR")
 public enum Role {
     /** Of the public: sends reports, sees no drone. */

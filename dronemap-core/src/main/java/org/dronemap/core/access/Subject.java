@@ -1,6 +1,6 @@
 package org.dronemap.core.access;
 
-/** To whom something is granted. */
+/** The user or group that a grant is for. */
 public sealed interface Subject {
     /** One user, by name. */
     record OfUser(String name) implements Subject {}

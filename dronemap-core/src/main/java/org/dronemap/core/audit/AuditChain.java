@@ -5,7 +5,7 @@ import java.security.MessageDigest;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 
-/** How records hang together, and how heads are signed; pure but for the key in the seal. Thread-safe. */
+/** Chains audit records by keyed hashes and signs heads; pure but for the key; thread-safe. Thread-safe. */
 public final class AuditChain {
     private final AuditSeal seal;
 

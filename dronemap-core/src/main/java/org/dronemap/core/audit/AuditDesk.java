@@ -6,7 +6,7 @@ import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Where the calls of all faces are taken down: each leaves one record, whatever becomes of it. Any thread. */
+/** Opens, ends and records the calls of all faces: each one leaves exactly one record; any thread. Any thread. */
 public final class AuditDesk {
     private static final Logger LOG = LoggerFactory.getLogger(AuditDesk.class);
 

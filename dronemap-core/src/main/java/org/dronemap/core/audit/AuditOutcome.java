@@ -2,7 +2,7 @@ package org.dronemap.core.audit;
 
 import org.dronemap.core.stored.Stored;
 
-/** How what was asked for ended; {@code UNDER_WAY} as long as it has not. */
+/** Outcome of an audited call; {@code UNDER_WAY} until it has ended. */
 @Stored(names = "UNDER_WAY SUCCEEDED REFUSED FAILED TIMED_OUT SUPERSEDED UNKNOWN")
 public enum AuditOutcome {
     UNDER_WAY,

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which records are looked for; null: whatever it is.
+ * Search criteria for audit records; null matches everything.
  *
  * @param operation a part of its name, whatever the case
  * @param from inclusive

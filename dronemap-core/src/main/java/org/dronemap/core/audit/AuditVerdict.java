@@ -3,7 +3,7 @@ package org.dronemap.core.audit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What came out when the chain was verified.
+ * Result of verifying the audit chain.
  *
  * @param head where it ends, or the last record that is good
  * @param firstBad the number of the first record that is not as it was, or is missing; null: none, or not known which

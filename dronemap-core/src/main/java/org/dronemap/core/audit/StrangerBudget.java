@@ -4,8 +4,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
 /**
- * How many refusals of people who are not known are written down one by one: 2,000 at once, one a second over time. The
- * others are counted, so that nobody can fill the disk from outside. Any thread.
+ * Limits how many refusals of unauthenticated callers are recorded one by one; the others are counted. The others are
+ * counted, so that nobody can fill the disk from outside. Any thread.
  */
 final class StrangerBudget {
     private static final long MOST = 2_000;

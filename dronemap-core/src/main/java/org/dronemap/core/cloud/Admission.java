@@ -1,6 +1,6 @@
 package org.dronemap.core.cloud;
 
-/** What becomes of a claim. */
+/** Result of a claim: bound to a drone, or not admitted yet. */
 public sealed interface Admission {
     /** It speaks for a drone. */
     record Bound(DroneLink link) implements Admission {}

@@ -5,7 +5,7 @@ import org.dronemap.core.drone.Identification;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whom a new session says it speaks for, and what it shows for that.
+ * Claim of a new session to speak for a vehicle, with the evidence that it shows.
  *
  * @param proof null when it shows none
  * @param trusted unknown vehicles of this listener are let in by themselves

@@ -10,7 +10,7 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
 import org.dronemap.core.time.Time;
 
-/** Where people take, ask for, hand over and give back the control of drones. Any thread. */
+/** Gate for changes of control: taking, requesting, handing over and releasing; any thread. Any thread. */
 public final class ControlDesk {
     private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
 

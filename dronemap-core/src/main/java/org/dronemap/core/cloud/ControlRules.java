@@ -6,7 +6,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.drone.DroneId;
 
-/** Which commands need no control of the drone. */
+/** Rules for commands that need no control of the drone. */
 final class ControlRules {
     private ControlRules() {}
 

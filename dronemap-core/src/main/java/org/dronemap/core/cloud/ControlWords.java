@@ -5,7 +5,7 @@ import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Holder;
 import org.jspecify.annotations.Nullable;
 
-/** What people who watch a drone are told of its control. */
+/** Messages about changes of control, for users who watch the drone. */
 final class ControlWords {
     private ControlWords() {}
 

@@ -4,7 +4,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.event.DroneEvent;
 
-/** What a link session holds of its drone: the way up. Call {@code heard} and {@code accept} on the lane only. */
+/**
+ * Link of a session up to its drone; call {@code heard} and {@code accept} on the lane only. Call {@code heard} and
+ * {@code accept} on the lane only.
+ */
 public interface DroneLink {
     DroneId id();
 

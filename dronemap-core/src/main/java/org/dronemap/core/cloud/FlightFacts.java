@@ -6,7 +6,7 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 
-/** What is known of how a drone flies; of vehicles that have no motors to arm, or no modes, by what they do tell. */
+/** Predicates on how a drone flies, also for vehicles without motors to arm or without modes. */
 final class FlightFacts {
     private FlightFacts() {}
 

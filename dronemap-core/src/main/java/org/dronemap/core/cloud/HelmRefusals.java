@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Which refusals to steer are news: who goes on trying says the same up to fifty times a second. Holds the newest few; owned by
- * the drone's lane.
+ * Filters repeated refusals to steer, so that each is recorded at most every ten seconds. Holds the newest few; owned
+ * by the drone's lane.
  */
 final class HelmRefusals {
     static final long AGAIN_NANOS = 10_000_000_000L;

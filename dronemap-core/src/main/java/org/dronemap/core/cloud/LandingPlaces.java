@@ -13,8 +13,7 @@ import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.safety.LandingPlace;
 
 /**
- * Where one drone has stood on the ground since the process began, and where its owner lets it go instead of home. Owned by
- * the drone's lane.
+ * Landing sites known for one drone: where it stood since the start, and its rally points. Owned by the drone's lane.
  */
 final class LandingPlaces {
     private static final int MOST = 8;

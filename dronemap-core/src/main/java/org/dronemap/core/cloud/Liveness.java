@@ -2,7 +2,10 @@ package org.dronemap.core.cloud;
 
 import org.dronemap.core.drone.LinkState;
 
-/** When one drone was last heard, and what silence is normal for it. Owned by the drone's lane, {@code silence} by none. */
+/**
+ * Last reception from one drone and the silence that is normal for it. Owned by the drone's lane, {@code silence} by
+ * none.
+ */
 final class Liveness {
     /** A silence that a link once showed is normal for it for about so long. */
     private static final double MEMORY_NANOS = 60e9;

@@ -9,7 +9,7 @@ import org.dronemap.core.drone.OwnersStore;
 import org.dronemap.core.drone.OwnersValues;
 
 /**
- * What owners had set of what the cloud has changed on their drones: as it is kept, and at hand. Any thread; each drone's
+ * Registry of the owners' settings that the cloud has overridden, in memory and stored. Any thread; each drone's
  * belongs to its lane.
  */
 final class LossDesk {

@@ -9,7 +9,7 @@ import org.dronemap.core.drone.OwnersValues;
 import org.dronemap.core.safety.Homecoming;
 import org.jspecify.annotations.Nullable;
 
-/** What people are told of what a drone does without the cloud. */
+/** Messages about what a drone does without the cloud. */
 final class LossWords {
     static final String CANNOT_BE_SET = "What this vehicle does without the cloud cannot be set.";
     private static final String CROSSING =

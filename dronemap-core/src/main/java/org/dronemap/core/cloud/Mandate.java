@@ -4,8 +4,7 @@ import org.dronemap.core.command.CommandId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * By what right something is sent to a vehicle: for which command, under which epoch of control, at whose word, and as
- * long as which fence lets it.
+ * Authority for one send to a vehicle: command, control epoch, user, and the guard that may stop it.
  *
  * @param command null: the cloud's own housekeeping
  * @param epoch null where nobody has ever had control

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dronemap.core.drone.DroneId;
 
-/** Whoever is there by any face. Any thread. */
+/** Composite of all {@link Presence} ports: a user is present if any face says so; any thread. Any thread. */
 final class Onlookers implements Presence {
     private final List<Presence> faces = new CopyOnWriteArrayList<>();
 

@@ -5,7 +5,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What becomes of a drone in the air: what happens when whoever has it has it no more, and how long it can fly.
+ * Forecast for a drone in the air: what happens when control ends, and how long its battery lasts.
  *
  * @param then a sentence
  * @param returnsAt when it is brought home unless somebody takes control; null: it does not come to that now

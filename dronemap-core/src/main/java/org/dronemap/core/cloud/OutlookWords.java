@@ -9,7 +9,7 @@ import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.safety.Homecoming;
 import org.jspecify.annotations.Nullable;
 
-/** What happens to a drone in the air when whoever has it has it no more, as a sentence. */
+/** Messages on what happens to a drone in the air when control of it ends. */
 final class OutlookWords {
     private final LeaseRules rules;
 

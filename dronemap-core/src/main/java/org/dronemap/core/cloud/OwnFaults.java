@@ -7,7 +7,7 @@ import org.dronemap.core.command.Refusal;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What the cloud itself fails at, such as a case that it does not handle: refused alone, and logged as what it is. */
+/** Turns internal faults, such as an unhandled case, into refusals of that one command, and logs them. */
 final class OwnFaults {
     private static final Logger LOG = LoggerFactory.getLogger(OwnFaults.class);
     private static final Refusal WHY = new Refusal(

@@ -3,7 +3,7 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.command.Refusal;
 import org.jspecify.annotations.Nullable;
 
-/** Whether a command may go as far as control of the drone is concerned. */
+/** Clearance of a command by control of the drone: open under an epoch, or closed with a refusal. */
 sealed interface Passage {
     /** It may, as long as the fence lets it; {@code epoch} is null where nobody has ever had control. */
     record Open(@Nullable Long epoch, Fence fence) implements Passage {}

@@ -3,7 +3,9 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.CloudLossState;
 
-/** What is done with a vehicle before the first flight that is commanded here, and undone after the last. On its lane. */
+/**
+ * Prepares a vehicle before the first flight commanded here, and reverts that after the last; on its lane. On its lane.
+ */
 interface Preparation extends Lane.Ticker {
     /** Nothing. */
     Preparation NONE = new Preparation() {

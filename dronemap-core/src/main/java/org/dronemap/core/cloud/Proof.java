@@ -4,7 +4,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Evidence;
 import org.jspecify.annotations.Nullable;
 
-/** What nobody but the vehicle itself can show. */
+/** Evidence that nobody but the vehicle itself can show. */
 public sealed interface Proof {
     Evidence evidence();
 

@@ -10,7 +10,7 @@ import org.dronemap.core.command.Contention;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 
-/** What one drone was told lately that may change its mode, also some seconds afterwards. Any thread. */
+/** Recently ended commands to one drone that may still change its mode; any thread. Any thread. */
 final class RecentMoves {
     private static final long EFFECT_NANOS = Duration.ofSeconds(5).toNanos();
     private static final int MOST = 16;

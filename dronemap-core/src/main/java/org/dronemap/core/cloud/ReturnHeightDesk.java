@@ -16,8 +16,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which drone flies home how high, from when that is chosen until its use is over. Any thread: choices exclude each other,
- * so that two drones that are armed at the same moment do not get the same height.
+ * Allocates a return height to each drone in use, so that paths home do not cross at one height; any thread. Any
+ * thread: choices exclude each other, so that two drones that are armed at the same moment do not get the same height.
  */
 final class ReturnHeightDesk {
     private final DroneRegistry registry;

@@ -9,7 +9,7 @@ import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 
-/** Who may give which kinds of commands; the same sentences serve the gate and every page that greys a button. */
+/** Rules for the kinds of commands that each role may give; the gate and all pages share them. */
 public final class RoleRules {
     private static final Refusal MAY_NOT_COMMAND = new Refusal(
             OutcomeCode.ROLE_MAY_NOT_COMMAND,

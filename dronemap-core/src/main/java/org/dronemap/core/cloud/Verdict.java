@@ -3,7 +3,7 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** Whom a claim is taken for. */
+/** Decision on a claim: a known drone, a new vehicle, or one kept in quarantine. */
 sealed interface Verdict {
     /** This drone. */
     record Known(ManagedDrone drone) implements Verdict {}

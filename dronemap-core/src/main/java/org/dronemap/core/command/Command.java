@@ -14,7 +14,10 @@ import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** What may be asked of a drone. Discrete: each one ends in exactly one {@link Outcome}. */
+/**
+ * A discrete command to a drone; each one ends in exactly one {@link Outcome}. Discrete: each one ends in exactly one
+ * {@link Outcome}.
+ */
 public sealed interface Command {
     CommandKind kind();
 

@@ -5,9 +5,8 @@ import java.util.stream.Stream;
 import org.dronemap.core.drone.Capability;
 
 /**
- * What there is of commands, with what each means to everybody who judges one: whoever judges commands asks for that, and
- * whoever has to know more of one switches over these without a default. Vehicles alone have one: they cannot do what they do
- * not say that they can.
+ * Kinds of commands with their properties, on which all judges of commands switch without a default. Vehicles alone
+ * have one: they cannot do what they do not say that they can.
  */
 public enum CommandKind {
     ARM("Arm", Capability.ARM, Contention.ARMING, Purpose.FLY, Movement.NONE, LaterChange.NOTHING),

@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** How far a command is. */
+/** Phase of a command: sent, accepted or done. */
 @Stored(names = "SENT ACCEPTED DONE")
 public enum CommandPhase {
     /** On its way to the vehicle. */

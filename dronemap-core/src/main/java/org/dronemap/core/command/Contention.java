@@ -1,6 +1,6 @@
 package org.dronemap.core.command;
 
-/** Which commands compete with each other on one vehicle. */
+/** Classes of commands that compete with each other on one vehicle. */
 public enum Contention {
     /** Motors on or off; the newer one wins. */
     ARMING,

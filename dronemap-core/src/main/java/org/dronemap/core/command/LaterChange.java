@@ -1,6 +1,6 @@
 package org.dronemap.core.command;
 
-/** What a command changes of where its drone goes by itself later on, which bounds have to know. */
+/** Effect of a command on where its drone flies by itself later; bounds are checked against it. */
 public enum LaterChange {
     NOTHING,
     /** Parameters that say so: nobody knows which way, beforehand. */

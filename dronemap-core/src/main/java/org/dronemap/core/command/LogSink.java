@@ -2,7 +2,10 @@ package org.dronemap.core.command;
 
 import java.util.BitSet;
 
-/** Where the pieces of a log go, in any order. Returns at once; called on the drone's lane. */
+/**
+ * Receives the pieces of a vehicle's log in any order; returns at once; called on the drone's lane. Returns at once;
+ * called on the drone's lane.
+ */
 public interface LogSink {
     /** Bytes of one piece; only the last may be shorter. */
     int PIECE_BYTES = 90;

@@ -1,8 +1,8 @@
 package org.dronemap.core.command;
 
 /**
- * What a command does at once to where its drone is and goes. Zones, the state of the drone and whoever watches modes judge a
- * command by this, without a default.
+ * Immediate effect of a command on where its drone is and goes; rules switch on it without a default. Zones, the state
+ * of the drone and whoever watches modes judge a command by this, without a default.
  */
 public enum Movement {
     /** It goes on with what it is at, in the mode that it is in. */

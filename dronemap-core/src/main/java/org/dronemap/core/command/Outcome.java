@@ -3,7 +3,7 @@ package org.dronemap.core.command;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** How a command ended; every one ends in exactly one of these. */
+/** Outcome of a command; each command ends in exactly one. */
 public sealed interface Outcome {
     /** What there is of outcomes; switched over without a default, so that a forgotten one does not compile. */
     enum Kind {

@@ -7,7 +7,10 @@ import org.dronemap.core.parameter.OwnersValue;
 import org.dronemap.core.parameter.ParameterValue;
 import org.jspecify.annotations.Nullable;
 
-/** Who keeps what the owner of a vehicle had set while the cloud changes it. Called on the drone's lane; returns at once. */
+/**
+ * Records the owner's settings before the cloud overrides them; on the drone's lane, returns at once. Called on the
+ * drone's lane; returns at once.
+ */
 public interface OwnersKeeper {
     /**
      * What was found, and what is going to be written.

@@ -1,4 +1,4 @@
 package org.dronemap.core.command;
 
-/** Why something is not to be done: a code for programs and a sentence for people. */
+/** Refusal of a request: a code for programs and a sentence for people. */
 public record Refusal(OutcomeCode code, String sentence) {}

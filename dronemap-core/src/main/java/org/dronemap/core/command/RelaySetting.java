@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** What becomes of a relay. */
+/** New state of a relay: off, on or toggled. */
 @Stored(names = "OFF ON TOGGLE")
 public enum RelaySetting {
     OFF,

@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.dronemap.core.stored.Stored;
 
 /**
- * How high over its home a vehicle flies home, whoever or whatever makes it.
+ * Sets the height over home at which a vehicle returns, whoever or whatever makes it return.
  *
  * @param atLeast what is set higher stays: there may be something to fly over
  */

@@ -8,7 +8,7 @@ import org.dronemap.core.time.Time;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Where operations have things worked out: a few threads, and a queue that refuses when it is full. Any thread. */
+/** Executes long computations of operations on a few threads with a bounded queue; any thread. Any thread. */
 final class Computations implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Computations.class);
 

@@ -1,6 +1,6 @@
 package org.dronemap.core.conduct;
 
-/** What becomes of a sighting that is told. */
+/** Result of delivering a target report to an operation. */
 public enum Reception {
     TAKEN,
     /** This one or a newer one was told before. */

@@ -17,7 +17,9 @@ import org.dronemap.core.operation.Scene;
 import org.dronemap.core.operation.Surroundings;
 import org.dronemap.core.zone.Zone;
 
-/** What operations see of their drones. Owned by the conductor's thread. */
+/**
+ * Builds observations of the drones of an operation; owned by the conductor's thread. Owned by the conductor's thread.
+ */
 final class Scenery {
     /** Zones that begin so soon are heeded already. */
     private static final Duration SOON = Duration.ofHours(1);

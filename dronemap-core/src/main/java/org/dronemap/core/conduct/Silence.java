@@ -8,7 +8,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 
-/** For how long drones have been lost. Owned by the conductor's thread. */
+/** Measures for how long drones have been lost; owned by the conductor's thread. Owned by the conductor's thread. */
 final class Silence {
     private final LongSupplier nanoTime;
     private final Map<DroneId, Long> since = new HashMap<>();

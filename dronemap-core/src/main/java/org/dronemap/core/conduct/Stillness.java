@@ -12,7 +12,10 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** For how long drones have stayed where they are. Owned by the conductor's thread. */
+/**
+ * Measures for how long drones have stayed at one place; owned by the conductor's thread. Owned by the conductor's
+ * thread.
+ */
 final class Stillness {
     /** Less than this is the receiver's own wandering. */
     private static final double MOVED_METERS = 1.5;

@@ -3,7 +3,10 @@ package org.dronemap.core.conduct;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** What users may have flown for them, as things are whenever it is asked. Any thread. */
+/**
+ * Says whether virtual drones of an account may fly, and which drones may serve an organisation; any thread. Any
+ * thread.
+ */
 public interface VirtualRights {
     /** Whether that account's virtual drones may fly now. */
     boolean mayFly(String account);

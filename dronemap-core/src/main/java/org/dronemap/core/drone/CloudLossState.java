@@ -5,7 +5,7 @@ import org.dronemap.core.parameter.OwnersValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is known of what a drone does without the cloud.
+ * Known behaviour of a drone on loss of the cloud, and the owner's values still to be restored.
  *
  * @param action null: not known
  * @param returnMeters how high it flies home, where the cloud chose that

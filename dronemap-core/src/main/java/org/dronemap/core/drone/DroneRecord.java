@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is remembered of a drone while it is away.
+ * Stored record of a drone, kept while it is away.
  *
  * @param key the last link session it was heard on
  * @param groundAmslMeters of the ground that it left last; null: not known

@@ -2,7 +2,7 @@ package org.dronemap.core.drone;
 
 import org.dronemap.core.stored.Stored;
 
-/** What shows that a session speaks for a certain vehicle, weakest first. */
+/** Kinds of evidence that a session speaks for a vehicle, weakest first. */
 @Stored(names = "ADDRESS HARDWARE SIGNATURE LINK")
 public enum Evidence {
     /** The address and system id that it had before. */

@@ -2,5 +2,5 @@ package org.dronemap.core.drone;
 
 import org.dronemap.core.geo.Geodetic;
 
-/** Where the vehicle returns to; altitude in metres above mean sea level. */
+/** Home position that the vehicle returns to; altitude in metres above mean sea level. */
 public record Home(Geodetic point, double altitudeAmslMeters) {}

@@ -4,10 +4,7 @@ import java.util.List;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/**
- * What the cloud last knew to be on a vehicle, and the index it was heading for then; {@code hash} is null when the
- * vehicle's own items were not known exactly.
- */
+/** Mission last known to be on a vehicle, with its current item; {@code hash} null: items not known exactly. */
 public record KnownMission(
         List<MissionItem> items,
         @Nullable String hash,

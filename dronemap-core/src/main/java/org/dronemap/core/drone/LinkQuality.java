@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How well a link carries, each figure null while it is not known.
+ * Quality of a link: losses and round-trip time, each null while it is not known.
  *
  * @param lossShort share of the vehicle's messages that did not arrive, 0 to 1, over some 5 s
  * @param lossLong the same over some 60 s

@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import java.util.List;
 
 /**
- * How a vehicle is reached now.
+ * Report of the links that a vehicle is reached by now.
  *
  * @param key where commands go: the better link when there are several
  * @param others further links that the same vehicle is heard on

@@ -2,7 +2,7 @@ package org.dronemap.core.drone;
 
 import org.dronemap.core.stored.Stored;
 
-/** How sure the watchdog is that the vehicle is still there. */
+/** State of a drone's link as the watchdog judges it. */
 @Stored(names = "LIVE SUSPECT LOST ENDED")
 public enum LinkState {
     /** Heard within its link's normal silence. */

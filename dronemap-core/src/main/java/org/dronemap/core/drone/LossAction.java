@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a vehicle does by itself when it does not hear the cloud any more.
+ * Action of a vehicle on its own when it loses the cloud.
  *
  * @param action in a few words, such as "it returns home"; "it goes on" when it does nothing
  * @param afterSeconds null: nothing, or not known when

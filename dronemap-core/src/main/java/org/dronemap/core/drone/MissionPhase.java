@@ -1,6 +1,6 @@
 package org.dronemap.core.drone;
 
-/** What a vehicle does with its mission, as it says itself (MAVLink: MISSION_STATE). */
+/** Phase of the mission as the vehicle reports it (MAVLink: MISSION_STATE). */
 public enum MissionPhase {
     /** It holds a mission and does not fly it: not begun yet, or left for another mode. */
     STOPPED,

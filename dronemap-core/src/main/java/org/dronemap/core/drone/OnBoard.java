@@ -6,7 +6,7 @@ import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
 
-/** What a vehicle keeps on board beside its mission, as last heard; null where it was never asked. Immutable. */
+/** Parameters, logs, fence and rally points on board of a vehicle; null where never read; immutable. Immutable. */
 public record OnBoard(
         ParameterSet parameters,
         @Nullable List<VehicleLog> logs,

@@ -6,7 +6,7 @@ import org.dronemap.core.parameter.OwnersValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the owner of a drone had set of what the cloud has changed on it, until it is put back.
+ * Settings of a drone's owner that the cloud has overridden, until they are restored.
  *
  * @param droneName as it was called then: this outlives the drone
  * @param returnMeters how high it flies home meanwhile; null: not known

@@ -8,7 +8,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a vehicle said of what it carries, and of the wind that it feels.
+ * Last reported payload state of a vehicle (photo, outputs, readings), and the wind that it measured.
  *
  * @param photo the last one; null: it told of none
  * @param outputs pulses of its outputs from 1 on in microseconds, 0: none; empty: not told

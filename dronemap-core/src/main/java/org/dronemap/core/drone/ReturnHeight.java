@@ -2,6 +2,6 @@ package org.dronemap.core.drone;
 
 import org.dronemap.core.stored.Stored;
 
-/** How high over its home a vehicle flies home since the cloud set that, and what was set before, in m. */
+/** Return height over home that the cloud has set, and the one set before it, in metres. */
 @Stored(names = "meters beforeMeters")
 public record ReturnHeight(double meters, double beforeMeters) {}

@@ -4,7 +4,7 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.jspecify.annotations.Nullable;
 
-/** What is remembered of a command: one event, at the moment when it was given, once its outcome is there. */
+/** Makes the history event of a command once it has its outcome, dated at the moment it was given. */
 final class CommandEvents {
     private CommandEvents() {}
 

@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Holder;
 
-/** What is remembered of changes of control. */
+/** Makes history events of changes of control. */
 final class ControlEvents {
     private ControlEvents() {}
 

@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which flights are looked for; null: whatever it is.
+ * Search criteria for flights; null matches everything.
  *
  * @param user among those who commanded
  * @param from those that began then or later

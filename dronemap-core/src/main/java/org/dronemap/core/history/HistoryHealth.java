@@ -3,7 +3,7 @@ package org.dronemap.core.history;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How well things are remembered at the moment.
+ * Current state of the history writers: trouble, points written, dropped and waiting.
  *
  * @param trouble a sentence; null: all is written down as it comes
  * @param written points and events since the start

@@ -3,7 +3,7 @@ package org.dronemap.core.history;
 import java.time.Duration;
 
 /**
- * How much of drones is remembered.
+ * Settings of the history: how often states are stored, and how long they are kept.
  *
  * @param flying a state is kept this often of each armed drone
  * @param resting the same of one that is not armed

@@ -5,7 +5,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a flight came to; each null while it is not known.
+ * Totals of a flight: distance, heights, speed, battery; each null while it is not known.
  *
  * @param distanceMeters along the ground
  * @param highestMeters above home

@@ -5,7 +5,7 @@ import java.util.List;
 import org.dronemap.core.drone.DroneId;
 
 /**
- * What is drawn over time: each of the fields, in slots of equal length from the beginning of the span on.
+ * Query for a time series: some fields over a span, in slots of equal length.
  *
  * @param slots in how many the span is cut; a drawing needs no more than it is wide
  */

@@ -7,7 +7,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What was measured in one slot of a series; slots with nothing in them are left out.
+ * Extents of the fields of a series within one slot; empty slots are left out.
  *
  * @param at of the first point in it
  * @param extents one for each field that was asked for, null where it was never known

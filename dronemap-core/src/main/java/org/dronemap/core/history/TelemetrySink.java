@@ -1,6 +1,6 @@
 package org.dronemap.core.history;
 
-/** Where points and events go; returns at once. */
+/** Receives telemetry points and events; returns at once. */
 interface TelemetrySink {
     void point(TelemetryPoint point);
 

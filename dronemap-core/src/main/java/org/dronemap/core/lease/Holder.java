@@ -2,7 +2,7 @@ package org.dronemap.core.lease;
 
 import java.util.Optional;
 
-/** Who commands a drone. */
+/** Holder of the control of a drone: a person, an operation or the pilot at the vehicle. */
 public sealed interface Holder {
     /** A user, with whatever client. */
     record Person(String name) implements Holder {}

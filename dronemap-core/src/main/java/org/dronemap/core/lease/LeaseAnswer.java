@@ -1,6 +1,6 @@
 package org.dronemap.core.lease;
 
-/** What became of a {@link LeaseEvent} for whoever caused it. */
+/** Answer to a {@link LeaseEvent} for whoever caused it. */
 public sealed interface LeaseAnswer {
     /** Done; for a command: it may go with the epoch that is current now. */
     record Granted() implements LeaseAnswer {}

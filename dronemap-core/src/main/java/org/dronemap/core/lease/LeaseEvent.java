@@ -2,7 +2,7 @@ package org.dronemap.core.lease;
 
 import org.jspecify.annotations.Nullable;
 
-/** What somebody does about the control of a drone, or what befalls it. */
+/** An event that may change the control of a drone: a user's request, a command, a pilot, time. */
 public sealed interface LeaseEvent {
     /** Something that this user does. */
     sealed interface ByUser extends LeaseEvent {

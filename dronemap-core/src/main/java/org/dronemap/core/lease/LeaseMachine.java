@@ -9,7 +9,7 @@ import org.dronemap.core.lease.ControlChange.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who may command a drone, as a function of what was and what happens: same input, same output. It touches nothing but
+ * Pure state machine of the control of a drone; only the supply of epochs is shared; any thread. It touches nothing but
  * the supply of epochs, which must rise. Any thread.
  */
 public final class LeaseMachine {

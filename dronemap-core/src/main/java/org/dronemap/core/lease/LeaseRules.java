@@ -3,7 +3,7 @@ package org.dronemap.core.lease;
 import java.time.Duration;
 
 /**
- * How long control lasts, and what happens when its holder is lost.
+ * Timeouts of control, and the action when its holder is lost.
  *
  * @param silence without a heartbeat after which an explicit holder is lost; heartbeats come every 2 s
  * @param idle after the last command, until control that came with it ends

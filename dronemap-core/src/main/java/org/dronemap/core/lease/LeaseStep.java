@@ -2,7 +2,7 @@ package org.dronemap.core.lease;
 
 import java.util.List;
 
-/** What an event makes of the control of a drone. */
+/** Result of an event in the lease machine: new control, answer and changes. */
 public record LeaseStep(Control control, LeaseAnswer answer, List<ControlChange> changes) {
     public LeaseStep {
         changes = List.copyOf(changes);

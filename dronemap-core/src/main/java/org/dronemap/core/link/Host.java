@@ -2,7 +2,7 @@ package org.dronemap.core.link;
 
 import java.util.HexFormat;
 
-/** What counts as one host when connections are bounded: an IPv4 address, or the 64-bit network that one subscriber of IPv6 gets. */
+/** Host key for connection limits: an IPv4 address, or the 64-bit network of an IPv6 subscriber. */
 public record Host(String key) {
     private static final int IPV4_BYTES = 4;
     private static final int NETWORK_BYTES = 8;

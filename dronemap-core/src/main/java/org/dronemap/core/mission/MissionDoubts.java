@@ -10,8 +10,9 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What in a plan may be a slip of the hand. Nothing of it is forbidden: a sentence each, for people to look at. Items are
- * numbered from 1 as on the vehicle; {@code from} is where the drone is, null when that is not known.
+ * Warns of likely slips in a planned mission: one sentence each, nothing is forbidden. Nothing of it is forbidden: a
+ * sentence each, for people to look at. Items are numbered from 1 as on the vehicle; {@code from} is where the drone
+ * is, null when that is not known.
  */
 public final class MissionDoubts {
     private static final int FAR_METERS = 10_000;

@@ -3,7 +3,7 @@ package org.dronemap.core.mission;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
 
-/** Where a vehicle may go instead of home; the height is above home. */
+/** A rally point that a vehicle may return to instead of home; its height is above home. */
 @Stored(names = "point altitudeMeters")
 public record RallyPoint(Geodetic point, double altitudeMeters) {
     public RallyPoint {

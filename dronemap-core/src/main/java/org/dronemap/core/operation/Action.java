@@ -5,7 +5,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 
-/** What an operation asks of who conducts it. */
+/** An action that an operation's decision asks for: a command, or a computation. */
 public sealed interface Action<I> {
     /**
      * A command through the gate, as any other. The operation names it, so that the same one given twice, as after a restart,

@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What follows from an input.
+ * Decision of an operation's state machine on one input: next state and actions.
  *
  * @param actions in this order, after the decision was written down
  * @param why for people, as one or more sentences; null: nothing that they would want to read

@@ -3,7 +3,7 @@ package org.dronemap.core.operation;
 import java.time.Instant;
 
 /**
- * What befell an operation, and what it decided; the texts are its kind's own.
+ * Journal entry of an operation: an input and the decision on it, as texts of its kind's codec.
  *
  * @param number counts from 0; the input of the first one is the state that it began with, and its decision is empty
  */

@@ -2,7 +2,7 @@ package org.dronemap.core.operation;
 
 import org.dronemap.core.stored.Stored;
 
-/** How whoever tells of {@link Sighting}s is reached, as its connection and what it tells show. */
+/** Connection state of whoever reports {@link Sighting}s. */
 @Stored(names = "SPEAKS VAGUE ASLEEP CUT GONE")
 public enum Reach {
     /** It said something lately, if only that it is there. */

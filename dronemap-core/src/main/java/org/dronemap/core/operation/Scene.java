@@ -10,7 +10,7 @@ import org.dronemap.core.drone.DroneState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is seen of an operation's drones at one moment; a drone that was removed is not among them.
+ * Observation of an operation's drones at one moment; drones that were removed are left out.
  *
  * @param sighted when the newest {@link Sighting} came that was fresh; null: none came since the process began
  * @param reach of who tells of them; null: not known, as when they come one by one

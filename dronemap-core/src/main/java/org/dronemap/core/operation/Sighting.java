@@ -6,8 +6,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where something was that an operation is about and that is no drone, as whoever sees it says. Told once or more a second, and
- * not written down.
+ * Position report of a followed target that is no drone, sent once or more a second and not journaled. Told once or
+ * more a second, and not written down.
  *
  * @param number rises from one to the next, so that what is said twice counts once
  * @param at by the clock of who says it

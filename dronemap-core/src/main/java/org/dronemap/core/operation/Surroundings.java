@@ -8,7 +8,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.zone.Zone;
 
 /**
- * What the drones of an operation have around them, for who steers them.
+ * Zones and other drones in the air around the drones of an operation, for whoever steers them.
  *
  * @param zones that bind each drone now or soon
  * @param aloft all others that are in the air, or were when they were heard last

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a file would change on a vehicle.
+ * Compares a parameter file with a vehicle: what differs, what is unknown, and what does not fit.
  *
  * @param same how many are as in the file already
  * @param unknown names that the vehicle does not have

@@ -1,6 +1,6 @@
 package org.dronemap.core.parameter;
 
-/** What kind of number a parameter is. */
+/** Numeric type of a parameter. */
 public enum ParameterType {
     UINT8(1, false, 0, 255),
     INT8(2, false, -128, 127),

@@ -1,7 +1,7 @@
 package org.dronemap.core.recording;
 
 /**
- * What is recorded, and how much of it is kept.
+ * Settings of recordings: when flights are recorded, and how much is kept.
  *
  * @param mostBytes all recordings of the server together; the oldest go first
  * @param keepDays older ones go; 0: age does not matter

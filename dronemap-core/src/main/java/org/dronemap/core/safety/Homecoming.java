@@ -7,7 +7,7 @@ import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
-/** Whether a drone that is told to fly home comes down there. Pure. */
+/** Ending of a commanded return: whether the drone lands at home; pure. Pure. */
 public enum Homecoming {
     /** It lands, as most do. */
     LANDS,

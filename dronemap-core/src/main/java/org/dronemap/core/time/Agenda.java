@@ -9,8 +9,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What is due in stepped time, in the order of its time and then of its coming. Whoever is in the middle of something is not
- * given the next thing, even when what it does waits for others. Owned by the one thread that steps.
+ * Event queue of stepped time, ordered by due time and arrival; a busy owner gets no further event. Whoever is in the
+ * middle of something is not given the next thing, even when what it does waits for others. Owned by the one thread
+ * that steps.
  */
 final class Agenda {
     private static final Logger LOG = LoggerFactory.getLogger(Agenda.class);

@@ -3,8 +3,8 @@ package org.dronemap.core.time;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * How a thread waits for work: woken at once while work is rare; when work comes faster than it could fall asleep, it
- * rests a millisecond and looks by itself, so that much work costs no more wake-ups than some. Owned by that thread.
+ * Wait strategy of a thread: blocks while work is rare, and polls each millisecond while it is frequent. Owned by that
+ * thread.
  */
 public final class WakeRhythm {
     /** Who is woken so soon is in a hurry. */

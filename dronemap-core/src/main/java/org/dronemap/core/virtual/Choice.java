@@ -9,7 +9,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which drone serves, and why: a pure function of the candidates.
+ * Choice of the drone that serves a run, with the reason; a pure function of the candidates.
  *
  * @param runnerUp null: there was no other one
  * @param deciding what the two were told apart by; null without a runner-up

@@ -4,7 +4,7 @@ import org.dronemap.core.drone.Wind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a drone is looked for to do.
+ * Demand on a serving drone: needs, tour, first waypoint and wind.
  *
  * @param first the tour's waypoint to begin with, counted from 0
  * @param wind there; null: not known

@@ -14,9 +14,9 @@ import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a tour takes out of a battery, estimated simply: the length of the way at a cruising speed, climbing, and waiting,
- * at so many per cent a minute. Both figures are assumed by kind, on the careful side, and stated wherever they count. Where the
- * wind is known it counts on each leg.
+ * Estimate of the battery energy that a tour takes: length, climb and waiting at assumed speeds and draws. Both figures
+ * are assumed by kind, on the careful side, and stated wherever they count. Where the wind is known it counts on each
+ * leg.
  *
  * @param minutes infinite: it makes no headway on one of its legs
  * @param wind null: not known

@@ -3,7 +3,7 @@ package org.dronemap.core.virtual;
 import java.util.Locale;
 import org.dronemap.core.stored.Stored;
 
-/** What drones that could serve are compared by, in this order: only where two are alike does the next one count. */
+/** Criteria by which candidate drones are compared, in this order; each counts only where those before tie. */
 @Stored(names = "DISTANCE BATTERY_LEFT LINK_LOSS ORDER")
 public enum Quantity {
     /** Metres from where it stands to the first waypoint, in steps of 50. */

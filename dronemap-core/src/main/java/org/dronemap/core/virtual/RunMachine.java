@@ -17,8 +17,8 @@ import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a run goes on, as a function of how far it is and what is seen of its drone: same input, same answer. It touches
- * nothing. What is already so is never commanded, so that a run goes on after a restart wherever it was.
+ * Pure state machine of a run: from its state and what is seen of its drone to the next step. It touches nothing. What
+ * is already so is never commanded, so that a run goes on after a restart wherever it was.
  */
 public final class RunMachine {
     /** A silent drone counts as flying for so long, beside what its mission still takes. */

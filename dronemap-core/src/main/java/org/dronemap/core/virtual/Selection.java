@@ -19,7 +19,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who can serve a demand, and which one shall. Same input, same answer; touches nothing.
+ * Selection of the drones that can serve a demand, and of the one that shall; a pure function. Same input, same answer;
+ * touches nothing.
  *
  * @param candidates those that can
  * @param choice empty when there are none

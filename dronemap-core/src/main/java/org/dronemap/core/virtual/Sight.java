@@ -7,7 +7,7 @@ import org.dronemap.core.drone.DroneState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is seen of the drone that serves a run.
+ * Observation of the drone that serves a run.
  *
  * @param drone null: it was removed
  * @param takenBy why the run has no control of it, as a sentence; null: it has

@@ -2,7 +2,7 @@ package org.dronemap.core.virtual;
 
 import org.dronemap.core.stored.Stored;
 
-/** How far a run is. */
+/** Stage of a run. */
 @Stored(
         names = "QUEUED UPLOADING ARMING STARTING FLYING RETURNING GIVING_UP STOPPING SUSPENDED DONE "
                 + "FAILED STOPPED")

@@ -4,7 +4,7 @@ import org.dronemap.core.command.Command;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What follows from what is seen.
+ * Step of the run machine: next run, command to send, and release of the drone.
  *
  * @param send null: nothing
  */

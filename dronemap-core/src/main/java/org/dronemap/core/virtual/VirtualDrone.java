@@ -9,7 +9,7 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a user holds instead of a drone; immutable, a newer one replaces it.
+ * A virtual drone: a user's handle that a drone of the warehouse serves; immutable.
  *
  * @param owner the name of the user it belongs to, as it was then
  * @param account of that user

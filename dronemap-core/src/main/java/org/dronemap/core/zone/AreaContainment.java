@@ -9,7 +9,7 @@ import org.dronemap.core.geo.Spot;
 import org.dronemap.core.geo.Stretch;
 import org.dronemap.core.mission.FenceZone;
 
-/** Whether one area lies within another one, edge on edge included. */
+/** Checks whether one area lies within another one; shared edges count as inside. */
 final class AreaContainment {
     /** What rounding may do to a corner that lies on an edge. */
     private static final double SAME_METERS = 0.001;

@@ -2,7 +2,7 @@ package org.dronemap.core.zone;
 
 import org.dronemap.core.drone.DroneId;
 
-/** Whom a zone binds. */
+/** The users or drones that a zone binds. */
 public sealed interface Binding {
     Everybody EVERYBODY = new Everybody();
 

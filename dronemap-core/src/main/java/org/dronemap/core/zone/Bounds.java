@@ -5,7 +5,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What flights stay within, whatever zones there are besides.
+ * Flight bounds besides all zones: an area and an altitude band.
  *
  * @param area null: anywhere
  */

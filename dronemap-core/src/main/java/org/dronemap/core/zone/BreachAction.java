@@ -2,7 +2,7 @@ package org.dronemap.core.zone;
 
 import org.dronemap.core.stored.Stored;
 
-/** What a drone is told when it breaches a zone in flight. */
+/** Action that is commanded when a drone breaches a zone in flight. */
 @Stored(names = "HOLD RETURN_TO_LAUNCH LAND")
 public enum BreachAction {
     HOLD,

@@ -9,8 +9,8 @@ import org.dronemap.core.geo.Spot;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a drone is heading, from where it was: a heading says where the nose points, not where wind and pilot take it.
- * Owned by one thread.
+ * Course of a drone from its last fixes, since its heading ignores wind and pilot; owned by one thread. Owned by one
+ * thread.
  */
 final class Course {
     private static final long SHORTEST_NANOS = 300_000_000L;

@@ -13,7 +13,7 @@ import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
-/** Where setpoints lead one drone that is somewhere, moving somehow. Immutable. */
+/** Predicts where a setpoint leads one drone, from its position and motion; immutable. Immutable. */
 final class Lead {
     /** For so long it goes on, and then stands, whatever is said later: reaction and braking of fast copters. */
     private static final double AHEAD_SECONDS = 3;

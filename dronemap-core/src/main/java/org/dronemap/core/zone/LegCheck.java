@@ -12,8 +12,9 @@ import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether a leg keeps to a zone: in doubt it does not. Nobody knows to the decimetre how a vehicle flies a straight
- * line, and the longer the line the less; a leg must stay away from an edge by what is not known.
+ * Checks a leg against a zone, with a margin that grows with the leg's length; refuses in doubt. Nobody knows to the
+ * decimetre how a vehicle flies a straight line, and the longer the line the less; a leg must stay away from an edge by
+ * what is not known.
  */
 final class LegCheck {
     /** Rounding on the wire, and a little. */

@@ -7,8 +7,7 @@ import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What heights are measured from, in metres above sea level: those that a vehicle is told, from its home, wherever somebody has
- * put that; bounds "above home", from the ground that it left, which nobody moves.
+ * Height references in metres above sea level: home for commanded heights, ground for bounds above home.
  *
  * @param homeAmslMeters null: not known
  * @param groundAmslMeters null: not known; then bounds are measured from home, too

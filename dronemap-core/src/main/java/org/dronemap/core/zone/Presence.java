@@ -7,7 +7,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.FenceZone;
 
-/** Whether a drone is where a zone does not want it, here and now, without any allowance. */
+/** Checks whether a drone breaches a zone at its present position, without any margin. */
 final class Presence {
     private Presence() {}
 

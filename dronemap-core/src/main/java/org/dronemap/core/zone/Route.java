@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a command may take a drone.
+ * Route that a command may send a drone along.
  *
  * @param doubt why a part of it cannot be said, as a sentence; null when all of it is known
  */

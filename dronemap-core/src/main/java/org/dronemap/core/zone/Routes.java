@@ -9,7 +9,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.mission.MissionItem;
 
-/** Which way a command sends a drone. */
+/** Derives the route that a command sends a drone along. */
 public final class Routes {
     private Routes() {}
 

@@ -9,7 +9,7 @@ import org.dronemap.core.geo.Outline;
 import org.dronemap.core.geo.Stretch;
 import org.dronemap.core.mission.FenceZone;
 
-/** What is wrong with an area, as a sentence: only what has one clear inside can be guarded. */
+/** Validates the shape of an area: only a shape with one clear inside can be guarded. */
 public final class ShapeFaults {
     private static final double LEAST_AREA_SQUARE_METERS = 1;
     private static final double MOST_METERS = 200_000;

@@ -6,8 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.FenceZone;
 
 /**
- * What of the zones a vehicle can keep as its own fence, where no cloud is heard: areas without floor and ceiling that
- * bind it whoever flies it.
+ * Part of the zones that a vehicle can keep as its own fence: areas without floor and ceiling.
  *
  * @param leftOut those with a floor or a ceiling, which the fences of vehicles do not know
  */

@@ -8,7 +8,7 @@ import java.util.function.Function;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
 
-/** Which commands the zones forbid: those that would lead a drone where it must not be, or where nobody knows. */
+/** Rules by which zones forbid commands that lead a drone into a breach, or where nobody can tell. */
 public final class ZoneRules {
     /** What comes into force while it flies counts already when it is sent off. */
     private static final Duration AHEAD = Duration.ofHours(1);

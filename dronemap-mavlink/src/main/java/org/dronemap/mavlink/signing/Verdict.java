@@ -1,6 +1,6 @@
 package org.dronemap.mavlink.signing;
 
-/** What the check of one received frame's signature found. */
+/** The verdict of a signature check on one received frame. */
 public enum Verdict {
     /** Signed with the key, and newer than everything before in its stream. */
     VALID,

@@ -6,7 +6,7 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 
 /**
- * What a recording of our own holds, found by walking from record to record.
+ * A summary of a recording of our own, found by walking from record to record.
  *
  * @param wholeBytes up to the end of the last whole record; what follows was cut off while it was written
  */

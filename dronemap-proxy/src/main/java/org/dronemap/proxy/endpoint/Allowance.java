@@ -1,8 +1,8 @@
 package org.dronemap.proxy.endpoint;
 
 /**
- * How much work somebody may still make: a bucket that time fills, so that a flooder is cut and others do not wait for it.
- * One unit is about the work of one good byte. Times are monotonic ns. Not thread-safe.
+ * A token bucket for the work that one peer may cause, in units of about one good byte. One unit is about the work of
+ * one good byte. Times are monotonic ns. Not thread-safe.
  */
 final class Allowance {
     private static final int PER_FRAME = 256;

@@ -6,9 +6,10 @@ import java.util.Map;
 import org.dronemap.core.link.Host;
 
 /**
- * Hosts of which somebody was cut for saying more than the bounds allow. Whoever comes from there next waits, longer each time:
- * coming anew costs a stranger nothing, and the server a handshake and all that is said until the next cut. Who made a
- * mistake, or has a neighbour behind the same address, waits, but is not turned away. Not thread-safe.
+ * The backoff of hosts whose peers were cut for exceeding limits: each new attempt waits longer. Whoever comes from
+ * there next waits, longer each time: coming anew costs a stranger nothing, and the server a handshake and all that is
+ * said until the next cut. Who made a mistake, or has a neighbour behind the same address, waits, but is not turned
+ * away. Not thread-safe.
  */
 final class Cuts {
     /** So many are a mistake. */

@@ -19,7 +19,7 @@ final class DatagramSeats<K> {
     private final Time time;
 
     /**
-     * What lies between the door and its peers.
+     * The shared send path and addressing between a datagram endpoint and its peers.
      *
      * @param place where the door is
      * @param address of a peer

@@ -6,7 +6,7 @@ import org.dronemap.core.process.PeerWatch;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the doors for vehicles are guarded with.
+ * The keys, certificates and limits that endpoints for vehicles are secured with.
  *
  * @param keys what vehicles prove themselves with on DTLS links
  * @param tls the server's certificate for {@code wssserver://}, asked for each new connection; null: it has none

@@ -45,7 +45,7 @@ final class DtlsServerEndpoint implements Endpoint {
     private final PeerBook<Handshake> peers;
     private final Time time;
 
-    /** What tells one link from another: a vehicle has a new one with each handshake. */
+    /** The identity and time of one DTLS handshake, which tell one link of a vehicle from the next. */
     private record Handshake(String identity, long atMillis) {}
 
     private DtlsServerEndpoint(

@@ -9,7 +9,7 @@ import org.eclipse.californium.scandium.dtls.DTLSContext;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Frames into one DTLS connection, wherever its vehicle is now; the connector bounds what waits. */
+/** Sends frames into one DTLS connection, wherever its vehicle is now; the connector bounds the queue. */
 final class DtlsWire implements Wire {
     private static final Logger LOG = LoggerFactory.getLogger(DtlsWire.class);
 

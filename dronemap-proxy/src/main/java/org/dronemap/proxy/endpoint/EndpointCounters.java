@@ -3,7 +3,7 @@ package org.dronemap.proxy.endpoint;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.LongAdder;
 
-/** What went through one endpoint since its start. Any thread. */
+/** Counters of the traffic of one endpoint since its start. Any thread. */
 public final class EndpointCounters {
     private final LongAdder framesIn = new LongAdder();
     private final LongAdder framesOut = new LongAdder();

@@ -2,7 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import org.jspecify.annotations.Nullable;
 
-/** How an endpoint is doing; {@code reason} is a sentence for people when it is not open. */
+/** The state of an endpoint; {@code reason} is a sentence for people when it is not open. */
 public record EndpointState(Phase phase, @Nullable String reason) {
     static final EndpointState OPEN = new EndpointState(Phase.OPEN, null);
 

@@ -10,8 +10,7 @@ import org.dronemap.core.stored.Stored;
 import org.dronemap.core.stored.StoredNames;
 
 /**
- * Where vehicles call in or are called, such as {@code udpserver://127.0.0.1:14550} (port 0 takes any free one) or
- * {@code serial:///dev/ttyUSB0?baud=57600}.
+ * The URL of an endpoint, such as {@code udpserver://127.0.0.1:14550} or {@code serial:///dev/ttyUSB0?baud=57600}.
  *
  * @param host empty for a serial line
  * @param path the device of a serial line, the path of a WebSocket, else empty

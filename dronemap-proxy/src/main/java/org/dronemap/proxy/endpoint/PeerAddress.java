@@ -2,10 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import java.net.InetSocketAddress;
 
-/**
- * Where a peer is: numeric IP address and port, or for a line without addresses its device, such as {@code /dev/ttyUSB0},
- * and port 0.
- */
+/** The address of a peer: numeric IP address and port, or the device of a serial line and port 0. */
 public record PeerAddress(String host, int port) {
     static PeerAddress of(InetSocketAddress address) {
         return address.getAddress() == null

@@ -29,14 +29,14 @@ final class PeerBook<K> {
     private final Map<String, Host> hosts = new HashMap<>();
     private volatile long sweptNanos;
 
-    /** How many peers there may be. */
+    /** The greatest number of peers, in all and per host. */
     record Limits(int peers, int perHost) {}
 
-    /** What a new seat needs. */
+    /** The counters, handlers and shared budget that a new peer is made with. */
     record Welcome(
             EndpointCounters counters, PeerHandler.Factory handlers, String host, Allowance hostsStrangers, long now) {}
 
-    /** What the peers of one host share. */
+    /** The state that all peers of one host share. */
     private static final class Host {
         private final Allowance strangers;
         private int peers;

@@ -28,7 +28,7 @@ final class Seat implements Peer {
     private volatile long lastHeardNanos;
     private final AtomicBoolean ended = new AtomicBoolean();
 
-    /** What all seats of one endpoint, or of one line, have in common; and where a WebSocket was opened to. */
+    /** The properties that all peers of one endpoint share, and the path that a WebSocket was opened to. */
     record Place(String transport, boolean local, boolean datagram, Optional<String> identity, String path) {
         Place(String transport, boolean local, boolean datagram, Optional<String> identity) {
             this(transport, local, datagram, identity, "");

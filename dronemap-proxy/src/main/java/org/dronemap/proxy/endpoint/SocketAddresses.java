@@ -5,7 +5,7 @@ import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 
-/** What sockets of all kinds need to say and ask about addresses. */
+/** Resolves and describes socket addresses for endpoints of all kinds. */
 final class SocketAddresses {
     private SocketAddresses() {}
 

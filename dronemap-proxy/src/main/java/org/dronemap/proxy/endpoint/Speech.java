@@ -1,7 +1,7 @@
 package org.dronemap.proxy.endpoint;
 
 /**
- * How those who call in speak.
+ * The message format of an endpoint's peers: text or binary, and the longest message.
  *
  * @param text WebSocket messages are texts, not frames of bytes
  * @param longestDatagram bytes; what is longer is cut, and so counted as broken

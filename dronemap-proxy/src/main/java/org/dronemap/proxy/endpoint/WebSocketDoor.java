@@ -62,7 +62,7 @@ public final class WebSocketDoor implements WebSocketServerFactory {
     private final Cuts cuts;
 
     /**
-     * What is allowed.
+     * The limits of connections and of handshakes.
      *
      * @param perHost connections of one host
      * @param strangersPerHost of these, ones that have not shaken hands

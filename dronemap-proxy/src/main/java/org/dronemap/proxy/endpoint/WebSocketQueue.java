@@ -6,7 +6,7 @@ import org.java_websocket.WebSocketImpl;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
 import org.java_websocket.framing.CloseFrame;
 
-/** Frames into a WebSocket, whose own queue has no bound: above 256 waiting ones the new frame is dropped. */
+/** Sends frames into a WebSocket and drops new ones while 256 wait, since its own queue has no bound. */
 record WebSocketQueue(WebSocket socket, boolean text) implements Wire {
     private static final int MOST_WAITING = 256;
 

@@ -4,7 +4,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 
-/** What a client asked of a drone that it sees and that is in contact. Owned by the outlet's thread. */
+/** A request of a client about a drone that it sees and that is in contact. Owned by the outlet's thread. */
 record Asked(OutletClient client, DroneId drone, VehicleTap vehicle, Frame frame) {
     /** In which it is answered. */
     private Voice voice() {

@@ -30,7 +30,7 @@ final class CommandWords {
     private CommandWords() {}
 
     /**
-     * What is asked, and of whom.
+     * A client's MAV_CMD together with the heartbeat and state of the drone that it is for.
      *
      * @param command with place in degrees 1e7 and its altitude, whichever message brought it
      * @param heartbeat the autopilot's last one

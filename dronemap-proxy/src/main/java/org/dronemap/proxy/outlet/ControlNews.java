@@ -24,7 +24,7 @@ final class ControlNews implements CloudListener, AutoCloseable {
     private final Map<DroneId, VehicleTap> vehicles;
     private final Room room;
 
-    /** Where the clients are. Any thread. */
+    /** The attached clients, and a way to run tasks on their thread. Any thread. */
     interface Room {
         List<OutletClient> clients();
 

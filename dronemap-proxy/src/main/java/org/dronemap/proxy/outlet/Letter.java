@@ -4,14 +4,14 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 
-/** What a client is to get; it is numbered, addressed and signed only when it goes. */
+/** A message for one client, numbered, addressed and signed only when it is sent. */
 sealed interface Letter {
-    /** What a vehicle said. */
+    /** A frame that a vehicle sent. */
     record OfVehicle(DroneId drone, Frame frame) implements Letter {}
 
-    /** What the cloud says in the name of a component of a drone. */
+    /** A message that the cloud sends in the name of a component of a drone. */
     record ForVehicle(DroneId drone, int component, Message message) implements Letter {}
 
-    /** What the cloud says for itself. */
+    /** A message that the cloud sends in its own name. */
     record OfCloud(Message message) implements Letter {}
 }

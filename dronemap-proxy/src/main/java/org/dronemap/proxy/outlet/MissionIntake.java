@@ -47,7 +47,7 @@ final class MissionIntake {
 
     private record Place(String client, DroneId drone) {}
 
-    /** What one client is sending for one drone. */
+    /** A mission, fence or rally point upload of one client for one drone. */
     private static final class Intake {
         private final Asked asked;
         private final int kind;

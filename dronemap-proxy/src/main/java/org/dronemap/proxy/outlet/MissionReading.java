@@ -11,11 +11,11 @@ import org.dronemap.proxy.mavlink.procedure.MissionKind;
 import org.dronemap.proxy.mavlink.translate.FenceCodec;
 import org.dronemap.proxy.mavlink.translate.MissionCodec;
 
-/** What the items of a client mean as a command of the cloud: all of it, or nothing. Stateless. */
+/** Reads the mission items of a client as one command of the cloud, completely or not at all. Stateless. */
 final class MissionReading {
     private MissionReading() {}
 
-    /** What came of it. */
+    /** The result of reading a client's items. */
     sealed interface Read {}
 
     record Understood(Command command) implements Read {}

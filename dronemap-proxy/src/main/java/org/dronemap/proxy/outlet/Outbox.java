@@ -9,8 +9,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 
 /**
- * What waits for one client whose link takes no more: answers and events in order, of telemetry the newest of each kind.
- * Bounded; what is replaced or falls out is counted. Owned by the outlet's thread.
+ * A bounded send queue of one client: replies and events in order, of telemetry the newest of each kind. Bounded; what
+ * is replaced or falls out is counted. Owned by the outlet's thread.
  */
 final class Outbox {
     private static final int MOST_EVENTS = 512;

@@ -54,7 +54,7 @@ final class OutletClient {
     private long lastHeardNanos;
     private volatile @Nullable Principal principal;
 
-    /** What makes a client: whose it is, the system id that it gives itself, since when. */
+    /** The identity of a client: its credential, its own system id, and since when it is attached. */
     record Entry(String id, Pass pass, int systemId, Instant since, long nowNanos) {}
 
     OutletClient(Entry entry, Peer peer, SystemNumbers numbers, Principal principal) {

@@ -3,7 +3,7 @@ package org.dronemap.proxy.outlet;
 import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.mavlink.signing.Verdict;
 
-/** What was turned away at the outlet since its start. Any thread. */
+/** Counters of the frames turned away at the outlet since its start. Any thread. */
 final class OutletCounts {
     private final LongAdder unsigned = new LongAdder();
     private final LongAdder badSignature = new LongAdder();

@@ -6,7 +6,7 @@ import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.time.Time;
 
 /**
- * What the outlet goes by.
+ * The services that the outlet depends on: cloud, store, journal, rights, lease control and time.
  *
  * @param store keys of users, and what they call drones
  * @param journal writes to it in the background

@@ -64,7 +64,7 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
 
     private record Heard(Peer peer, Pass pass, Frame frame) {}
 
-    /** Whom somebody disconnected: that user, from there, whatever the port. */
+    /** The user and host of a client that was disconnected, whatever its port. */
     private record SentAway(String user, String host) {}
 
     private record Said(DroneId drone, Frame frame) {}

@@ -4,7 +4,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.mavlink.FrameSigner;
 import org.jspecify.annotations.Nullable;
 
-/** By what a program was let in: its user's key, or a port of the user's own. Any thread. */
+/** The credential that a program was admitted by: its user's key, or a personal port. Any thread. */
 sealed interface Pass permits UserKey, PersonalPort {
     String user();
 

@@ -21,7 +21,7 @@ final class PlaceWatch {
     private int times;
     private boolean leads;
 
-    /** What is to be done about a place. */
+    /** The meaning of one position target: a go-to, a repetition of it, or part of a stream. */
     enum Meaning {
         GO_TO,
         SAID_AGAIN,

@@ -2,7 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import org.dronemap.core.command.Outcome;
 
-/** Outcomes as MAVLink and people put them. */
+/** Translates outcomes into MAV_RESULT and into a sentence for people. */
 final class Reasons {
     static final int ACCEPTED = 0;
     static final int TEMPORARILY_REJECTED = 1;

@@ -15,7 +15,7 @@ import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.jspecify.annotations.Nullable;
 
-/** What the messages by which clients steer mean, see POSITION_TARGET_TYPEMASK, MAV_FRAME and MANUAL_CONTROL. Stateless. */
+/** Reads the messages by which clients steer, see POSITION_TARGET_TYPEMASK, MAV_FRAME and MANUAL_CONTROL. Stateless. */
 final class SteeringWords {
     private static final int POSITION = 0x007;
     private static final int SPEED = 0x038;
@@ -39,7 +39,7 @@ final class SteeringWords {
 
     private SteeringWords() {}
 
-    /** What a client wants with the helm. */
+    /** The intent of a client's steering message. */
     sealed interface Wish {
         /** The remark says what else was said, and is left out. */
         record Steer(Setpoint setpoint, Optional<String> remark) implements Wish {

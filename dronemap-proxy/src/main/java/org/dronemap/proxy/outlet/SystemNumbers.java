@@ -11,8 +11,8 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Under which system id each user's programs know a drone: the vehicle's own where it is free, and from then on always the
- * same. Owned by the outlet's thread.
+ * The system ids under which each user's programs know drones: the vehicle's own where free, and stable. Owned by the
+ * outlet's thread.
  */
 final class SystemNumbers {
     /** Above these ground stations number themselves. */

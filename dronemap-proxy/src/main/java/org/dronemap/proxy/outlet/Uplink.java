@@ -37,7 +37,7 @@ import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.Timesync;
 
 /**
- * What becomes of the messages of clients, by kind; no kind that is not named here has any effect. No frame goes on to a
+ * Dispatches the messages of clients by kind; a kind that is not named here has no effect. No frame goes on to a
  * vehicle. Owned by the outlet's thread.
  */
 final class Uplink implements AutoCloseable {

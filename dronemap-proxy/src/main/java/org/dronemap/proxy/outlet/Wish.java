@@ -2,7 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import org.dronemap.core.command.Command;
 
-/** What a MAVLink command of a client comes to. */
+/** The intent of a client's MAVLink command. */
 sealed interface Wish {
     /** A command of the cloud, through its gate. */
     record Order(Command command) implements Wish {}

@@ -6,7 +6,7 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.session.FrameTap;
 
-/** What a vehicle's session heard and said; its autopilot says whether it is armed. Any thread. */
+/** A recording buffer for the frames of one vehicle session, driven by the autopilot's armed state. Any thread. */
 final class FrameTape extends Tape implements FrameTap {
     private static final int HALF_BYTES = 32_768;
     private static final int LONGEST = 512;

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** What a session that speaks in texts heard and said, a line of JSON each. Any thread. */
+/** A recording buffer for the text messages of one session, one line of JSON each. Any thread. */
 final class LineTape extends Tape implements LineTap {
     private static final int HALF_BYTES = 65_536;
     /** A text may need twice its length, as its quotes are escaped. */

@@ -65,7 +65,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     private Stretch spare = Tape.empty();
     private int rounds;
 
-    /** Where what is known of recordings is kept, the thread that writes it, and what drones are called. */
+    /** The store of recordings, the thread that writes to it, and the names of drones. */
     public record Keeping(RecordingStore store, Journal journal, Function<DroneId, String> names) {}
 
     public Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Time time) {

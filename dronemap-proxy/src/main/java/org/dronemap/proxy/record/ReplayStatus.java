@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How far a recording is.
+ * The progress of one replay of a recording.
  *
  * @param records frames taken from it
  * @param goodMessages frames with a right checksum
@@ -49,7 +49,7 @@ public record ReplayStatus(
                 failure);
     }
 
-    /** Where it is between start and end. */
+    /** The state of a replay between start and end. */
     public enum State {
         RUNNING,
         FINISHED,

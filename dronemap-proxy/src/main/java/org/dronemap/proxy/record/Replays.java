@@ -14,7 +14,7 @@ import org.dronemap.proxy.session.SessionTable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** All recordings that play, on one thread together, and those that have played. Any thread. */
+/** The registry of running and finished replays, all played on one thread. Any thread. */
 public final class Replays implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Replays.class);
     private static final int MOST_AT_ONCE = 8;
@@ -31,7 +31,7 @@ public final class Replays implements AutoCloseable {
     private final Repetition steps;
     private int numbers;
 
-    /** What is to be played; {@code in} is closed at its end, {@code lengthBytes} 0 when not known. */
+    /** The source of a replay; {@code in} is closed at its end, {@code lengthBytes} 0 when not known. */
     public record Recording(String name, InputStream in, long lengthBytes, double speed) {
         public Recording {
             if (!(speed >= SLOWEST && speed <= FASTEST)) {

@@ -2,7 +2,7 @@ package org.dronemap.proxy.record;
 
 import java.util.concurrent.atomic.AtomicLong;
 
-/** How many bytes may wait in memory for the disk, over all tapes. Any thread. */
+/** A budget of bytes that may wait in memory for the disk, over all recording buffers. Any thread. */
 final class Room {
     private final AtomicLong free;
 

@@ -11,8 +11,8 @@ import java.util.List;
 import org.dronemap.core.cloud.Mandate;
 
 /**
- * Beside a recording: a line for each frame that went out, with its place in the recording (bytes), the command that it
- * was sent for, the epoch of control and the user, parted by tabs; a dash where there is none. Owned by the writer.
+ * The index of the sent frames of one recording: a line each with position, command, control epoch and user. Owned by
+ * the writer.
  */
 final class SentIndex implements AutoCloseable {
     static final String HEADER = "offset\tcommand\tepoch\tby\n";

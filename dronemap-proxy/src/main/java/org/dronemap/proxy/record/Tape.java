@@ -6,9 +6,9 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one session heard and said: the last seconds while nothing is recorded, and all that waits for the writer while
- * it is. Endpoint and lane put records down, the writer takes them away; every method holds the object's lock, never
- * longer than it takes to copy a record.
+ * A buffer of one session's records: the last seconds before a recording, and all that waits for the writer. Endpoint
+ * and lane put records down, the writer takes them away; every method holds the object's lock, never longer than it
+ * takes to copy a record.
  */
 abstract sealed class Tape permits FrameTape, LineTape {
     static final long BEFORE_MICROS = 5_000_000;

@@ -9,7 +9,7 @@ import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.proxy.roslink.wire.Order;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
 
-/** What a command wants of a robot: the order for it, and by which report it shows. Immutable. */
+/** The state that a command wants of a robot: the order to send, and the report that shows it. Immutable. */
 sealed interface Aim {
     long SECOND_NANOS = 1_000_000_000L;
 

@@ -10,10 +10,7 @@ import org.dronemap.proxy.roslink.wire.Reading;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/**
- * What came and was not let in: all counted, and told in the log once in a while, so that a flood does not fill it. Never
- * with a key. Thread-safe.
- */
+/** Counts and logs refused robot messages, at a bounded rate and never with a key. Never with a key. Thread-safe. */
 final class Refusals {
     private static final Logger LOG = LoggerFactory.getLogger(Refusals.class);
     private static final long BETWEEN_NANOS = 5_000_000_000L;

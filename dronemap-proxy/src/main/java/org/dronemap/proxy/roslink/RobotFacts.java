@@ -4,7 +4,7 @@ import org.dronemap.core.drone.FlightPhase;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a robot has reported last; null what it never said. Immutable.
+ * The last reported status of a robot; null where it reported nothing. Immutable.
  *
  * @param mode its number where it is one of a flight controller
  * @param mapShown the last that it sent as its map was one
@@ -18,7 +18,7 @@ record RobotFacts(
     static final RobotFacts NONE = new RobotFacts(null, null, null, new Course(null, null, null, null, null), false);
 
     /**
-     * Where it is and how it moves.
+     * The position and motion of a robot in its map.
      *
      * @param x metres along the axis of its map
      * @param y metres along the other axis

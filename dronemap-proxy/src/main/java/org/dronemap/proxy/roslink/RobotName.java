@@ -9,8 +9,7 @@ import org.dronemap.core.link.RobotKey;
 import org.jspecify.annotations.Nullable;
 
 /**
- * By what the links of one robot are known to be its: the key that was issued to it, else a key of its own making together
- * with its system id, else its address.
+ * The identity that joins the links of one robot: its issued key, its own key and system id, or its address.
  *
  * @param issued its key; null where it shows none
  * @param hardware what tells it from others where it proves nothing; null where it has an issued key, or none at all

@@ -7,7 +7,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** What the path of a WebSocket says of the robot behind it: nothing ({@code /}), or its owner and key. */
+/** The owner and key in the path of a robot's WebSocket; the bare path has neither. */
 record RobotPath(@Nullable String owner, @Nullable String key) {
     private static final int LONGEST = 400;
     private static final Pattern KEYED = Pattern.compile("/websockets/roslink/user/([^/?#]+)/robot/([^/?#]+)/robot/?");

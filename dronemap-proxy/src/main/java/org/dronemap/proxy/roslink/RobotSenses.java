@@ -11,7 +11,10 @@ import org.dronemap.proxy.roslink.wire.Base64Text;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.jspecify.annotations.Nullable;
 
-/** What a robot's sensors bring, in the words of the house; what is none of it is counted. Owned by the session's lane. */
+/**
+ * Translates scans, images and maps of a robot into drone events, and counts what is unreadable. Owned by the session's
+ * lane.
+ */
 final class RobotSenses {
     private static final double USUAL_MAP_METERS = 20;
     private static final double LEAST_RANGE_METERS = 1e-3;

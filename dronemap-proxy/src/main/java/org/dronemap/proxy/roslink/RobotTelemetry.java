@@ -23,7 +23,10 @@ import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotMessage.Triple;
 import org.jspecify.annotations.Nullable;
 
-/** What a robot says, in the words of the house: what it did not measure is unknown, never 0. Owned by the session's lane. */
+/**
+ * Translates the reports of a robot into drone events; what was not measured is unknown, never 0. Owned by the
+ * session's lane.
+ */
 final class RobotTelemetry {
     private static final double MILLIVOLTS_FROM = 1_000;
     private static final int MOST_PERCENT = 100;

@@ -3,7 +3,7 @@ package org.dronemap.proxy.roslink;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
-/** What machine a robot is, by the number in its heartbeat; each bridge speaks of its state in its own words. */
+/** The type of a robot, by the number in its heartbeat. */
 enum RobotType {
     GENERIC(0, "robot", VehicleKind.UNKNOWN, Words.NONE),
     FIXED_WING(1, "fixed wing", VehicleKind.FIXED_WING, Words.MAVROS),
@@ -24,7 +24,7 @@ enum RobotType {
     private final VehicleKind kind;
     private final Words words;
 
-    /** How its bridge speaks of state and height, and what it can be told. */
+    /** The dialect of a robot's bridge: how it reports state and height, and which orders it takes. */
     enum Words {
         /** Nothing is known of them. */
         NONE,

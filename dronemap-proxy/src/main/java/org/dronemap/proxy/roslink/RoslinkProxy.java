@@ -21,7 +21,7 @@ public final class RoslinkProxy implements AutoCloseable {
     private final Links links;
 
     /**
-     * How robots are let in.
+     * The rules and collaborators that sessions of robots are made with.
      *
      * @param keys issued to robots
      * @param taps hear every message of a session, one each

@@ -5,9 +5,9 @@ import org.dronemap.proxy.roslink.wire.Order;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
 
 /**
- * Zero speeds for a robot that nobody steers any more, or that has just called in: it may drive on with the last speeds that it
- * heard for ever. Nothing is acknowledged, so they are said quickly a few times, and then until the robot reports that it
- * stands. Without I/O; owned by the session's lane.
+ * Sends zero speeds to a robot that nobody steers any more, or that has just connected, until it stands. Nothing is
+ * acknowledged, so they are said quickly a few times, and then until the robot reports that it stands. Without I/O;
+ * owned by the session's lane.
  */
 final class Standstill {
     private static final long SECOND_NANOS = 1_000_000_000L;

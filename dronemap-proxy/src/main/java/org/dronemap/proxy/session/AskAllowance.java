@@ -1,9 +1,6 @@
 package org.dronemap.proxy.session;
 
-/**
- * How many questions may go to vehicles that nobody knows, over all of them: a flood with made-up addresses must not turn
- * this server against others. Thread-safe.
- */
+/** A rate limit for identification requests to unknown vehicles, over all of them. Thread-safe. */
 public final class AskAllowance {
     private static final double A_SECOND = 200;
     private static final double AT_ONCE = 400;

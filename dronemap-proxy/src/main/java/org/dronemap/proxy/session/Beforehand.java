@@ -5,7 +5,7 @@ import java.util.Map;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.AutopilotVersion;
 
-/** Who systems said they are before their first heartbeat: said once, often before anybody knows it matters. */
+/** Keeps the AUTOPILOT_VERSION of systems that sent it before their first heartbeat. */
 final class Beforehand {
     private final Map<Integer, Frame> versions = new HashMap<>();
 

@@ -26,8 +26,8 @@ import org.dronemap.proxy.mavlink.translate.Telemetry;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
 
 /**
- * What is said between one autopilot and the cloud, on whichever link: news of the vehicle, company as a ground station,
- * commands and what becomes of them. Owned by the lane of its session.
+ * The message exchange with one autopilot, over any of its links: telemetry, heartbeats and commands. Owned by the lane
+ * of its session.
  */
 final class Conversation {
     /**

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.dronemap.core.cloud.DroneLink;
 import org.dronemap.core.event.DroneEvent;
 
-/** What a vehicle said of itself so far, for the drone that it will be bound to. Owned by the session's lane. */
+/** A buffer of the events of a vehicle for the drone that it will be bound to. Owned by the session's lane. */
 final class EarlyNews {
     private static final int MOST_TEXTS = 20;
 

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.session;
 
-/** From where unknown vehicles become drones by themselves; from anywhere else they wait until somebody lets them in. */
+/** The rule from where unknown vehicles become drones by themselves; all others wait for approval. */
 public enum Enrolment {
     /** From this machine only. */
     LOOPBACK,

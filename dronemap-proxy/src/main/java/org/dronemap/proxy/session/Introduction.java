@@ -15,7 +15,10 @@ import org.dronemap.proxy.mavlink.translate.VehicleStatus;
 import org.dronemap.proxy.signing.LinkGuard;
 import org.jspecify.annotations.Nullable;
 
-/** What a session knows of who its vehicle is, and claims for it at the cloud. Owned by the session's lane. */
+/**
+ * Claims a drone at the cloud for one session, by the identification and proof of its vehicle. Owned by the session's
+ * lane.
+ */
 final class Introduction {
     private static final long PATIENCE_NANOS = 1_000_000_000L;
     /** Whoever is somebody else ever again is not believed, nor may it fill the list of drones. */

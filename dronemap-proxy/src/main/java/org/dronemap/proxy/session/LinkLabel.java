@@ -7,7 +7,7 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a link comes from.
+ * The origin of a link: key, transport, proven identity, and whether it is a replay or local.
  *
  * @param replay out of a recording, nothing is ever sent
  * @param local only this machine can be on the other side

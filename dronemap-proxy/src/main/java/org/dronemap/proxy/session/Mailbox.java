@@ -15,8 +15,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Frames of one session in order, worked off on one lane at a time, also while the session moves to another lane.
- * Bounded: what newer news replaces is refused above three quarters, the rest when it is full.
+ * A bounded queue of one session's frames, processed in order and on one lane at a time. Bounded: what newer news
+ * replaces is refused above three quarters, the rest when it is full.
  */
 final class Mailbox {
     private static final Logger LOG = LoggerFactory.getLogger(Mailbox.class);

@@ -70,7 +70,7 @@ public final class ReplayFeed {
         return links.values().stream().map(VehicleLink::session).filter(Objects::nonNull);
     }
 
-    /** Who hears what is sent to a recording. */
+    /** A peer of a replay that discards all that is sent to it. */
     private record Nobody(int number) implements Peer {
         @Override
         public PeerAddress address() {

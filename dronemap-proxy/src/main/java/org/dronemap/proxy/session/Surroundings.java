@@ -6,10 +6,7 @@ import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.process.PeerWatch;
 import org.dronemap.proxy.signing.Keyrings;
 
-/**
- * What every session needs: the cloud, its lanes, monotonic time in ns, keys of vehicles, who hears its frames, how
- * strangers are treated, and who wants to know whose bytes are worked on.
- */
+/** The services and settings that every session depends on. */
 public record Surroundings(
         CloudManager cloud,
         Lanes lanes,

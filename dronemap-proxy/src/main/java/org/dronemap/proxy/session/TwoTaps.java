@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.MissionItemInt;
 
-/** Two that hear the same session. */
+/** A frame tap that passes everything on to two taps. */
 record TwoTaps(FrameTap first, FrameTap second) implements FrameTap {
     @Override
     public void heard(Frame frame) {

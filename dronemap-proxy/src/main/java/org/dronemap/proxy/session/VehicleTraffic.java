@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneKey;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What went between one vehicle and the cloud over one link since it was first heard there.
+ * Counters of the traffic between one vehicle and the cloud over one link.
  *
  * @param drone null until the vehicle is bound to one
  * @param lost messages missing from its sequence numbers

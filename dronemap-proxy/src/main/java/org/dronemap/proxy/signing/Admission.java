@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-/** What becomes of one received frame. */
+/** The decision about one received frame. */
 public enum Admission {
     /** It speaks for the drone, and its signature proves that. */
     PROVEN,

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-/** Why the key on a vehicle, or what is asked of its signatures, was not changed. */
+/** The reason why a key change on a vehicle failed. */
 public enum ChangeFault {
     /** Another change of its key is under way. */
     CHANGING,

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-/** What is done to the key on a vehicle. */
+/** The kind of a key change on a vehicle. */
 public enum ChangeKind {
     /** The vehicle gets the key that was made for it. */
     INSTALL,

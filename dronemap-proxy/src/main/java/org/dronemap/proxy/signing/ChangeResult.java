@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-/** How a change of the key on a vehicle ended. */
+/** The result of a key change on a vehicle. */
 public sealed interface ChangeResult {
     /** The vehicle was heard to do as it should. */
     record Done() implements ChangeResult {}

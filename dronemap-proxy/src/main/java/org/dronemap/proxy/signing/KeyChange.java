@@ -25,7 +25,7 @@ final class KeyChange {
     private boolean heardOldSince;
     private @Nullable ChangeResult result;
 
-    /** Which key a valid frame was signed with. */
+    /** The key that a valid frame was signed with. */
     enum Use {
         OLD,
         NEW,

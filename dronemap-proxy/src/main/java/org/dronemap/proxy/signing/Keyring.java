@@ -43,7 +43,9 @@ final class Keyring {
     private CompletableFuture<ChangeResult> changeEnd = new CompletableFuture<>();
     private long stampedNanos;
 
-    /** What a keyring tells; none of these may wait. {@code keep} runs its second argument when that is durable. */
+    /**
+     * The callbacks of a keyring, none of which may wait. {@code keep} runs its second argument when that is durable.
+     */
     record Keeper(BiConsumer<LinkSecurity, Runnable> keep, Consumer<LinkSecurity> stamp, Consumer<String> warn) {}
 
     /** A key for the vehicle, or null to take its key away, and the time that its signatures begin with. */

@@ -33,7 +33,7 @@ public final class Keyrings implements AutoCloseable {
     private final ConcurrentHashMap<DroneId, Set<LinkGuard>> links = new ConcurrentHashMap<>();
 
     /**
-     * Where keyrings keep things and what they ask.
+     * The store, journal and callbacks that keyrings depend on.
      *
      * @param systemIdOf the system id that a drone was last heard with
      * @param warn says a sentence to everybody who looks at the drone; does not wait

@@ -4,7 +4,7 @@ import org.dronemap.core.access.LinkPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How one drone's link is secured now; no secret is in it.
+ * The security status of one drone's link, without any secret.
  *
  * @param fingerprint of the key; null: there is none
  * @param proven the vehicle was heard using the key

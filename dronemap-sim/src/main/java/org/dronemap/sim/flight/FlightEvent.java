@@ -1,6 +1,6 @@
 package org.dronemap.sim.flight;
 
-/** What a vehicle says or passes on its way. */
+/** An event on a simulated vehicle's way: a sentence, or progress of its mission. */
 public sealed interface FlightEvent {
     /** A sentence for the operator. */
     record Text(Severity severity, String text) implements FlightEvent {}

@@ -2,7 +2,7 @@ package org.dronemap.sim.flight;
 
 import org.dronemap.sim.physics.Setpoint;
 
-/** Something a vehicle is flying just now: asked before each step what the motors shall do. */
+/** A manoeuvre under way, which gives the motors their setpoint before each step. */
 public interface Manoeuvre {
     Setpoint fly(Craft craft, long nowMillis);
 

@@ -13,7 +13,7 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.PayloadWriter;
 
-/** Somebody who means no good: floods a server from one address, by a seed, a millisecond's worth at a time. One thread. */
+/** Floods a server from one address with seeded garbage, a millisecond's worth at a time. One thread. One thread. */
 final class Flooder {
     private static final int KINDS_OF_DATAGRAMS = 4_096;
     private static final int LONGEST_NOISE = 300;

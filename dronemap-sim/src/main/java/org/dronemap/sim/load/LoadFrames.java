@@ -8,8 +8,9 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.VfrHud;
 
 /**
- * All that one load vehicle ever says, from its number and the pace alone, so that who checks can say it again. Positions
- * carry vehicle and step: step in the latitude, vehicle in the longitude, in steps of 1e-7 degrees. Not thread-safe.
+ * The frames of one load vehicle, derived from its number and the pace alone, so that a checker can repeat them.
+ * Positions carry vehicle and step: step in the latitude, vehicle in the longitude, in steps of 1e-7 degrees. Not
+ * thread-safe.
  */
 final class LoadFrames {
     static final int LATITUDE_E7 = 470_000_000;

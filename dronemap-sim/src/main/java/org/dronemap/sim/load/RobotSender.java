@@ -31,7 +31,7 @@ final class RobotSender {
     private long byWeb;
     private long refused;
 
-    /** What one robot says, and by which ways. */
+    /** One load robot: its messages and its links. */
     private final class Robot {
         private final RobotWords words;
         private final DatagramChannel udp = DatagramChannel.open();

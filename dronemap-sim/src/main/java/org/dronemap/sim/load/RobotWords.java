@@ -3,8 +3,8 @@ package org.dronemap.sim.load;
 import java.util.Locale;
 
 /**
- * All that one load robot ever says, from its number and the pace alone: where it is tells which step it is at (x) and
- * which robot it is (y). Not thread-safe.
+ * The messages of one load robot, derived from its number and the pace alone: x is the step, y the robot. Not
+ * thread-safe.
  */
 final class RobotWords {
     private static final int HEARTBEAT = 0;

@@ -3,7 +3,10 @@ package org.dronemap.sim.personality;
 import java.util.HashSet;
 import java.util.Set;
 
-/** What a faulty vehicle keeps otherwise than it was told, without a word. Owned by its vehicle. */
+/**
+ * Injected storage faults: parameters and items that a faulty vehicle silently stores otherwise than sent. Owned by its
+ * vehicle.
+ */
 public final class Alterations {
     private final Set<String> parameters = new HashSet<>();
     private final Set<Integer> items = new HashSet<>();

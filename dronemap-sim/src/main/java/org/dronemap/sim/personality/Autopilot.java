@@ -9,7 +9,7 @@ import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.Parameters;
 
-/** What differs between autopilots: which orders they accept, their modes, their fail-safes. Owned by the fleet's thread. */
+/** A simulated autopilot: the commands that it accepts, its modes and its fail-safes. Owned by the fleet's thread. */
 public interface Autopilot {
     /** Flies on to {@code nowMillis} of the vehicle's clock. */
     void step(long nowMillis, double seconds);

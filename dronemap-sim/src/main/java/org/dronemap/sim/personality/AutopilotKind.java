@@ -5,7 +5,7 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.FlightEvent;
 
-/** Which autopilot a vehicle has; also what to print on its link before the first frame. */
+/** A kind of autopilot: its name, the banner on its link before the first frame, and its maker. */
 public record AutopilotKind(String name, String banner, Maker maker) {
     /** Builds an autopilot around a craft. */
     public interface Maker {

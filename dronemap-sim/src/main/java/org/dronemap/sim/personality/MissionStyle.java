@@ -1,6 +1,6 @@
 package org.dronemap.sim.personality;
 
-/** How an autopilot takes a mission over the wire. */
+/** The behaviour of an autopilot in the mission protocol. */
 public record MissionStyle(
         boolean overwritesInPlace,
         boolean firstItemIsHome,

@@ -2,7 +2,10 @@ package org.dronemap.sim.personality;
 
 import java.util.function.IntConsumer;
 
-/** Which messages a vehicle sends how often: few kinds, so arrays and no objects. Milliseconds of the vehicle's clock. */
+/**
+ * The rates of the messages that a vehicle sends, in arrays since the kinds are few. Milliseconds of the vehicle's
+ * clock.
+ */
 final class Streams {
     private static final int[] EXTENDED_STATUS = {1, 24, 42};
     private static final int[] POSITION = {33};

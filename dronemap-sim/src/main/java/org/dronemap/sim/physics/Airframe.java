@@ -1,9 +1,6 @@
 package org.dronemap.sim.physics;
 
-/**
- * What an airframe can do: accelerations in m/s² (the deceleration is the planned one), rates in rad/s, drag as the acceleration per m/s of airspeed,
- * terminal speed of a fall in m/s, and how far it leans of its own accord, in radians, beside a place that moves; infinite: it is never at the end of that.
- */
+/** The performance limits of an airframe, in m/s, m/s², rad and rad/s. */
 public record Airframe(
         double horizontalAcceleration,
         double horizontalDeceleration,

@@ -1,9 +1,8 @@
 package org.dronemap.sim.physics;
 
 /**
- * How ArduCopter comes up to a place that moves: it flies with a place of its own, its reference, which comes up without jerks,
- * and leans by how far it is off that. As long as it would have to lean farther than it may, the reference waits: then it neither
- * comes up nor turns. Owned by its body.
+ * ArduCopter's controller for a moving target: a smoothed reference, and a lean by the offset from it. As long as it
+ * would have to lean farther than it may, the reference waits: then it neither comes up nor turns. Owned by its body.
  */
 final class Chaser {
     /** m/s² and m/s³ as delivered (WPNAV_ACCEL, PSC_JERK_XY). */
@@ -29,7 +28,7 @@ final class Chaser {
     /** What it would lean for; zero: it may. */
     private Flat over = Flat.ZERO;
 
-    /** Where something is, and how it moves. */
+    /** A position over the ground and its velocity. */
     record Moving(Flat place, Flat velocity) {}
 
     /** {@code most}: what it may lean for, in m/s²; {@code leans}: what it leans for against the wind. */

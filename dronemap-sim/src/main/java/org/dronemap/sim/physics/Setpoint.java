@@ -1,6 +1,6 @@
 package org.dronemap.sim.physics;
 
-/** What the motors are told to bring about until the next step. */
+/** A setpoint for the motors until the next step. */
 public sealed interface Setpoint {
     /** Motors stopped: stands on the ground, or falls. */
     record Still() implements Setpoint {}

@@ -1,6 +1,6 @@
 package org.dronemap.sim.robot;
 
-/** What the server says, by the numbers that the wire knows it by. */
+/** The message ids of the server's orders. */
 final class Orders {
     static final int HEARTBEAT = 0;
     static final int TWIST = 100;

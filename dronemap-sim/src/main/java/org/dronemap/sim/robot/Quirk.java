@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
 
-/** What bridges in the field do that nobody would expect of them. */
+/** A deviation of bridges in the field from the protocol. */
 public enum Quirk {
     /** Drives on with the last speeds that it heard, for ever; without, it stops half a second after them. */
     REPEATS_TWIST,

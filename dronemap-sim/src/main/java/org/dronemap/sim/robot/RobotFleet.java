@@ -17,7 +17,7 @@ import org.dronemap.sim.robot.RobotOptions.Identity;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** All robots on one thread, which owns them. */
+/** Runs all simulated robots on one thread, which owns them. */
 public final class RobotFleet implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(RobotFleet.class);
     private static final int TURN_MILLIS = 50;
@@ -71,7 +71,7 @@ public final class RobotFleet implements AutoCloseable {
                 .join();
     }
 
-    /** Where a robot truly is, in metres, and how fast it moves or turns, in m/s or rad/s; what drives is never armed. */
+    /** The true pose and speed of a robot, in metres, m/s or rad/s; a ground robot is never armed. */
     public record Truth(double x, double y, double height, double speed, boolean armed) {}
 
     @Override

@@ -6,7 +6,7 @@ import org.dronemap.sim.link.ServerAddress;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What robots there are and how they speak.
+ * The options of simulated robots: number, kind, links, rates and quirks.
  *
  * @param kind rover, drone or mixed
  * @param web their WebSocket, beside UDP; null: none
@@ -56,7 +56,7 @@ public record RobotOptions(
         return Quirk.of(text);
     }
 
-    /** What a robot shows of itself; {@code owner} null: none. */
+    /** The identity that a robot shows; {@code owner} null: none. */
     public record Identity(
             int systemId, String key, @Nullable String owner) {
         Identity plus(int number) {

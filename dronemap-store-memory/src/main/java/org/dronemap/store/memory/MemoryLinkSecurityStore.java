@@ -10,7 +10,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.store.StoreException;
 
-/** How links are secured, in memory. Thread-safe: every method holds the object's lock. */
+/** Security settings and signing keys of links in memory. Thread-safe: every method holds the object's lock. */
 public final class MemoryLinkSecurityStore implements LinkSecurityStore {
     private final DroneStore drones;
     private final Map<DroneId, LinkSecurity> kept = new HashMap<>();

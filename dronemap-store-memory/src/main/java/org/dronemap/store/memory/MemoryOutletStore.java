@@ -13,7 +13,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.store.StoreException;
 
-/** What users attach their ground stations with, in memory. Thread-safe: every method holds the object's lock. */
+/** Outlet keys and system ids of ground stations in memory. Thread-safe: every method holds the object's lock. */
 public final class MemoryOutletStore implements OutletStore {
     private final AccessStore access;
     private final DroneStore drones;

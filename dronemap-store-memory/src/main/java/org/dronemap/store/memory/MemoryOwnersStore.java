@@ -8,7 +8,10 @@ import org.dronemap.core.drone.OwnersStore;
 import org.dronemap.core.drone.OwnersValues;
 import org.dronemap.store.StoredInstant;
 
-/** What owners had set on their drones, in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Parameter values of owners, kept while the cloud overrides them, in memory. Thread-safe: every method holds the
+ * object's lock.
+ */
 public final class MemoryOwnersStore implements OwnersStore {
     private final SortedMap<String, OwnersValues> kept = new TreeMap<>();
 

@@ -10,7 +10,7 @@ import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.store.RecordingOrder;
 import org.dronemap.store.StoredInstant;
 
-/** What is known of recordings, in memory. Thread-safe: every method holds the object's lock. */
+/** Descriptions of recordings in memory. Thread-safe: every method holds the object's lock. */
 public final class MemoryRecordingStore implements RecordingStore {
     private final Map<String, Recording> recordings = new HashMap<>();
 

@@ -13,7 +13,7 @@ import org.apache.parquet.format.TimestampType;
 import org.apache.parquet.format.Type;
 import org.dronemap.core.history.TelemetryColumn;
 
-/** How columns are declared at the end of a file. */
+/** The declaration of the columns in the footer of a Parquet file. */
 final class ColumnSchema {
     private static final String ROOT = "telemetry";
 

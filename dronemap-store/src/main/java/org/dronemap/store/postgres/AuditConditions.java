@@ -5,7 +5,7 @@ import java.util.List;
 import org.dronemap.core.audit.AuditQuery;
 import org.jspecify.annotations.Nullable;
 
-/** What is looked for, as a condition on records {@code r} with their endings {@code e}. */
+/** The SQL condition of an audit search on records {@code r} with their endings {@code e}. */
 final class AuditConditions {
     private final StringBuilder text = new StringBuilder("r.ends IS NULL");
     private final List<Object> arguments = new ArrayList<>();

@@ -20,7 +20,10 @@ import java.util.zip.ZipOutputStream;
 import javax.sql.DataSource;
 import org.postgresql.PGConnection;
 
-/** Everything in the database as one zip file, and back. Sessions are left out: nobody stays signed in over a restore. */
+/**
+ * Writes the database into one zip file, and restores it from one. Sessions are left out: nobody stays signed in over a
+ * restore.
+ */
 public final class Backup {
     private final DataSource dataSource;
     private final String schema;

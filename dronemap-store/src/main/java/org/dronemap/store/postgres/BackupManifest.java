@@ -14,7 +14,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What a backup holds.
+ * The manifest of a backup: schema version, time and tables with their checksums.
  *
  * @param schemaVersion the migration that the tables were at
  * @param tables in an order in which they can be filled

@@ -1,6 +1,6 @@
 package org.dronemap.store.postgres;
 
-/** Whether the database answers. */
+/** The health of the database: up, or down with a reason. */
 public sealed interface DatabaseHealth {
     record Up() implements DatabaseHealth {}
 

@@ -10,7 +10,7 @@ import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a PostgreSQL is and how to get in.
+ * Connection settings of a PostgreSQL database.
  *
  * @param jdbcUrl without user and password when those were split off
  * @param user null when the URL's query carries it

@@ -15,7 +15,7 @@ final class DayGate {
     private volatile @Nullable LocalDate watched;
     private volatile boolean touched;
 
-    /** Something that is done with the database. */
+    /** An action on the database. */
     interface Work {
         void run() throws SQLException;
     }

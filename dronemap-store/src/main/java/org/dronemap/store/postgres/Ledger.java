@@ -46,7 +46,7 @@ final class Ledger implements AutoCloseable {
         int on(Connection connection) throws SQLException;
     }
 
-    /** What became of it: a change of no rows leaves no record. */
+    /** The result of a write: rows changed, and the audit record if there were any. */
     record Written(int rows, @Nullable AuditRecord record) {}
 
     /** Null for a record without a change. */

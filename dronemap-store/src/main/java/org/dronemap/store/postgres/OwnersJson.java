@@ -9,7 +9,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 
-/** What owners had set to JSON and back. */
+/** Converts parameter values of owners to JSON and back. */
 final class OwnersJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 

@@ -6,7 +6,7 @@ import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
 import org.dronemap.store.StoreException;
 
-/** Who has control of which drone, in PostgreSQL. Thread-safe. */
+/** Leases of control in PostgreSQL. Thread-safe. */
 public final class PostgresLeaseStore implements LeaseStore {
     private final Sql sql;
 

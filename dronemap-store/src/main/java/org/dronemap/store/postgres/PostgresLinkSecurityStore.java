@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** How links are secured, in PostgreSQL; keys are sealed before they get there. Thread-safe. */
+/** Security settings and signing keys of links in PostgreSQL; keys are sealed before they are stored. Thread-safe. */
 public final class PostgresLinkSecurityStore implements LinkSecurityStore {
     private static final Logger LOG = LoggerFactory.getLogger(PostgresLinkSecurityStore.class);
     private static final String KEY = "key";

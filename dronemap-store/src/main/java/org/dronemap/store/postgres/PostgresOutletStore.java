@@ -12,7 +12,7 @@ import org.dronemap.store.secret.SecretBox;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What users attach their ground stations with, in PostgreSQL; keys are sealed before they get there. Thread-safe. */
+/** Outlet keys and system ids of ground stations in PostgreSQL; keys are sealed before they are stored. Thread-safe. */
 public final class PostgresOutletStore implements OutletStore {
     private static final Logger LOG = LoggerFactory.getLogger(PostgresOutletStore.class);
 

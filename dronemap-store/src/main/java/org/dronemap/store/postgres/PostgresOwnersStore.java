@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.OwnersStore;
 import org.dronemap.core.drone.OwnersValues;
 
-/** What owners had set on their drones, in PostgreSQL. Thread-safe. */
+/** Parameter values of owners, kept while the cloud overrides them, in PostgreSQL. Thread-safe. */
 public final class PostgresOwnersStore implements OwnersStore {
     private final Sql sql;
 

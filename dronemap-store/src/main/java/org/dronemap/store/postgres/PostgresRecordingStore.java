@@ -8,7 +8,7 @@ import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.store.RecordingOrder;
 
-/** What is known of recordings, in PostgreSQL. Thread-safe. */
+/** Descriptions of recordings in PostgreSQL. Thread-safe. */
 public final class PostgresRecordingStore implements RecordingStore {
     private final Sql sql;
 

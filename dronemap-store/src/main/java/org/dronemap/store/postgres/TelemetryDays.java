@@ -45,7 +45,7 @@ final class TelemetryDays {
     private final DataSource dataSource;
     private final DayGate gate;
 
-    /** How the rows of a day lie, with what the name of its table ends in. */
+    /** The layout of a day's rows, with the suffix of its table's name. */
     private enum Form {
         AS_WRITTEN(""),
         SORTED("_sorted"),

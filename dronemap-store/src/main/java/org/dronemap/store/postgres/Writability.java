@@ -3,7 +3,7 @@ package org.dronemap.store.postgres;
 import java.sql.SQLException;
 import org.jspecify.annotations.Nullable;
 
-/** Whether the last change that had to be written could be: a database that answers questions may have no room left. Any thread. */
+/** Records whether the last required write succeeded; a database that answers may have no space left. Any thread. */
 final class Writability {
     private volatile @Nullable String trouble;
 

@@ -16,7 +16,7 @@ import org.dronemap.ws.problem.RejectionKind;
 import org.dronemap.ws.reading.Alternatives;
 import org.jspecify.annotations.Nullable;
 
-/** What is noted of a call in its record: never a secret, since only members that are known to hold none are told. */
+/** Details noted of a call in its record; only members known to hold no secret are written. */
 public final class AuditNotes {
     private static final int LONGEST_VALUE = 60;
     private static final Set<RejectionKind> NOT_UNDERSTOOD =

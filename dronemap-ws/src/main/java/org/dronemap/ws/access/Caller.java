@@ -2,5 +2,5 @@ package org.dronemap.ws.access;
 
 import org.dronemap.core.access.Principal;
 
-/** Who asks, through which face. */
+/** A principal and the face that it calls through. */
 public record Caller(Principal principal, String face) {}

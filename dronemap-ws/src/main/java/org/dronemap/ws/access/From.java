@@ -3,7 +3,7 @@ package org.dronemap.ws.access;
 import org.dronemap.core.access.Role;
 import org.jspecify.annotations.Nullable;
 
-/** From whom on an operation is open; each may do all that the ones before it may. */
+/** Level of access that an operation requires; each level includes the ones before it. */
 public enum From {
     ANYBODY(null),
     /** Reporters and those with a one-time password included. */

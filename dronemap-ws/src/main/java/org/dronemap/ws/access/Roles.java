@@ -14,7 +14,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** What each role is told when it asks for more than it may, and what roles are called. */
+/** Checks the least role of a caller and words the refusal; also names of roles. */
 public final class Roles {
     private static final String NAMES = "administrator, supervisor, operator, planner, viewer or reporter";
     private static final Map<Role, String> REFUSALS = Map.of(

@@ -2,7 +2,7 @@ package org.dronemap.ws.account;
 
 import java.util.Optional;
 
-/** Whether the server still has the administrator password it made up at its first start, and what follows from it. */
+/** State of the administrator password generated at the first start, and its consequences. */
 public interface FirstPassword {
     /** Why nothing but a sign-in and a password change is served; empty when everything is. */
     Optional<String> closed();

@@ -5,7 +5,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** What a password must be. */
+/** Checks that a password meets the rule. */
 final class PasswordRule {
     static final int SHORTEST = 10;
     static final int LONGEST = 200;

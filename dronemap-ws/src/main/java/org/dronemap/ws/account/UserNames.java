@@ -9,7 +9,7 @@ import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** What a user name must be, and which two cannot be told apart: rights, control and the audit go by names. */
+/** Rules for user names: allowed form and names that look alike. */
 final class UserNames {
     private static final String FORM = "1 to 40 of letters of one script, digits, '.', '_', '-' and '@'";
     private static final Set<UnicodeScript> OF_ANY = EnumSet.of(UnicodeScript.COMMON, UnicodeScript.INHERITED);

@@ -11,7 +11,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** What clients look for in the records; null or empty: whatever it is. */
+/** Search criteria for audit records; a null or empty one matches all. */
 public record AuditSearch(
         @Nullable String user,
         @Nullable String drone,

@@ -10,7 +10,7 @@ import org.dronemap.ws.reading.ValuesOf;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** What was done by whom, as clients see it; null: not known, or none. */
+/** An audit record as clients see it; null: not known, or none. */
 @Schema(name = "AuditView")
 public record AuditView(
         long sequence,

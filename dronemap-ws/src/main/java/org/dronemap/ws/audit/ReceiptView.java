@@ -10,7 +10,7 @@ import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** That the records up to this one were there at that time: whoever keeps it can have it compared for ever. */
+/** A receipt that the records up to this one existed at that time. */
 @Schema(name = "ReceiptView", description = "Keep it where nobody who runs the server can change it.")
 public record ReceiptView(
         @JsonProperty("sequence") @Nullable Long sequence,

@@ -12,8 +12,9 @@ import org.dronemap.ws.problem.Throttled;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How much work each user may still cause. Who was quiet for a while may do ten seconds' worth at once. Bounded: of those
- * who are remembered, whoever asked longest ago is forgotten first. Any thread.
+ * Budgets of work for each user; unused budget accumulates up to ten seconds' worth. Who was quiet for a while may do
+ * ten seconds' worth at once. Bounded: of those who are remembered, whoever asked longest ago is forgotten first. Any
+ * thread.
  */
 public final class Budgets {
     private static final double SECONDS_SAVED = 10;

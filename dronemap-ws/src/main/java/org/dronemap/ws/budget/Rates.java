@@ -2,7 +2,7 @@ package org.dronemap.ws.budget;
 
 import java.util.Map;
 
-/** How much of each kind of work one user may cause a second in the long run; what is not named is not bounded. */
+/** Long-term rate of each kind of work for one user, per second; a kind without a rate is unbounded. */
 public record Rates(Map<Work, Double> perSecond) {
     /** Generous for people and for programs that fly fleets; a program that has gone mad is noticed within a second. */
     public static final Rates DEFAULT =

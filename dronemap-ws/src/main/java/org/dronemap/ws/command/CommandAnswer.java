@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
 
-/** How a command is answered: 202 while it is under way, 200 with its outcome. */
+/** Response to a command: 202 while it is under way, 200 with its outcome. */
 final class CommandAnswer {
     private static final int LONGEST_WAIT_SECONDS = 60;
 

@@ -1,6 +1,6 @@
 package org.dronemap.ws.control;
 
-/** What can be done about the control of a drone. */
+/** Actions on the control of a drone. */
 public enum ControlAction {
     TAKE,
     REQUEST,

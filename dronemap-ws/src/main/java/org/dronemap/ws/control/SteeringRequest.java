@@ -12,7 +12,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a drone shall move from now on, as a client writes it: by speeds or by sticks. Nothing is checked yet.
+ * Desired motion of a drone as a client writes it, by speeds or by sticks, unchecked. Nothing is checked yet.
  *
  * @param epoch of the control that the client believes to have; null: it does not say
  */

@@ -13,7 +13,7 @@ import org.dronemap.ws.reading.ValuesOf;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Who commands a drone, as clients see it. */
+/** Control of a drone as clients see it. */
 @Schema(name = "ControlView", description = "Who commands a drone.")
 public record ControlView(
         @Schema(

@@ -12,7 +12,7 @@ import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** What could not be put back on drones that were removed. */
+/** Lists parameters that could not be restored on drones that were removed. */
 @RestController
 @RequestMapping("/api/v1/left-behind")
 @Tag(name = "Drones")

@@ -10,7 +10,9 @@ import org.dronemap.core.drone.OwnersValues;
 import org.dronemap.core.parameter.OwnersValue;
 import org.dronemap.ws.access.Roles;
 
-/** What the cloud had changed on drones that were removed before it was put back, for administrators. Any thread. */
+/**
+ * Lists parameters changed by the cloud and not restored on drones that were removed, for administrators. Any thread.
+ */
 public final class LeftBehindService {
     private final CloudManager cloud;
 

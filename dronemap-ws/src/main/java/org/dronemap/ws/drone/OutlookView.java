@@ -9,7 +9,7 @@ import org.dronemap.ws.reading.ValuesOf;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** What becomes of a drone in the air when whoever has it has it no more, as clients see it. */
+/** Forecast for a drone in the air that loses whoever has it, as clients see it. */
 @Schema(name = "OutlookView", description = "What becomes of a drone in the air when whoever has it has it no more.")
 public record OutlookView(
         @Schema(

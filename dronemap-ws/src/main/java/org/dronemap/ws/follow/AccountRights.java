@@ -18,8 +18,8 @@ import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whom the cloud may fly for: active users from operators on, to whom nothing else or this was granted. Asked many times a
- * second, looked up once. Any thread.
+ * Rights of accounts for which the cloud may fly, looked up at most once a second. Asked many times a second, looked up
+ * once. Any thread.
  */
 public final class AccountRights implements VirtualRights, OperationRights, FollowReliefs.Owners {
     private static final long FRESH_NANOS = 1_000_000_000L;

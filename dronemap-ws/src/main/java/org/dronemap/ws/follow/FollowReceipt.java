@@ -6,7 +6,7 @@ import java.time.temporal.ChronoUnit;
 import org.dronemap.core.conduct.Reception;
 import org.jspecify.annotations.Nullable;
 
-/** What became of positions that a phone said. */
+/** Result of the positions that a phone sent. */
 @Schema(
         name = "FollowReceipt",
         description =

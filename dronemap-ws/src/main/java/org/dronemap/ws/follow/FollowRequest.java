@@ -10,7 +10,7 @@ import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.ws.reading.Ranges;
 import org.jspecify.annotations.Nullable;
 
-/** What is wanted of follows, as a client writes it. Nothing is checked yet. */
+/** Requests about follows as a client writes them, unchecked. Nothing is checked yet. */
 public final class FollowRequest {
     private FollowRequest() {}
 

@@ -3,7 +3,7 @@ package org.dronemap.ws.guard;
 import java.time.Duration;
 
 /**
- * What one client of the web server may cost before anybody knows who it is.
+ * Limits on what one client of the web server may use before it is authenticated.
  *
  * @param connectionsPerHost open at the same time
  * @param requestsPerHost being answered at the same time

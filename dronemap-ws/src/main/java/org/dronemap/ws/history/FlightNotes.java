@@ -7,7 +7,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** What people write about a flight. */
+/** Notes that people write about a flight. */
 @Schema(name = "FlightNotes")
 public record FlightNotes(
         @Size(max = FlightNotes.LONGEST) @Nullable String notes) {

@@ -8,7 +8,7 @@ import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What clients look for among flights; null or empty: whatever it is.
+ * Search criteria for flights; a null or empty one matches all.
  *
  * @param user among those who commanded
  * @param from those that began then or later

@@ -8,7 +8,7 @@ import org.dronemap.core.history.HistoryHealth;
 import org.dronemap.ws.access.Roles;
 import org.jspecify.annotations.Nullable;
 
-/** How well all that drones do is remembered, for those who run the server. Any thread. */
+/** Reports how completely the history of drones is stored, for those who run the server. Any thread. */
 public final class HistoryService {
     private final History history;
 

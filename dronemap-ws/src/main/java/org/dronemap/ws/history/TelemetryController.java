@@ -22,7 +22,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** What was measured of a drone over time, and what happened to it. */
+/** Telemetry and events of a drone over time. */
 @RestController
 @RequestMapping("/api/v1/drones/{id}")
 @Tag(

@@ -15,7 +15,7 @@ import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which telemetry clients want; null or empty: as usual.
+ * Search criteria for telemetry; a null or empty one takes its default.
  *
  * @param fields names with commas between them
  * @param slots in how many the time is cut

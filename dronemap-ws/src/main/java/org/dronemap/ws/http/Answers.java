@@ -6,7 +6,7 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** With which statuses an operation answers, beyond what follows from its signature; said to clients by the description. */
+/** Declares the statuses of an operation beyond those that follow from its signature, for the description. */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.METHOD)

@@ -2,7 +2,7 @@ package org.dronemap.ws.journal;
 
 import tools.jackson.databind.JsonNode;
 
-/** How values of one type are written; what was not written so is refused with an IllegalArgumentException. */
+/** Writes and reads values of one type; text in another form is refused with an IllegalArgumentException. */
 interface Form {
     JsonNode write(Object value);
 

@@ -5,7 +5,7 @@ import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.ws.reading.ValuesOf;
 import org.jspecify.annotations.Nullable;
 
-/** How a drone's link is secured, for clients; no secret is in it. */
+/** Security of a drone's link as clients see it; it holds no secret. */
 @Schema(name = "LinkSecurityView", description = "How a drone's link is secured; a key shows its fingerprint only.")
 public record LinkSecurityView(
         @ValuesOf(LinkPolicy.class) String policy,

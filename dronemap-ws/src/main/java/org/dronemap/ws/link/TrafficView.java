@@ -3,7 +3,7 @@ package org.dronemap.ws.link;
 import io.swagger.v3.oas.annotations.media.Schema;
 import org.jspecify.annotations.Nullable;
 
-/** What went between one vehicle and the cloud over one link since its session began, in messages. */
+/** Message counts between one vehicle and the cloud over one link since its session began. */
 @Schema(name = "TrafficView")
 public record TrafficView(
         @Nullable String drone,

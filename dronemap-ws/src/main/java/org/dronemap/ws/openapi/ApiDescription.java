@@ -12,7 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.Objects;
 import org.dronemap.ws.problem.Problem;
 
-/** What stands at the head of the OpenAPI description. */
+/** Metadata at the head of the OpenAPI description. */
 public final class ApiDescription {
     private ApiDescription() {}
 

@@ -8,7 +8,7 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.ws.reading.WireNames;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 
-/** What each type of command is for, in the description: clients can tell from it which need control of the drone. */
+/** Adds the purpose of each command type to the description, so that clients see which need control. */
 public final class DescribedPurposes implements OpenApiCustomizer {
     public static final String PURPOSES = "x-purposes";
 

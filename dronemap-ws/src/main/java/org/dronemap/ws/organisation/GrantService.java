@@ -29,7 +29,7 @@ import org.dronemap.ws.reading.ValuesOf;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Who may do what with which drones, for the administrators of an organisation. Any thread. */
+/** Use cases around grants of rights on drones, for the administrators of an organisation. Any thread. */
 public final class GrantService {
     private static final int MOST = 2_000;
     private static final String ONE_SUBJECT = "a user or a group, and not both";

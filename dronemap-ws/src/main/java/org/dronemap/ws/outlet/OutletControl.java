@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import org.dronemap.core.access.LinkKey;
 
-/** Where ground stations of other makers attach, as the links have it. Any thread. */
+/** Access to the outlet, where ground stations of other makers attach. Any thread. */
 public interface OutletControl {
     /** Addresses that it listens on; empty: there is none. */
     List<String> endpoints();

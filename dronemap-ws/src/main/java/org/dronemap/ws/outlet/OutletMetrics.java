@@ -6,7 +6,7 @@ import io.prometheus.metrics.model.snapshots.Labels;
 import io.prometheus.metrics.model.snapshots.MetricSnapshot;
 import java.util.List;
 
-/** What a monitoring system wants to know of the outlet: who is attached by number, and what stayed outside. */
+/** Metrics of the outlet: the number of attached clients and the messages refused. */
 final class OutletMetrics {
     private OutletMetrics() {}
 

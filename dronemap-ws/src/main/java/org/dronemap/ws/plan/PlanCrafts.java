@@ -27,7 +27,7 @@ import org.dronemap.ws.problem.ProblemCode;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 
-/** What a planner has to know of a drone, from what the cloud knows of it now; a fact that is missing is said. */
+/** Makes the planner's drone from the state of a drone; refuses one of which a fact is missing. */
 final class PlanCrafts {
     private static final double SECONDS_PER_MINUTE = 60;
 

@@ -21,10 +21,7 @@ import org.dronemap.ws.problem.ServerProblem;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/**
- * Where plans are searched for: a few threads, a queue that refuses when it is full, and the jobs of each organisation, of
- * which the oldest that have ended are forgotten first. Any thread.
- */
+/** Runs planning jobs on a few threads with a bounded queue and keeps the jobs of each organisation. Any thread. */
 public final class PlanDesk implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(PlanDesk.class);
     private static final double NANOS = 1e9;

@@ -14,7 +14,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 
 /**
- * What a planning job works on.
+ * Input of a planning job.
  *
  * @param drones those of the problem, as they were when it was asked for
  * @param search for how long

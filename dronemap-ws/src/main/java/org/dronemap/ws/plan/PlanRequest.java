@@ -12,7 +12,7 @@ import org.dronemap.ws.reading.Ranges;
 import org.dronemap.ws.reading.ValuesOf;
 import org.jspecify.annotations.Nullable;
 
-/** What is to be planned, as a client writes it. Nothing is checked yet. */
+/** A planning request as a client writes it, unchecked. Nothing is checked yet. */
 @Schema(name = "PlanRequest", description = "Waypoints that are to be shared out among drones.")
 public record PlanRequest(
         @Schema(description = "1 to 5000", requiredMode = Schema.RequiredMode.REQUIRED)

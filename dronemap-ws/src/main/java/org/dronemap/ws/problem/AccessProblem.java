@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Who asks, and what that one may not do. */
+/** Codes of missing sign-in and missing rights. */
 public enum AccessProblem implements ProblemCode {
     SIGN_IN_NEEDED(ProblemEntry.of(
             "sign-in-needed",

@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * What the catalogue says of one code.
+ * Catalogue entry of one problem code.
  *
  * @param word that programs read
  * @param kind the class of problems that it belongs to, and with it the status

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Why a request was not carried out; the status is HTTP's, other faces use the code. */
+/** Classes of rejections, each with its HTTP status and code. */
 public enum RejectionKind {
     MALFORMED(400, "malformed", "The request cannot be read"),
     NOT_SIGNED_IN(401, "not-signed-in", "Not signed in"),

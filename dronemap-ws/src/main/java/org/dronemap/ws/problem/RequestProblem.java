@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** What is wrong with how a request came, whatever it asks for. */
+/** Codes of malformed requests, whatever they ask for. */
 public enum RequestProblem implements ProblemCode {
     REQUEST_UNREADABLE(ProblemEntry.of(
             "request-unreadable",

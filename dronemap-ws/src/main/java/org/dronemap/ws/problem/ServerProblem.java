@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** What the server cannot do now, or will not do so often, whoever asks for what. */
+/** Codes of what the server cannot do now, or refuses to do so often. */
 public enum ServerProblem implements ProblemCode {
     BUDGET_SPENT(ProblemEntry.of(
                     "budget-spent",

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** What there is none of, or nothing that the asker sees: which of both is not told. */
+/** Codes of things that do not exist or are hidden from the caller; the two are not told apart. */
 public enum UnknownProblem implements ProblemCode {
     DRONE("drone-unknown", "drone", ProblemParameter.DRONE),
     COMMAND("command-unknown", "command", ProblemParameter.COMMAND),

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** What is wrong with a value that was given, or missing; all of them name the field and what is allowed there. */
+/** Codes of wrong or missing values; each names the field and what is allowed there. */
 public enum ValueProblem implements ProblemCode {
     VALUE_MISSING(of("value-missing", "A value is missing.", "\"latitude\" is missing; it must be -90 to 90 degrees.")),
     VALUE_OUT_OF_RANGE(of(

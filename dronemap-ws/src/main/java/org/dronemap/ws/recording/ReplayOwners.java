@@ -8,7 +8,7 @@ import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** To whom recordings that play belong, and with them the drones that they show. Any thread. */
+/** Owners of the recordings being played and of the drones that they show. Any thread. */
 public final class ReplayOwners {
     /** More than are kept to be looked at. */
     private static final int MOST = 1_000;

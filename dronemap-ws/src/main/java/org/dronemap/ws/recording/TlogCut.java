@@ -17,7 +17,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 
-/** What was on the wire over some time, put together of the recordings of that drone. Any thread. */
+/** Writes the messages of a time span as a tlog, joined from the recordings of that drone. Any thread. */
 public final class TlogCut {
     static final String FORM = "tlog";
     private static final long MOST_BYTES = 512_000_000;

@@ -23,7 +23,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.recording.ReplayView;
 import org.jspecify.annotations.Nullable;
 
-/** What befell mission runs and what they decided, and whether the same would be decided again. Any thread. */
+/** Reads the journals of mission runs and replays their decisions. Any thread. */
 public final class RunJournalService {
     private static final int MOST = 200;
 

@@ -12,7 +12,7 @@ import org.dronemap.ws.reading.Ranges;
 import org.dronemap.ws.reading.ValuesOf;
 import org.jspecify.annotations.Nullable;
 
-/** What is wanted of mission runs, as a client writes it. Nothing is checked yet. */
+/** Requests about mission runs as a client writes them, unchecked. Nothing is checked yet. */
 public final class RunRequest {
     private RunRequest() {}
 

@@ -9,7 +9,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.springframework.web.context.request.RequestAttributes;
 import org.springframework.web.context.request.RequestContextHolder;
 
-/** Who asks in the request that this thread serves. */
+/** Principal of the request that this thread serves. */
 public final class CurrentPrincipal {
     private static final String ATTRIBUTE = SignedIn.class.getName();
     private static final String OTHER_FACE = CalledBy.class.getName();

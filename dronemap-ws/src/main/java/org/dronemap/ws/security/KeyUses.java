@@ -8,7 +8,7 @@ import java.util.Map;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.audit.Activity;
 
-/** When keys were last used, written down at most once a minute for each. Any thread. */
+/** Times at which keys were last used, written at most once a minute for each. Any thread. */
 final class KeyUses {
     private static final Duration ONCE_IN = Duration.ofMinutes(1);
     private static final int MOST_REMEMBERED = 10_000;

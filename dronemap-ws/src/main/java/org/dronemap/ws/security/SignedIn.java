@@ -5,7 +5,7 @@ import org.dronemap.core.access.Principal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who asks and how that was proved.
+ * An authenticated caller and how the identity was proved.
  *
  * @param tokenHash the hash of the session's token or of the key; null for a password
  * @param until when the proof ends by itself; null: it does not

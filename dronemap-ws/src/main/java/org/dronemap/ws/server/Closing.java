@@ -5,7 +5,7 @@ import java.util.Deque;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What has to be closed at the end, in the opposite order of its opening; one that fails does not keep the others. */
+/** Closes resources in the reverse order of their opening; one that fails does not stop the others. */
 final class Closing implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Closing.class);
 

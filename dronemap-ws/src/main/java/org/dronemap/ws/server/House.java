@@ -32,7 +32,7 @@ import org.dronemap.ws.system.BackupService;
 import org.dronemap.ws.system.ServerPart;
 import org.jspecify.annotations.Nullable;
 
-/** Everything behind the faces, built and running. */
+/** Components behind the faces, built and running. */
 public record House(
         Time time,
         CloudManager cloud,

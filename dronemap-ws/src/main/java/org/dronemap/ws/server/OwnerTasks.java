@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What the owner of the machine asks of a server that does not run. */
+/** Maintenance tasks of the machine's owner on a server that does not run. */
 final class OwnerTasks {
     private static final Logger LOG = LoggerFactory.getLogger(OwnerTasks.class);
     private static final String RESTORE = "--restore";

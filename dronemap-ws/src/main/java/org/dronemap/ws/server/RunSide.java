@@ -17,7 +17,7 @@ import org.dronemap.core.time.Time;
 import org.dronemap.ws.journal.FollowCodec;
 import org.dronemap.ws.journal.RunCodec;
 
-/** What is conducted for users over time. */
+/** Operations and their kinds: mission runs and follows. */
 public record RunSide(
         Operations operations,
         OperationKind<RunState, RunInput> kind,

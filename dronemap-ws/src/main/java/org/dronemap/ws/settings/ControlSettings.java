@@ -7,7 +7,7 @@ import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.ws.setting.SetupException;
 
-/** What the environment says about the control of drones. */
+/** Reads the settings of drone control from the environment. */
 final class ControlSettings {
     private static final String SILENCE = "DRONEMAP_CONTROL_LOST_SECONDS";
     private static final String IDLE = "DRONEMAP_CONTROL_IDLE_SECONDS";

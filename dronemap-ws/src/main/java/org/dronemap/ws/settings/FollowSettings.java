@@ -5,7 +5,7 @@ import java.util.Map;
 import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.ws.setting.SetupException;
 
-/** What the environment says about drones that follow. */
+/** Reads the separation of following drones from the environment. */
 final class FollowSettings {
     private static final String GROUND = "DRONEMAP_FOLLOW_SEPARATION_METERS";
     private static final String HEIGHT = "DRONEMAP_FOLLOW_SEPARATION_HEIGHT_METERS";

@@ -7,7 +7,7 @@ import org.dronemap.core.history.Retention;
 import org.dronemap.ws.setting.SetupException;
 import org.dronemap.ws.setting.Variables;
 
-/** What the environment says about what is remembered of drones. */
+/** Reads the settings of the drones' history from the environment. */
 final class HistorySettings {
     private static final String RATE = "DRONEMAP_TELEMETRY_RATE";
     private static final String FULL_DAYS = "DRONEMAP_TELEMETRY_FULL_DAYS";

@@ -12,7 +12,7 @@ import org.dronemap.ws.security.oidc.OidcSettings;
 import org.dronemap.ws.setting.SetupException;
 import org.jspecify.annotations.Nullable;
 
-/** What the environment says about signing in with an OpenID Connect provider. */
+/** Reads the OpenID Connect settings from the environment. */
 final class OidcEnvironment {
     private static final String ISSUER = "DRONEMAP_OIDC_ISSUER";
     private static final String ADDRESS = "DRONEMAP_OIDC_ADDRESS";

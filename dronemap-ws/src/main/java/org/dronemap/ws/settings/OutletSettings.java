@@ -9,7 +9,7 @@ import org.dronemap.proxy.outlet.PortRange;
 import org.dronemap.ws.setting.SetupException;
 
 /**
- * Where ground stations of other makers attach.
+ * Settings of the outlet, where ground stations of other makers attach.
  *
  * @param urls empty: nowhere
  * @param usual nobody has chosen these

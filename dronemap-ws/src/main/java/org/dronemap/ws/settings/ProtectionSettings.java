@@ -8,7 +8,7 @@ import org.dronemap.ws.budget.Work;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.setting.Variables;
 
-/** What the environment says about how much clients may cost. */
+/** Reads the limits on clients from the environment. */
 final class ProtectionSettings {
     private static final Map<Work, String> RATES = Map.of(
             Work.REQUEST, "DRONEMAP_RATE_REQUESTS",

@@ -6,7 +6,7 @@ import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.ws.setting.SetupException;
 import org.dronemap.ws.setting.Variables;
 
-/** What the environment says about recordings. */
+/** Reads the settings of recordings from the environment. */
 final class RecordingSettings {
     private static final String WHEN = "DRONEMAP_RECORD";
     private static final String MEGABYTES = "DRONEMAP_RECORD_MEGABYTES";

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Where robots call in.
+ * Settings of the endpoints at which robots connect.
  *
  * @param urls empty: nowhere
  * @param usual nobody has chosen these

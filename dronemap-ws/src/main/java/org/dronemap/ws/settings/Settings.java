@@ -21,7 +21,7 @@ import org.dronemap.ws.user.Registration;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Everything that can be set, from the environment; checked here, so that a wrong value ends the start with a sentence.
+ * All settings of the server, read from the environment and checked at construction.
  *
  * @param outlet where ground stations of other makers attach
  * @param robots where robots call in

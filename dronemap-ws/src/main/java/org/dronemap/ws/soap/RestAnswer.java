@@ -13,7 +13,7 @@ import org.slf4j.LoggerFactory;
 import org.springframework.mock.web.MockHttpServletResponse;
 import org.springframework.web.context.request.async.AsyncRequestNotUsableException;
 
-/** What REST answered, all of it, unless that is more than one message of SOAP should carry. */
+/** The complete response of REST, bounded by the size of one SOAP message. */
 final class RestAnswer extends MockHttpServletResponse {
     /** A file of this size is a message of 6 MB. */
     static final int LONGEST_BYTES = 4 << 20;

@@ -17,10 +17,7 @@ import org.dronemap.ws.soap.xml.Namespace;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 
-/**
- * Who calls: by HTTP Basic, by a bearer key, by the SOAP header element {@code accessKey}, or by a UsernameToken of WS-Security.
- * Any thread.
- */
+/** Authenticates the caller by HTTP Basic, a bearer key, the header accessKey or a UsernameToken. Any thread. */
 public final class SoapCaller {
     private static final String FACE = "soap";
     private static final String WAYS =

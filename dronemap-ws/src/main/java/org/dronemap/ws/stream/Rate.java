@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.dronemap.ws.stream.delivery.Turns;
 
-/** How often clients are told of each thing of a topic. */
+/** Rate at which clients receive updates of each thing of a topic. */
 public sealed interface Rate {
     /** Nobody misses one: they wait in order, and who lets too many of them wait is closed. */
     record EveryChange() implements Rate {

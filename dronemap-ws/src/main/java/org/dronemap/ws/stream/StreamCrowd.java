@@ -12,7 +12,7 @@ import org.dronemap.ws.security.SignedIn;
 import org.java_websocket.WebSocket;
 import org.jspecify.annotations.Nullable;
 
-/** Everybody who is connected to the stream, and how many of them there may be. Any thread. */
+/** Registry of connected stream clients, with limits in all and for each user. Any thread. */
 public final class StreamCrowd {
     private static final int MOST_CLIENTS = 2_000;
 

@@ -8,7 +8,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.ws.stream.delivery.Told;
 import org.jspecify.annotations.Nullable;
 
-/** What one client of the stream steers, and what it was told last of what it could not. Guarded by itself. */
+/** Drones that one client of the stream steers, and the notices sent to it last. Guarded by itself. */
 final class StreamHands {
     private static final long BETWEEN_SENTENCES_NANOS = 1_000_000_000L;
     private static final int MOST_REMEMBERED = 64;

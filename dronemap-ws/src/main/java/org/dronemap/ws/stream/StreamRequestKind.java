@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** What there is of requests on the stream; {@link StreamRules} says by what each is judged. */
+/** Kinds of requests on the stream; StreamRules has the access rule of each. */
 enum StreamRequestKind {
     AUTHENTICATE(StreamMessage.Hello.class),
     COMMAND(StreamMessage.CommandAccepted.class),

@@ -10,7 +10,7 @@ import org.dronemap.ws.access.Cost;
 import org.dronemap.ws.access.From;
 import org.dronemap.ws.control.ControlAction;
 
-/** By what it is judged who may say something on the stream, what that costs and what record it leaves. */
+/** Access rule of a stream request: who may send it, its cost and its audit record. */
 sealed interface StreamRule {
     /** {@code rest}: finds the rule of an operation of REST. */
     AccessRule of(StreamRequest request, Function<String, AccessRule> rest);

@@ -8,7 +8,7 @@ import org.dronemap.ws.access.From;
 import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.control.ControlAction;
 
-/** By what each request of the stream is judged: as the operation of REST that does the same, where there is one. */
+/** Access rules of all stream requests, taken from the REST operation of the same effect. */
 final class StreamRules {
     private static final StreamRule AUTHENTICATE = new StreamRule.OnlyHere(
             From.ANYBODY, Cost.NOTHING, Audit.REFUSALS_ONLY, "REST is shown a key with each request, a stream once.");

@@ -25,7 +25,7 @@ import org.dronemap.ws.outlet.OutletView;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** What a monitoring system wants to know, gathered when it asks. Any thread. */
+/** Metrics of the server, gathered when a monitoring system asks. Any thread. */
 public final class ServerMetrics {
     private final CloudManager cloud;
     private final VehicleLinks links;

@@ -18,7 +18,7 @@ import org.dronemap.core.process.PeerName;
 import org.dronemap.ws.access.Roles;
 import org.jspecify.annotations.Nullable;
 
-/** What the server says of itself. Any thread. */
+/** Health and settings of the server. Any thread. */
 public final class SystemService {
     private static final String UP = "up";
     private static final String DOWN = "down";

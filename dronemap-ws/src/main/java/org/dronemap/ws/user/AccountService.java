@@ -17,7 +17,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** What users do with their own accounts. Any thread. */
+/** Use cases of users around their own accounts. Any thread. */
 public final class AccountService {
     private final AccessStore store;
     private final Accounts accounts;

@@ -1,6 +1,6 @@
 package org.dronemap.ws.user;
 
-/** Who may make an account of their own. */
+/** Policy for making an account of one's own. */
 public enum Registration {
     /** Everybody; an administrator then lets them in, or an invitation does. */
     APPROVAL,

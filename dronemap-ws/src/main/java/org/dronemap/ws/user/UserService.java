@@ -23,7 +23,7 @@ import org.dronemap.ws.reading.Secrets;
 import org.dronemap.ws.reading.ValuesOf;
 import org.jspecify.annotations.Nullable;
 
-/** What administrators do with users. Any thread. */
+/** Use cases of administrators around users. Any thread. */
 public final class UserService {
     private static final String STATES = "active or disabled";
 

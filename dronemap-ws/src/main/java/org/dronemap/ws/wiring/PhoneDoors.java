@@ -6,7 +6,7 @@ import org.dronemap.ws.setting.SetupException;
 import org.dronemap.ws.settings.Settings;
 import org.jspecify.annotations.Nullable;
 
-/** Where the settings want a door for phones, if anywhere. */
+/** Opens the trust page for phones where the settings ask for it. */
 final class PhoneDoors {
     private PhoneDoors() {}
 

@@ -11,7 +11,7 @@ import org.dronemap.ws.guard.PatientProtocol;
 import org.dronemap.ws.stream.StreamCrowd;
 import org.dronemap.ws.system.ServerMetrics;
 
-/** All that keeps clients from doing harm, asked what it has refused. Any thread. */
+/** Counts of what the protections against clients have refused. Any thread. */
 final class Protections {
     private final Budgets budgets;
     private final CrowdFilter crowd;

@@ -1,6 +1,6 @@
 package org.dronemap.bench.planning;
 
-/** How a problem measures distances. */
+/** The distance metric of a problem. */
 public enum Metric {
     /** Straight, unrounded. */
     EUCLIDEAN {

@@ -16,7 +16,7 @@ public interface Solver {
     int[][] solve(TourProblem problem, Order order, Consumer<int[][]> improved);
 
     /**
-     * How to search.
+     * Options of a search: seed, threads and CPU budget.
      *
      * @param threads how many may search; a solver that knows one only uses one
      */

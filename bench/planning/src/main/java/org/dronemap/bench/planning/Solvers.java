@@ -10,7 +10,7 @@ import org.dronemap.cognitive.allocate.GivenOrder;
 import org.dronemap.cognitive.allocate.MoveAndImprove;
 import org.dronemap.cognitive.allocate.NearestNeighbour;
 
-/** All that can be measured, by name; what is not asked for is not loaded. */
+/** A registry of the solvers by name; loads only the one that is asked for. */
 final class Solvers {
     private static final Map<String, Supplier<Solver>> KNOWN = new TreeMap<>(Map.of(
             "dronemap", Engine::new,

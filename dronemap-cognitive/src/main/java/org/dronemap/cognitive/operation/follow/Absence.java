@@ -5,7 +5,7 @@ import java.time.Instant;
 import org.dronemap.cognitive.operation.follow.FollowInput.Look;
 import org.dronemap.cognitive.operation.follow.FollowInput.Looked;
 
-/** What comes of a follow whose drone had to do without the cloud, since the process ended and was started again. */
+/** Decides how a follow goes on after the server was restarted. */
 final class Absence {
     private Absence() {}
 

@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.operation.follow;
 
-/** How long a drone can follow with what is in its battery. */
+/** Estimates how long a drone can follow, and what its return takes, from its battery percentage. */
 public final class Endurance {
     /** That much is to be in the battery when it is home. */
     static final int RESERVE_PERCENT = 20;

@@ -174,7 +174,7 @@ public final class Follow implements Operation<FollowState, FollowInput> {
         return new Decision<>(next, actions, news(state, next));
     }
 
-    /** What a drone is to its follow; what the phone says and people wish is the concern of the one that leads. */
+    /** The role of a drone in its follow; only the leading one takes the phone's reports and users' requests. */
     private enum Part {
         LEADS,
         COMES,

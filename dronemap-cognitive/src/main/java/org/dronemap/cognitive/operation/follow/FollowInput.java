@@ -9,12 +9,12 @@ import org.dronemap.core.operation.Reach;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** What befalls a follow. */
+/** An input of a follow: an observation, a command's outcome, a restart or a user's request. */
 public sealed interface FollowInput {
     Instant at();
 
     /**
-     * What was seen.
+     * An observation of all drones of the follow and of its phone.
      *
      * @param drone null: it was removed
      * @param sighted when the newest position of the phone came; null: none did
@@ -110,7 +110,7 @@ public sealed interface FollowInput {
     }
 
     /**
-     * In whose hands the drone is when they are not the follow's alone.
+     * Control of the drone while the follow does not have it alone.
      *
      * @param barred why drones are not commanded for whoever asked any more, as a sentence; null: they are
      * @param adrift nobody has control of it, and it waits for somebody with its motors running
@@ -120,7 +120,7 @@ public sealed interface FollowInput {
     record Grip(@Nullable String barred, boolean adrift, boolean steered) {}
 
     /**
-     * What the drone's modes are for.
+     * The meaning of the drone's flight mode for the follow.
      *
      * @param orders the one in which it can be led; null: it has none
      * @param home it is in one in which it comes home
@@ -143,7 +143,7 @@ public sealed interface FollowInput {
     @Stored(as = "Unrelieved", names = "at why")
     record Unrelieved(Instant at, String why) implements FollowInput {}
 
-    /** What somebody wants of it. */
+    /** A request of a user. */
     sealed interface Wish extends FollowInput {
         /** The user's name. */
         String by();

@@ -6,7 +6,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What is asked for.
+ * The order that a follow begins with: drone, place beside the phone, speed and patience.
  *
  * @param near where the phone was when it asked
  * @param patienceSeconds without positions, before it flies home
@@ -29,7 +29,7 @@ public record FollowOrder(Chosen chosen, Geodetic near, Place place, double spee
     public record Chosen(DroneId drone, String name, Geodetic home, double homeAmslMeters, String why) {}
 
     /**
-     * Where the drone stays beside the phone.
+     * The place of the drone relative to the phone.
      *
      * @param heightMeters above its home
      */

@@ -10,7 +10,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that a follow remembers.
+ * The state of a follow, stored with each decision.
  *
  * @param since when it came to this stage
  * @param waits from when on positions are waited for
@@ -42,14 +42,14 @@ public record FollowState(
         told = List.copyOf(told);
     }
 
-    /** What it said to people. */
+    /** A text that users were shown, with its time. */
     @Stored(names = "at words")
     public record Told(Instant at, String words) {}
 
     /** A command that the drone was given. */
     @Stored(names = "command kind")
     public record Errand(CommandId command, Kind kind) {
-        /** What it is for. */
+        /** The purpose of the command. */
         @Stored(names = "CLOUD_LOSS MODE ARM TAKE_OFF HOME DISARM")
         public enum Kind {
             CLOUD_LOSS,

@@ -6,7 +6,7 @@ import org.dronemap.cognitive.follow.Motion;
 import org.dronemap.cognitive.follow.Whereabouts;
 import org.dronemap.core.geo.Spot;
 
-/** How far a camera has to look down to see whom its drone follows. */
+/** Computes the camera's pitch angle towards the target. */
 final class Gaze {
     /** Faces are above the ground that phones are not told to be above. */
     private static final double FACE_METERS = 1.5;

@@ -10,7 +10,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.operation.Scene;
 import org.jspecify.annotations.Nullable;
 
-/** In whose hands a drone is, and what comes of a follow by that: no drone is left with nobody who looks after it. */
+/** Checks who controls a drone of a follow, and decides how the follow goes on without control. */
 final class Grips {
     private Grips() {}
 

@@ -4,10 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
-/**
- * How a drone that another one replaced comes home: led there, since vehicles that fly home by themselves give way to nobody and it
- * sets off amidst those that follow on; and by itself as soon as it is near, has been led for long enough or has little left.
- */
+/** Decides when a relieved drone returns by setpoints, and when it is commanded to return by itself. */
 final class Homeward {
     private static final double NEAR_METERS = 15;
     /** By then it is far from where it set off. */

@@ -46,10 +46,10 @@ final class Lead {
     private @Nullable Guidance homeward;
     private Bounds bounds = new Bounds(List.of(), Room.EVERYWHERE, Double.POSITIVE_INFINITY);
 
-    /** What zones leave it: {@code room} to the sides, and how high. */
+    /** The flyable area and the ceiling that zones leave the drone. */
     private record Bounds(List<Zone> zones, Room room, double ceilingAmslMeters) {}
 
-    /** What does not move. */
+    /** A target that does not move. */
     private record Standing(LocalPlane plane, Spot spot) implements Followed {
         @Override
         public Motion at(Instant time) {

@@ -4,7 +4,7 @@ import org.dronemap.core.operation.Reach;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** Why a phone's positions do not come. */
+/** The reason why no position fixes of the phone arrive. */
 @Stored(names = "BLIND VAGUE ASLEEP CUT GONE SILENT")
 public enum Missing {
     /** It is there, and finds no position. */

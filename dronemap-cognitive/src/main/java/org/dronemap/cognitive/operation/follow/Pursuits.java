@@ -13,7 +13,7 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** How drones move, as is seen from where they were before: what vehicles tell has no direction. Owned by the conductor's thread. */
+/** Estimates the velocities of drones from their successive positions. Owned by the conductor's thread. */
 final class Pursuits {
     private static final double FAR_METERS = 300;
 

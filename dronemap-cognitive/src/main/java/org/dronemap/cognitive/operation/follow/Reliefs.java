@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.cognitive.follow.Apart;
 
-/** How one drone takes over from another: what becomes of the others of a follow, by what becomes of the one that leads. */
+/** Hands a follow over from one drone to the relief drone, and ends the part of those that were replaced. */
 final class Reliefs {
     private Reliefs() {}
 

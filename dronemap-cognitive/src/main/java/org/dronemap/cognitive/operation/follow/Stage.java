@@ -2,7 +2,7 @@ package org.dronemap.cognitive.operation.follow;
 
 import org.dronemap.core.stored.Stored;
 
-/** How far a follow is. */
+/** The stage of one drone of a follow. */
 @Stored(names = "ALLOCATED STARTING TRACKING PAUSED SUSPENDED RETURNING OVER")
 public enum Stage {
     /** A drone is kept for it, on the ground. */

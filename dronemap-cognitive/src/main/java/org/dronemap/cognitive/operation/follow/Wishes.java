@@ -2,7 +2,7 @@ package org.dronemap.cognitive.operation.follow;
 
 import java.time.Instant;
 
-/** What follows from a wish that can be taken. */
+/** Applies a user's request to the state of a follow. */
 final class Wishes {
     private Wishes() {}
 

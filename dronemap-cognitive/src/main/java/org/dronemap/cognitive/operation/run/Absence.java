@@ -5,10 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.command.CloudLoss;
 
-/**
- * What drones did while the cloud was away: nothing is decided on one before it has said what it carries and how far it came,
- * and who came home by its fail-safe has nothing wrong with it.
- */
+/** Handles drones that flew without the cloud: waits for their reports, and accepts a fail-safe return. */
 final class Absence {
     /** Noted of a drone that has not said all since the restart. */
     private static final Trigger UNCLEAR = Trigger.RESTARTED;

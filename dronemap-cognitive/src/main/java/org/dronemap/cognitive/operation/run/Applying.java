@@ -12,7 +12,7 @@ import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** What becomes of a plan that was asked for. */
+/** Adopts a computed plan: checks that it is fresh and flyable, then proposes or applies it. */
 final class Applying {
     private static final Duration BETWEEN_TRIES = Duration.ofSeconds(3);
     private static final int MOST_MISSES = 20;

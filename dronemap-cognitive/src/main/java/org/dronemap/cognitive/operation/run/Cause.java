@@ -8,7 +8,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Something that a plan has to be changed for.
+ * A cause for replanning, with the drone concerned and the waypoints that it leaves.
  *
  * @param words a sentence
  * @param orphans the waypoints that the drone had until then

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 
-/** When nothing will happen any more. */
+/** Ends a run when all drones are at rest and nothing is left to do. */
 final class Closing {
     private Closing() {}
 

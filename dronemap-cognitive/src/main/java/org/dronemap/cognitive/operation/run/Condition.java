@@ -12,7 +12,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodesy;
 import org.jspecify.annotations.Nullable;
 
-/** Whether a drone in the air still flies, moves on, keeps to its path and can finish with its charge. */
+/** Checks a drone in flight: falling, standing still, off its path, late, or short of charge. */
 final class Condition {
     static final double CLEARLY_UP_METERS = 3;
 

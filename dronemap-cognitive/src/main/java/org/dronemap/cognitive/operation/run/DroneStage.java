@@ -2,7 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import org.dronemap.core.stored.Stored;
 
-/** How far one drone of a run is. */
+/** The stage of one drone of a run. */
 @Stored(
         names = "LANDED UPLOADING READY ARMING STARTING FLYING HOLDING REPLACING CONTINUING RESUMING "
                 + "RETURNING SILENT SUSPENDED CRASHED GONE LEFT")

@@ -5,7 +5,7 @@ import java.time.Instant;
 import org.dronemap.cognitive.operation.run.RunDrone.Errand;
 import org.dronemap.core.command.Outcome;
 
-/** What follows from how a command ended. */
+/** Applies the outcome of a command to its drone. */
 final class Errands {
     private static final int MOST_TRIES = 3;
     private static final Duration BETWEEN_TRIES = Duration.ofSeconds(2);

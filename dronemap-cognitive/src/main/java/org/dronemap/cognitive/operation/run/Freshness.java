@@ -11,7 +11,7 @@ import org.dronemap.cognitive.replan.Moved;
 import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.core.drone.DroneId;
 
-/** Whether a plan still fits what happened while it was made. */
+/** Checks whether a plan still fits what has happened since it was requested. */
 final class Freshness {
     private Freshness() {}
 

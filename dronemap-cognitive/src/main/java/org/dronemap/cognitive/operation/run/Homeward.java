@@ -7,7 +7,7 @@ import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.ReturnHeight;
 import org.jspecify.annotations.Nullable;
 
-/** How high a drone flies home: in its layer while it may fly for the run, as its owner had set it before and afterwards. */
+/** Sets a drone's return height for the run, and restores the owner's value afterwards. */
 final class Homeward {
     private static final double SAME_METERS = 0.5;
     private static final int MOST_TRIES = 3;

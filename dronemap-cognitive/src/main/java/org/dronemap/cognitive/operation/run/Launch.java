@@ -2,7 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Instant;
 
-/** When drones set off from the ground: all missions first, since one that flies without the others may meet them. */
+/** Decides when drones take off: after all missions are uploaded, each at the time of its plan. */
 final class Launch {
     private Launch() {}
 

@@ -11,7 +11,7 @@ import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/** Where a mission leads from where a drone is. */
+/** Computes where a mission leads from a drone's present item, and the distance and energy left. */
 final class Legs {
     private Legs() {}
 

@@ -11,7 +11,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What matters of one drone at one moment; what is not known is null.
+ * An observation of one drone at one moment; null where not known.
  *
  * @param takenBy why the run has no control of it, as a sentence; null: it has
  * @param silence for how long nothing was heard
@@ -59,7 +59,7 @@ public record Look(
     private static final double STANDS_SPEED = 2;
 
     /**
-     * How far it is with its mission.
+     * The progress of a drone in its mission.
      *
      * @param carries whether it has on board what it flies; null: not known
      * @param carriesNext whether it has on board what it is to get; null: not known, or there is nothing

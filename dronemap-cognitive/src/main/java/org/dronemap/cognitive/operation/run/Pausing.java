@@ -5,7 +5,7 @@ import java.time.Instant;
 import org.dronemap.cognitive.operation.run.RunDrone.Errand;
 import org.dronemap.core.command.Command;
 
-/** All wait until somebody lets them go on: in the air they hold, on the ground they stay; who comes down comes down. */
+/** Pauses and resumes a run: drones in the air hold, drones on the ground stay, landings go on. */
 final class Pausing {
     private Pausing() {}
 

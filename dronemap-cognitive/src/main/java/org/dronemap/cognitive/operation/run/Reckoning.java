@@ -2,10 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
 
-/**
- * What drones have visited, by what they say themselves of the missions that they were given; one that has just lost its
- * motors goes on saying so.
- */
+/** Marks waypoints as visited by the mission progress that drones report. */
 final class Reckoning {
     private Reckoning() {}
 

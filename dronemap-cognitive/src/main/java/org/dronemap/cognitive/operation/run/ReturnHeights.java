@@ -16,10 +16,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
-/**
- * In which layers drones fly home: each in one of its own, above all that is flown, since nobody can hold them while the
- * cloud is away and each comes home by its own fail-safe.
- */
+/** Assigns each drone a return layer of its own, above all planned flight. */
 final class ReturnHeights {
     /** What vehicles climb to where nobody says otherwise, in m over their homes. */
     private static final double LEAST_METERS = 15;

@@ -38,7 +38,7 @@ public record RunDrone(
         @Nullable String note,
         Signs signs) {
     /**
-     * What does not change of it.
+     * The profile of a drone, which does not change during the run.
      *
      * @param craft as planned with first; where it is when something is planned anew is looked at then
      * @param returnMeters how high over its home it flies home, in a layer of its own; null: as the vehicle is set
@@ -65,7 +65,7 @@ public record RunDrone(
      */
     @Stored(names = "command kind sortie at")
     public record Errand(CommandId command, Kind kind, int sortie, Instant at) {
-        /** What it is for. */
+        /** The purpose of the command. */
         @Stored(names = "UPLOAD MODE ARM START HOLD HEIGHT DODGE HOME DISARM")
         public enum Kind {
             UPLOAD,
@@ -82,14 +82,14 @@ public record RunDrone(
         }
     }
 
-    /** How often in a row a command failed, and before when there is none again. */
+    /** The number of failed attempts in a row, and the time before which there is none again. */
     @Stored(names = "failed notBefore")
     public record Tries(int failed, @Nullable Instant notBefore) {
         static final Tries NONE = new Tries(0, null);
     }
 
     /**
-     * What lasts.
+     * Flags and timers of a drone that outlast its stage.
      *
      * @param held control of it was seen since it came to the run, or was resumed
      * @param begun it has been seen on the mission that it has on board, so that what it tells of it counts

@@ -13,11 +13,11 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** What befalls a run. */
+/** An input of a run: an observation, a command's outcome, a new plan, a restart or a user's request. */
 public sealed interface RunInput {
     Instant at();
 
-    /** All that are left of its drones, in the order of the state's. */
+    /** An observation of all remaining drones, in the order of the state's. */
     @Stored(as = "Looked", names = "at drones")
     record Looked(Instant at, List<Look> drones) implements RunInput {
         public Looked {
@@ -29,7 +29,7 @@ public sealed interface RunInput {
     record CommandEnded(Instant at, DroneId drone, CommandId command, Outcome outcome) implements RunInput {}
 
     /**
-     * What the computation with that number came to.
+     * The result of a replanning computation, or why it failed.
      *
      * @param result null: it failed
      * @param why it failed, as a sentence
@@ -45,7 +45,7 @@ public sealed interface RunInput {
     @Stored(as = "Resumed", names = "at")
     record Resumed(Instant at) implements RunInput {}
 
-    /** What somebody wants of it. */
+    /** A request of a user. */
     sealed interface Wish extends RunInput {
         /** The user's name. */
         String by();
@@ -83,15 +83,15 @@ public sealed interface RunInput {
     @Stored(as = "Answer", names = "at by proposal accepted")
     record Answer(Instant at, String by, int proposal, boolean accepted) implements Wish {}
 
-    /** All wait where they are. */
+    /** Pauses the run: all drones wait where they are. */
     @Stored(as = "Pause", names = "at by")
     record Pause(Instant at, String by) implements Wish {}
 
-    /** All go on after a pause. */
+    /** Resumes a paused run. */
     @Stored(as = "GoOn", names = "at by")
     record GoOn(Instant at, String by) implements Wish {}
 
-    /** All come home. */
+    /** Stops the run: all drones return home. */
     @Stored(as = "Stop", names = "at by")
     record Stop(Instant at, String by) implements Wish {}
 }

@@ -12,7 +12,7 @@ import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What a run begins with.
+ * The order that a run begins with: problem, accepted plan, drones and settings.
  *
  * @param id its commands are named after it: at most 48 characters, without dots
  * @param plan the accepted one, which the independent checker found no fault with
@@ -34,7 +34,7 @@ public record RunOrder(
     /** A drone as people know it, and what it is: how a mission ends depends on that. */
     public record Member(DroneId drone, String name, VehicleKind kind) {}
 
-    /** Who decides on a plan that changes. */
+    /** The approval mode: who decides on a changed plan. */
     @Stored(names = "AUTOMATIC ASK_FIRST")
     public enum Mode {
         AUTOMATIC,

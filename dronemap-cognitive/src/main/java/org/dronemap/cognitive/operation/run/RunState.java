@@ -9,7 +9,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that a run remembers.
+ * The state of a run, stored with each decision.
  *
  * @param clock what it goes by
  * @param request the plan that is being computed
@@ -36,7 +36,7 @@ public record RunState(
     public static final int MOST_EXPLANATIONS = 50;
 
     /**
-     * What it goes by.
+     * Times and deadlines of the run.
      *
      * @param begun zero of the clock that waypoints' windows go by
      * @param launched the first drone was started, or may have been
@@ -69,7 +69,7 @@ public record RunState(
     }
 
     /**
-     * How many there were.
+     * Counters of the run: commands, requests, sorties, plans and visits.
      *
      * @param misses plans in a row that could not be flown
      * @param doubles visits of waypoints that were visited already

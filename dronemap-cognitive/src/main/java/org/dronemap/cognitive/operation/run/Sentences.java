@@ -12,7 +12,7 @@ import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** What a plan changes and why, for people. */
+/** Writes for users what a new plan changes and why. */
 final class Sentences {
     private Sentences() {}
 

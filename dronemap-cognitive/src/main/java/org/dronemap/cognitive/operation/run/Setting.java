@@ -10,7 +10,7 @@ import org.dronemap.cognitive.problem.Wind;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.stored.Stored;
 
-/** What a run keeps to. */
+/** Settings of a run: zones, wind, objective, rules, approval mode and time to search. */
 @Stored(names = "barriers wind objective rules mode onCloudLoss seed search")
 public record Setting(
         List<Barrier> barriers,

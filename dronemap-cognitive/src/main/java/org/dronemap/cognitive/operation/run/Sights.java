@@ -20,7 +20,7 @@ import org.dronemap.core.mission.MissionComparison;
 import org.dronemap.core.operation.Scene;
 import org.jspecify.annotations.Nullable;
 
-/** What matters of what is seen. */
+/** Reads observations of the run's drones from the scene. */
 final class Sights {
     private Sights() {}
 

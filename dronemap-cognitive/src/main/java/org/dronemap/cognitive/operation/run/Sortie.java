@@ -19,7 +19,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * What one drone is given to fly.
+ * One drone's mission with the tour that it flies, its arrivals and its task items.
  *
  * @param number of all of the run
  * @param tour on a clock whose zero is {@code zero}

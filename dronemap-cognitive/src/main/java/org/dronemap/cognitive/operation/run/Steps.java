@@ -8,7 +8,10 @@ import org.dronemap.cognitive.operation.run.RunDrone.Errand;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.command.Command;
 
-/** What one drone does next for the orders that it has. What is already so is never commanded. */
+/**
+ * Chooses the next command of one drone by its stage and orders; commands nothing that is so already. What is already
+ * so is never commanded.
+ */
 final class Steps {
     /** Before it is called home once more. */
     private static final Duration BETWEEN_CALLS = Duration.ofSeconds(5);

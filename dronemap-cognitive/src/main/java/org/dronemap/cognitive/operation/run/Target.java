@@ -28,7 +28,7 @@ public record Target(
         @Nullable String reason,
         boolean leftOut,
         List<Report> reports) {
-    /** How it stands with a waypoint. */
+    /** The state of a waypoint in the run. */
     @Stored(names = "WAITING ASSIGNED RESERVED VISITED UNSERVED CANCELLED")
     public enum State {
         /** Nobody's yet. */
@@ -51,7 +51,7 @@ public record Target(
     public record Visit(DroneId drone, Instant at) {}
 
     /**
-     * What became of one part of the task.
+     * The result of one part of a waypoint's task.
      *
      * @param at when it was learned
      * @param photo the number of the picture that it came to
@@ -65,7 +65,7 @@ public record Target(
             Instant at,
             @Nullable Integer photo,
             String words) {
-        /** How it went. */
+        /** The result of the part: under way, done, not known, or not available from the drone. */
         @Stored(names = "UNDER_WAY DONE NOT_KNOWN NOT_AVAILABLE")
         public enum Result {
             UNDER_WAY,

@@ -17,7 +17,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.WaypointTask;
 import org.jspecify.annotations.Nullable;
 
-/** What becomes of the tasks at waypoints: tied to them by what drones say; what may have been done once is not done again. */
+/** Tracks the results of waypoint tasks by what drones report, so that no task is done twice. */
 final class TaskReports {
     /** What a drone says later is not said of this task. */
     private static final Duration LATEST = Duration.ofSeconds(10);

@@ -13,7 +13,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.safety.Times;
 import org.jspecify.annotations.Nullable;
 
-/** Where drones in the air will be in the next seconds, as far as that is known. */
+/** Forecasts trajectories of drones in the air over the next seconds. */
 final class Tracks {
     static final double STRIDE_SECONDS = 0.5;
     /** Vehicles that were told no other height climb to this before they fly home, in m over it. */
@@ -42,7 +42,7 @@ final class Tracks {
         this.strides = (int) Math.ceil(seconds / STRIDE_SECONDS);
     }
 
-    /** Where it is at a moment: at any height between those two, since climbs and ways are not flown at one pace. */
+    /** A place at one time step, with the range of heights possible there. */
     record At(Spot spot, double low, double high) {
         At(Spot spot, double meters) {
             this(spot, meters, meters);

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Duration;
 import java.time.Instant;
 
-/** Who steers a drone, and whether it is still there and still up. */
+/** Monitors one drone by each observation: control, link, and whether it is still in the air. */
 final class Watch {
     /** For control of a drone that has just come to the run, or was resumed. */
     private static final Duration UNTIL_HELD = Duration.ofSeconds(10);

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.operation.run;
 import java.util.List;
 import org.dronemap.cognitive.problem.Waypoint;
 
-/** What users want of a run that is going on. */
+/** Applies a user's request to a run. */
 final class Wishes {
     private Wishes() {}
 

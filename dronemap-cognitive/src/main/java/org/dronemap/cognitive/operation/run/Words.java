@@ -3,7 +3,7 @@ package org.dronemap.cognitive.operation.run;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** How things are said. */
+/** Formats counts and lists for texts of a run. */
 final class Words {
     private static final int MOST_NAMED = 8;
 

@@ -7,7 +7,7 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
-/** Another way when the first one ends so that {@code tryOther} says yes. */
+/** Runs a second exchange when the first one ends with an outcome that {@code tryOther} accepts. */
 public final class Alternative implements Exchange {
     private final Predicate<Outcome> tryOther;
     private @Nullable Supplier<Exchange> other;

@@ -4,8 +4,9 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * When each MAV_CMD last crossed the wire. An acknowledgement names only the command, not which copy of it: one that
- * comes too soon after an earlier exchange may still belong to that. Owned by the drone's lane.
+ * The time at which each MAV_CMD last crossed the wire, in either direction. An acknowledgement names only the command,
+ * not which copy of it: one that comes too soon after an earlier exchange may still belong to that. Owned by the
+ * drone's lane.
  */
 public final class CommandLedger {
     private final Map<Integer, Long> lastSeenNanos = new HashMap<>();

@@ -16,7 +16,7 @@ import org.dronemap.mavlink.message.CommandLong;
  * @param proof when it is seen to be done
  */
 public record CommandRequest(IntFunction<Message> message, int command, Retry retry, Proof proof) {
-    /** What may happen between two tries. */
+    /** The retry class of a command: what may happen between two tries. */
     public enum Retry {
         /** Doing it twice is doing it once. */
         REPEATABLE,

@@ -5,7 +5,10 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
-/** Something under way with one vehicle. Fed on the drone's lane until it has an outcome; times are monotonic ns. */
+/**
+ * A procedure under way with one vehicle, fed on the drone's lane until it has an outcome; times are monotonic ns. Fed
+ * on the drone's lane until it has an outcome; times are monotonic ns.
+ */
 public interface Exchange {
     void start(long nowNanos);
 

@@ -3,8 +3,8 @@ package org.dronemap.proxy.mavlink.procedure;
 import java.util.Locale;
 
 /**
- * When one question is asked again and when it is given up: soon on a quick link, patiently on a slow one, and nine times
- * in any case. Fixed when the question is first asked, so that the stated deadline holds.
+ * The retry schedule of one request, fitted to the round trip of the link and at most nine tries long. Fixed when the
+ * question is first asked, so that the stated deadline holds.
  */
 record Pace(long firstNanos, long longestNanos, long deadlineNanos) {
     private static final int TRIES = 9;

@@ -25,7 +25,7 @@ public final class ParameterChange implements Exchange {
     private @Nullable Outcome outcome;
 
     /**
-     * What is wanted.
+     * The parameter to change, its new value and its encoding.
      *
      * @param value the new value, given the old one
      * @param bytewise integers travel as their bits in the float (PX4), not as its value (ArduPilot)

@@ -4,8 +4,8 @@ import org.dronemap.core.command.Outcome;
 import org.jspecify.annotations.Nullable;
 
 /**
- * When a transfer is given up: soon when the vehicle is heard but does not answer, and only after a long break when the
- * link is cut, so that it can go on where it was. Times in ns.
+ * The timeout of a transfer: short while the vehicle is heard but does not answer, long while the link is cut. Times in
+ * ns.
  */
 final class Patience {
     /** A break of the link may last so long. */

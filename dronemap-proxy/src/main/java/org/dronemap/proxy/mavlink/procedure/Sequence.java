@@ -9,7 +9,7 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
-/** Exchanges one after the other; the first that does not succeed ends it, unless a step says otherwise. */
+/** Runs exchanges one after the other and ends at the first that does not succeed, unless a step says otherwise. */
 public final class Sequence implements Exchange {
     private final ArrayDeque<Step> steps;
     private @Nullable Step step;

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.dronemap.mavlink.Message;
 
 /**
- * Who is talked to: the vehicle's system and component id, the way down to it, and what talking to it has taught.
+ * The vehicle that a procedure talks to: ids, send path, round trip time and the send times of commands.
  *
  * @param way gives how long its answers take on the link that is in use now
  * @param ledger which commands crossed the wire when

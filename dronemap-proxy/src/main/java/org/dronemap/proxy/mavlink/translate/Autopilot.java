@@ -13,7 +13,10 @@ import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.jspecify.annotations.Nullable;
 
-/** What differs between autopilot families. Stateless; any thread. */
+/**
+ * An adapter for one autopilot family: its modes, capabilities, and commands as message exchanges. Stateless; any
+ * thread.
+ */
 public interface Autopilot {
     /** The family of a MAV_AUTOPILOT number. */
     static Autopilot of(Heartbeat heartbeat) {

@@ -11,7 +11,7 @@ import org.dronemap.mavlink.message.NamedValueFloat;
 import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.jspecify.annotations.Nullable;
 
-/** What is said of cameras, servos and sensors, in words of the cloud. Stateless. */
+/** Translates messages about cameras, servos and sensors into drone events. Stateless. */
 final class Carried {
     private static final int AUXILIARY = 1;
 

@@ -7,7 +7,7 @@ import org.dronemap.proxy.mavlink.procedure.Observer;
 import org.dronemap.proxy.mavlink.procedure.Target;
 
 /**
- * What carrying one command out needs to know and to tell.
+ * The context in which one command is carried out: vehicle status, parameters, target and listeners.
  *
  * @param parameters what the vehicle said of its parameters
  * @param news hears what was found out on the way

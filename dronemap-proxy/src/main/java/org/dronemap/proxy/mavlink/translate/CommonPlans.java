@@ -12,7 +12,7 @@ import org.dronemap.proxy.mavlink.procedure.ParameterListing;
 import org.dronemap.proxy.mavlink.procedure.ParameterWriting;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
 
-/** What every autopilot does in the same way: parameters and logs. */
+/** Makes the exchanges for parameters and logs, which are the same for every autopilot. */
 final class CommonPlans {
     private CommonPlans() {}
 

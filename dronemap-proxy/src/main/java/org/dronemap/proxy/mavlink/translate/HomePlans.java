@@ -18,7 +18,7 @@ import org.dronemap.proxy.mavlink.procedure.HomeReading;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
 import org.jspecify.annotations.Nullable;
 
-/** Where a vehicle returns to: set, and asked for until the vehicle itself says so. */
+/** Makes the exchanges that set a vehicle's home and read it until the vehicle reports it. */
 final class HomePlans {
     private static final int DO_SET_HOME = 179;
     private static final int FRAME_GLOBAL = 0;

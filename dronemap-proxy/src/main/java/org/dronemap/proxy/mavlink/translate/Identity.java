@@ -6,7 +6,7 @@ import org.dronemap.core.drone.Identification;
 import org.dronemap.mavlink.message.AutopilotVersion;
 import org.jspecify.annotations.Nullable;
 
-/** Who a vehicle says it is. */
+/** Reads the identification of a vehicle out of its AUTOPILOT_VERSION, type and autopilot. */
 public final class Identity {
     private Identity() {}
 

@@ -9,8 +9,9 @@ import org.dronemap.proxy.mavlink.translate.LossPolicy.Setting;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How each kind of vehicle is set. Only what concerns nothing but the ground station gets its time; what a vehicle does without its
- * remote control as well is made stricter, never laxer.
+ * The parameter sets by which each kind of vehicle comes home or lands when it loses the cloud. Only what concerns
+ * nothing but the ground station gets its time; what a vehicle does without its remote control as well is made
+ * stricter, never laxer.
  */
 final class LossPolicies {
     private static final String HOME = "it returns home";

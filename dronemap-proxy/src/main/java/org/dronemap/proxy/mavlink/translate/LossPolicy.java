@@ -9,7 +9,7 @@ import org.dronemap.core.drone.LossAction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one kind of vehicle calls what it does without a ground station, and how it is set so that it comes home or down.
+ * The parameters of one kind of vehicle for the loss of the ground station, and the values they are set to.
  *
  * @param settings of the cloud's loss
  * @param height how high it flies home; null: it cannot be set

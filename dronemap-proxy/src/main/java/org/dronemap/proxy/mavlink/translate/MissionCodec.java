@@ -155,7 +155,7 @@ public final class MissionCodec {
         return Float.isNaN(value) ? 0 : Math.round(value * 1000.0) / 1000.0;
     }
 
-    /** What autopilots want in front, and how they write "nothing". */
+    /** The form of a mission on the wire: whether home comes first, and how "nothing" is written. */
     record Form(boolean homeInFront, float noYaw, int hereLatitudeE7, int hereLongitudeE7) {}
 
     static List<MissionItemInt> toWire(List<MissionItem> mission, Target target, VehicleStatus status, Form form) {
@@ -175,7 +175,7 @@ public final class MissionCodec {
     }
 
     private record Step(int command, int frame, double first, double second, float yaw, Spot spot) {
-        /** Where it is; 0, 0 also where it has no place. */
+        /** The place of an item in wire units; 0, 0 also where it has none. */
         record Spot(int x, int y, double altitude) {
             static final Spot NONE = new Spot(0, 0, 0);
         }

@@ -14,7 +14,7 @@ import org.dronemap.proxy.mavlink.procedure.ParameterChange;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
 import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
 
-/** How a vehicle of ArduPilot begins the mission that it has, or goes on with it. */
+/** Makes the exchanges that start or resume the mission on an ArduPilot vehicle. */
 final class MissionStarts {
     private MissionStarts() {}
 

@@ -11,7 +11,9 @@ import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.proxy.mavlink.procedure.ParameterCodec;
 import org.jspecify.annotations.Nullable;
 
-/** What a vehicle said of its parameters, whoever asked; tells of each change. Owned by the drone's lane. */
+/**
+ * The parameters that a vehicle has reported, whoever asked for them; publishes each change. Owned by the drone's lane.
+ */
 public final class ParameterTable {
     private static final int MOST = 10_000;
 

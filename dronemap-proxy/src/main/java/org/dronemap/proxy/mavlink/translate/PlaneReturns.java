@@ -9,10 +9,7 @@ import org.dronemap.proxy.mavlink.procedure.CommandExchange;
 import org.dronemap.proxy.mavlink.procedure.CommandRequest;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 
-/**
- * How a fixed wing of ArduPilot comes home so that it ends on the ground: by the landing sequence of its mission
- * (MAV_CMD_DO_LAND_START, which is failed where there is none); else it flies home and circles there.
- */
+/** Makes the exchange that returns an ArduPilot plane by its landing sequence, or else by its return mode. */
 final class PlaneReturns {
     private static final String AUTO = "AUTO";
     private static final Duration TO_BEGIN = Duration.ofSeconds(5);

@@ -3,7 +3,7 @@ package org.dronemap.proxy.roslink.wire;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who speaks, and what about.
+ * The header of a ROSLink message: its sender, its kind and its sequence number.
  *
  * @param systemId 0 to 65535
  * @param sequence counts one way or another, or starts again: null where there is none

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.roslink.wire;
 
-/** What the cloud may say to a robot; none of it is ever acknowledged. Metres, m/s, rad/s. */
+/** A message from the cloud to a robot, never acknowledged, in metres, m/s and rad/s. Metres, m/s, rad/s. */
 public sealed interface Order {
     /** The number that the wire knows it by. */
     int messageId();

@@ -1,12 +1,12 @@
 package org.dronemap.proxy.roslink.wire;
 
-/** What bytes turned out to be. */
+/** The result of reading bytes as a ROSLink packet. */
 public sealed interface Reading {
     record Good(Packet packet) implements Reading {}
 
     record Bad(Fault fault) implements Reading {}
 
-    /** Why bytes are no message. */
+    /** The reason why bytes are no message. */
     enum Fault {
         TOO_LONG("is longer than may be"),
         NO_JSON("is not one whole JSON object, or too deep or too large a one"),

@@ -4,8 +4,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a robot says. A field that is missing, is no number or is not finite is null: each bridge leaves out others.
- * Metres, radians and seconds where nothing else is said.
+ * A message from a robot; a field that is missing, no number or not finite is null. A field that is missing, is no
+ * number or is not finite is null: each bridge leaves out others. Metres, radians and seconds where nothing else is
+ * said.
  */
 public sealed interface RobotMessage {
     /** {@code type} says what machine it is. */
@@ -23,7 +24,7 @@ public sealed interface RobotMessage {
             @Nullable Double batteryRemaining)
             implements RobotMessage {}
 
-    /** Where it is in a frame of its own, how it moves and how it stands; {@code z} is a yaw on ground robots. */
+    /** The position, velocity and attitude of a robot in its own frame; {@code z} is a yaw on ground robots. */
     record Motion(Triple place, Triple speed, Triple turn, Angles angles) implements RobotMessage {}
 
     /** Three axes. */
@@ -59,7 +60,7 @@ public sealed interface RobotMessage {
     /** A JPEG or PNG in Base64, perhaps broken into lines; what its bridge says of its size is not to be trusted. */
     record Image(String base64, @Nullable View view) implements RobotMessage {}
 
-    /** From where an image was taken, in degrees and metres. */
+    /** The position from which an image was taken, in degrees and metres. */
     record View(
             @Nullable Double latitude,
             @Nullable Double longitude,

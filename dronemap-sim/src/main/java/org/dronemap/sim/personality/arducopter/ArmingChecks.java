@@ -7,7 +7,7 @@ import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.Navigation;
 import org.dronemap.sim.flight.Parameters;
 
-/** What ArduCopter wants to be right before its motors turn; the sentences are its own, without "Arm: " or "PreArm: ". */
+/** The arming checks of ArduCopter, in its own sentences without "Arm: " or "PreArm: ". */
 final class ArmingChecks {
     private final Craft craft;
     private final Parameters parameters;

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Watches voltage and charge; low and critical each trip once, after BATT_LOW_TIMER seconds, until reset. */
 final class BatteryFailsafe {
-    /** What tripped and what to do about it: 0 only warns, 1 lands, 2 returns. */
+    /** A tripped battery fail-safe and its action: 0 only warns, 1 lands, 2 returns. */
     record Trip(String text, int action) {}
 
     private final Craft craft;

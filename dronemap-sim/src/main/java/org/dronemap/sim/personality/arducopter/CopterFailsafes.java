@@ -3,7 +3,7 @@ package org.dronemap.sim.personality.arducopter;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Severity;
 
-/** What ArduCopter does by itself when the battery, the ground station, GPS or a motor is lost. */
+/** The fail-safes of ArduCopter for the loss of battery, ground station, GPS or a motor. */
 final class CopterFailsafes {
     private static final int CONTINUE_AUTO_WITHOUT_GCS = 2;
     private static final int CONTINUE_LANDING = 8;

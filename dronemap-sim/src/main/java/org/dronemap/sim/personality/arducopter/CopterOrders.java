@@ -18,7 +18,7 @@ import org.dronemap.sim.personality.Telemetry;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.Position;
 
-/** How ArduCopter answers MAV_CMDs and position targets. Each copy of an order is acted on. */
+/** Executes MAV_CMDs and position targets as ArduCopter does. Each copy of an order is acted on. */
 final class CopterOrders {
     private static final int IGNORE_POSITION = 7;
     private static final int IGNORE_VELOCITY = 7 << 3;

@@ -5,7 +5,7 @@ import org.dronemap.sim.flight.Drive;
 import org.dronemap.sim.flight.Parameters;
 import org.jspecify.annotations.Nullable;
 
-/** What a ground station's sticks say in place of the radio's, for three seconds (RC_OVERRIDE_TIME) after they were heard. */
+/** The stick input of a ground station in place of the radio's, for three seconds (RC_OVERRIDE_TIME). */
 final class Joystick {
     private static final long FRESH_MILLIS = 3_000;
     private static final double FULL = 1000;

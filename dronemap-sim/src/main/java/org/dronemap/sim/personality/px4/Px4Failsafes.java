@@ -3,7 +3,7 @@ package org.dronemap.sim.personality.px4;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Severity;
 
-/** What PX4 does by itself when the data link, the battery or the position is lost. */
+/** The fail-safes of PX4 for the loss of data link, battery or position. */
 final class Px4Failsafes {
     private static final int RETURN_AT_CRITICAL = 3;
     private static final int LAND_AT_CRITICAL = 2;

@@ -11,7 +11,7 @@ import org.dronemap.sim.personality.Telemetry;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.Position;
 
-/** How PX4 answers MAV_CMDs: take-off and go-to by modes of their own, altitudes AMSL. */
+/** Executes MAV_CMDs as PX4 does: take-off and go-to by modes of their own, altitudes AMSL. */
 final class Px4Orders {
     private final Px4 px4;
     private final Px4Flight flight;

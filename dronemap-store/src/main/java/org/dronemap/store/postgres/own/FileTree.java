@@ -8,7 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Whole directories: deleted, or given to another owner. */
+/** Deletes whole directories, or changes their owner. */
 final class FileTree {
     private FileTree() {}
 

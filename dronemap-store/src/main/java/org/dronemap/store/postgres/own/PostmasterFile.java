@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** What a running (or killed) PostgreSQL left in {@code postmaster.pid}: its process and port. */
+/** The process id and port in the {@code postmaster.pid} of a running or killed PostgreSQL. */
 record PostmasterFile(long pid, int port) {
     private static final int PORT_LINE = 3;
 

@@ -1,6 +1,6 @@
 package org.dronemap.ws.security.oidc;
 
-/** Why a sign-in by the provider came to nothing; for the log, as it tells of configurations and attacks. */
+/** A sign-in by the provider that failed; for the log, as it tells of configurations and attacks. */
 final class OidcRefusal extends Exception {
     private static final long serialVersionUID = 1L;
 

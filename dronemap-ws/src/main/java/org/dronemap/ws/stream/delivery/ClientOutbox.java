@@ -8,10 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/**
- * What waits for one client: of each thing only the newest picture, of the signs of life only the newest, of commands and
- * answers everything, in order, up to a bound. Any thread.
- */
+/** Bounded outbox of one client: only the newest state of each thing, all commands and answers in order. Any thread. */
 final class ClientOutbox {
     static final int MOST_DISCRETE = 1_000;
 

@@ -2,7 +2,7 @@ package org.dronemap.ws.stream.delivery;
 
 import org.dronemap.core.drone.DroneId;
 
-/** The thing that a message of the stream is about; ids are unique among things of one kind. */
+/** Subject of a stream message: a kind and an id that is unique within it. */
 record Subject(String kind, String id) {
     static final String DRONE = "drone";
 

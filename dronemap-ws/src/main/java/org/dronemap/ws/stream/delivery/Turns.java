@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * When the newest picture of each thing is sent: at once when its last one is long enough ago, else when that time has come.
- * Small fleets are shown as fast as they report, big ones five times a second. Owned by the pump.
+ * Schedule by which the newest state of each thing is sent, adapted to the size of the fleet. Small fleets are shown as
+ * fast as they report, big ones five times a second. Owned by the pump.
  *
  * @param <P> a picture
  */

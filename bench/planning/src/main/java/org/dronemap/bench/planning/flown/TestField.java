@@ -36,7 +36,7 @@ final class TestField {
     private long now;
     private double joules;
 
-    /** What a flight took: from when it leaves the ground until it touches it, and all that its motors draw. */
+    /** Time and energy of a flight from lift-off to touch-down. */
     record Effort(double seconds, double joules) {
         Effort minus(Effort other) {
             return new Effort(seconds - other.seconds, joules - other.joules);
