@@ -173,7 +173,7 @@ class Load:
                 "-Xmx512m",
                 "-cp",
                 str(LOAD_JAR),
-                "org.dronemap.sim.load.Load",
+                "org.dronemap.sim.load.LoadMain",
                 *arguments,
             ],
             stdin=subprocess.PIPE,

@@ -11,9 +11,9 @@ from ..programs import ROOT
 from . import gpx, report
 
 MODULES = ("cognitive", "core", "mavlink", "sim")
-EXPERIMENT = "org.dronemap.cognitive.follow.Experiment"
+EXPERIMENT = "org.dronemap.cognitive.follow.FollowExperiment"
 SITL_EXPERIMENT = "org.dronemap.cognitive.follow.SitlExperiment"
-TRACKS = "org.dronemap.cognitive.follow.Tracks"
+TRACKS = "org.dronemap.cognitive.follow.RandomFollowStudy"
 
 
 def main(words: list[str]) -> None:

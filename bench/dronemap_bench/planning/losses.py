@@ -9,7 +9,7 @@ from typing import Any
 
 from .runs import CLASSES, RunError
 
-JAVA = ["java", "-Xmx2g", "-cp", CLASSES, "org.dronemap.bench.planning.loss.Losses"]
+JAVA = ["java", "-Xmx2g", "-cp", CLASSES, "org.dronemap.bench.planning.loss.DroneLossBenchmark"]
 
 
 @dataclass(frozen=True)

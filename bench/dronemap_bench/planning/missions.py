@@ -129,7 +129,7 @@ def alone(row: Row, ground: Ground, plan: tuple[float, int], folder: Path) -> fl
     file.write_text("\n".join(lines) + "\n")
     seconds, seed = plan
     words = [str(file), str(seed), str(seconds), str(WARM_UP_SECONDS)]
-    command = [*JAVA[:-1], "org.dronemap.bench.planning.GroundRun", *words]
+    command = [*JAVA[:-1], "org.dronemap.bench.planning.OfflinePlanning", *words]
     told = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
     return float(told.split()[1])
 

@@ -14,7 +14,7 @@ from .problems import Row, moved
 
 TARGET = ROOT / "bench" / "planning" / "target"
 CLASSES = f"{TARGET}/*:{TARGET}/lib/*"
-JAVA = ["java", "-Xmx2g", "-XX:+UseSerialGC", "-cp", CLASSES, "org.dronemap.bench.planning.Main"]
+JAVA = ["java", "-Xmx2g", "-XX:+UseSerialGC", "-cp", CLASSES, "org.dronemap.bench.planning.SolverMain"]
 """The same for all: the collector has no threads of its own, the compiler has, and its CPU counts."""
 
 SLOWEST = 4

@@ -36,9 +36,9 @@ public final class Faults {
     public static void premain(String fault, Instrumentation instrumentation) {
         if (fault.equals("frame")) {
             instrumentation.addTransformer(new Beginning(
-                    "org/dronemap/proxy/session/PeerSessions", "received", "(Ljava/nio/ByteBuffer;)V", "onFrame"));
+                    "org/dronemap/proxy/session/VehiclePeerHandler", "received", "(Ljava/nio/ByteBuffer;)V", "onFrame"));
         } else {
-            instrumentation.addTransformer(new Beginning("org/dronemap/ws/journal/RecordCodec", "state", null, "onState"));
+            instrumentation.addTransformer(new Beginning("org/dronemap/ws/journal/JsonOperationCodec", "state", null, "onState"));
         }
     }
 

@@ -32,7 +32,7 @@ public final class ArchiveMain {
     }
 
     private static void keepAll(String database, Path root) throws SQLException, IOException {
-        try (DatabaseRows rows = new DatabaseRows(DriverManager.getConnection(database))) {
+        try (DatabaseRowSource rows = new DatabaseRowSource(DriverManager.getConnection(database))) {
             DayArchive archive = new DayArchive(root, new Configuration(), rows);
             for (LocalDate day : rows.finished(Instant.now())) {
                 DayArchive.Result result = archive.keep(day);

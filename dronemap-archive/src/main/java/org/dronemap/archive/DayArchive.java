@@ -27,11 +27,11 @@ public final class DayArchive {
 
     private final Path root;
     private final Configuration configuration;
-    private final Rows rows;
-    private final MessageType schema = Columns.schema();
+    private final RowSource rows;
+    private final MessageType schema = ParquetColumns.schema();
 
     /** The status of a day after archiving. */
-    public enum Outcome {
+    public enum Status {
         WRITTEN,
         /** It was written before. */
         THERE,
@@ -40,10 +40,10 @@ public final class DayArchive {
     }
 
     /** {@code rowCount} of this time, 0 where nothing was written. */
-    public record Result(Outcome outcome, long rowCount) {}
+    public record Result(Status outcome, long rowCount) {}
 
     /** {@code configuration} says how to reach the file system of {@code root}. */
-    public DayArchive(Path root, Configuration configuration, Rows rows) {
+    public DayArchive(Path root, Configuration configuration, RowSource rows) {
         this.root = root;
         this.configuration = configuration;
         this.rows = rows;
@@ -62,20 +62,20 @@ public final class DayArchive {
     public Result keep(LocalDate day) throws IOException {
         FileSystem files = root.getFileSystem(configuration);
         if (files.exists(file(day))) {
-            return new Result(Outcome.THERE, 0);
+            return new Result(Status.THERE, 0);
         }
         Path unfinished = new Path(folder(day), UNFINISHED);
         files.delete(unfinished, false);
         long written = write(day, unfinished);
         if (written == 0) {
             files.delete(folder(day), true);
-            return new Result(Outcome.EMPTY, 0);
+            return new Result(Status.EMPTY, 0);
         }
         verify(day, unfinished, written);
         if (!files.rename(unfinished, file(day))) {
             throw new IOException(unfinished + " cannot be given its name " + FILE + ".");
         }
-        return new Result(Outcome.WRITTEN, written);
+        return new Result(Status.WRITTEN, written);
     }
 
     private long write(LocalDate day, Path to) throws IOException {
@@ -87,7 +87,7 @@ public final class DayArchive {
                 .build()) {
             rows.of(day, values -> {
                 Group row = new SimpleGroup(schema);
-                Columns.write(values, row);
+                ParquetColumns.write(values, row);
                 writer.write(row);
                 count[0]++;
             });
@@ -103,9 +103,9 @@ public final class DayArchive {
             rows.of(day, values -> {
                 seen[0]++;
                 Group row = reader.read();
-                if (row == null || !values.equals(Columns.read(row))) {
+                if (row == null || !values.equals(ParquetColumns.read(row))) {
                     throw new IOException("Row " + seen[0] + " of " + day + " was not read back as it is: "
-                            + (row == null ? "it is missing" : Columns.read(row)) + " instead of " + values + ".");
+                            + (row == null ? "it is missing" : ParquetColumns.read(row)) + " instead of " + values + ".");
                 }
             });
             if (reader.read() != null || seen[0] != count) {
@@ -115,7 +115,7 @@ public final class DayArchive {
     }
 
     /** All rows of a day that is in the archive. */
-    public void read(LocalDate day, Rows.Taker taker) throws IOException {
+    public void read(LocalDate day, RowSource.RowConsumer taker) throws IOException {
         if (!root.getFileSystem(configuration).exists(file(day))) {
             throw new FileNotFoundException("There is no " + file(day) + ".");
         }
@@ -123,7 +123,7 @@ public final class DayArchive {
                 .withConf(configuration)
                 .build()) {
             for (Group row = reader.read(); row != null; row = reader.read()) {
-                taker.row(Columns.read(row));
+                taker.row(ParquetColumns.read(row));
             }
         }
     }

@@ -63,7 +63,7 @@ public final class Frame {
             return this;
         }
         byte[] bare = raw.clone();
-        int length = Signature.strip(bare, 0, bare.length);
+        int length = SignatureStripper.strip(bare, 0, bare.length);
         return new Frame(Arrays.copyOf(bare, length), verified);
     }
 

@@ -64,7 +64,7 @@ class FrameCopyTest {
         assertThat(other.copy(received, null).orElseThrow()).isEqualTo(unknown(42, 0, payload));
 
         byte[] signed = other.copy(received, signer(2)).orElseThrow();
-        int length = Signature.strip(signed, 0, signed.length);
+        int length = SignatureStripper.strip(signed, 0, signed.length);
         assertThat(Arrays.copyOf(signed, length)).isEqualTo(unknown(42, 1, payload));
     }
 

@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -107,10 +107,10 @@ class SitlFlightTest {
         succeeds(cloud, id, new Command.Hold());
         assertThat(state(cloud, id).mode()).isEqualTo("BRAKE");
 
-        succeeds(cloud, id, new Command.StartMission(CloudLoss.CONTINUE));
+        succeeds(cloud, id, new Command.StartMission(MissionCloudLossPolicy.CONTINUE));
         until(cloud, id, 120, state -> state.mission().reached().containsAll(List.of(0, 1)));
         succeeds(cloud, id, new Command.PauseMission());
-        succeeds(cloud, id, new Command.StartMission(CloudLoss.RETURN_TO_LAUNCH));
+        succeeds(cloud, id, new Command.StartMission(MissionCloudLossPolicy.RETURN_TO_LAUNCH));
         until(cloud, id, 180, state -> Boolean.FALSE.equals(state.armed()));
         assertThat(distance(state(cloud, id), HOME)).isLessThan(2);
         assertThat(state(cloud, id).mission().reached()).contains(2);

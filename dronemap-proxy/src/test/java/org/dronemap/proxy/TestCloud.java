@@ -18,8 +18,8 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.CommandGate;
-import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -31,15 +31,15 @@ import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.KnownMission;
-import org.dronemap.core.drone.OwnersStore;
-import org.dronemap.core.drone.OwnersValues;
+import org.dronemap.core.drone.ParameterOverrideStore;
+import org.dronemap.core.drone.ParameterOverrides;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.core.time.Time;
-import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointCounters;
+import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
@@ -51,16 +51,16 @@ import org.dronemap.proxy.session.FrameTap;
 public final class TestCloud implements AutoCloseable {
     private static final CommandGate.Source PILOT =
             new CommandGate.Source(new Principal("pilot", Role.OPERATOR), "rest");
-    private static final Time REAL = new SystemTime();
+    private static final Time REAL = new RealTime();
     private static final Duration BETWEEN_LOOKS = Duration.ofMillis(10);
     private static final Duration LONGEST_COMMAND = Duration.ofSeconds(60);
 
     private final Time time;
     private final Lanes lanes;
-    private final Journal journal;
+    private final StoreWriter journal;
     private final Commands commands = new Commands();
     private final CloudManager cloud;
-    private final Proxy proxy;
+    private final MavlinkProxy proxy;
 
     public TestCloud(int udpPort) {
         this(udpPort, componentId -> FrameTap.NONE);
@@ -72,7 +72,7 @@ public final class TestCloud implements AutoCloseable {
                         EndpointUrl.parse("udpserver://127.0.0.1:" + udpPort),
                         EndpointUrl.parse("tcpserver://127.0.0.1:0")),
                 taps,
-                new SystemTime());
+                new RealTime());
     }
 
     /** Without sockets, in stepped time too. */
@@ -83,18 +83,18 @@ public final class TestCloud implements AutoCloseable {
     private TestCloud(List<EndpointUrl> urls, FrameTap.Factory taps, Time time) {
         this.time = time;
         lanes = new Lanes(time, 2);
-        journal = new Journal(time);
+        journal = new StoreWriter(time);
         cloud = new CloudManager(
                 lanes,
                 Watchdog.DEFAULT,
                 time,
-                new CloudManager.Keeping(new Drones(), commands, new Leases(), new Owners(), journal),
+                new CloudManager.Persistence(new Drones(), commands, new Leases(), new Owners(), journal),
                 () -> new DroneId(UUID.randomUUID().toString()));
-        proxy = new Proxy(
+        proxy = new MavlinkProxy(
                 cloud,
                 lanes,
                 urls,
-                new Proxy.Policy(TestKeys.of(cloud, journal), taps, Doors.of(DtlsKeys.none()), Enrolment.LOOPBACK),
+                new MavlinkProxy.Policy(TestKeyrings.of(cloud, journal), taps, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK),
                 time);
         try {
             proxy.start();
@@ -104,7 +104,7 @@ public final class TestCloud implements AutoCloseable {
         }
     }
 
-    public Proxy proxy() {
+    public MavlinkProxy proxy() {
         return proxy;
     }
 
@@ -295,16 +295,16 @@ public final class TestCloud implements AutoCloseable {
         }
     }
 
-    private static final class Owners implements OwnersStore {
-        private final ConcurrentHashMap<DroneId, OwnersValues> kept = new ConcurrentHashMap<>();
+    private static final class Owners implements ParameterOverrideStore {
+        private final ConcurrentHashMap<DroneId, ParameterOverrides> kept = new ConcurrentHashMap<>();
 
         @Override
-        public List<OwnersValues> all() {
+        public List<ParameterOverrides> all() {
             return List.copyOf(kept.values());
         }
 
         @Override
-        public void save(OwnersValues values) {
+        public void save(ParameterOverrides values) {
             kept.put(values.drone(), values);
         }
 

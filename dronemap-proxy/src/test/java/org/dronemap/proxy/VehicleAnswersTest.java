@@ -31,7 +31,7 @@ class VehicleAnswersTest {
     /** Enough for anything to be taken for a drone. */
     private static final Duration LONG_ENOUGH = Duration.ofSeconds(5);
 
-    private static final BiConsumer<PlayedVehicle, Frame> SILENT = (vehicle, frame) -> {};
+    private static final BiConsumer<FakeVehicle, Frame> SILENT = (vehicle, frame) -> {};
 
     private final SteppedTime time = new SteppedTime(Instant.parse("2026-03-04T05:06:07Z"));
     private final TestCloud cloud = new TestCloud(componentId -> FrameTap.NONE, time);
@@ -42,13 +42,13 @@ class VehicleAnswersTest {
         assertThat(time.failures()).isEmpty();
     }
 
-    private PlayedVehicle played(
-            int port, FrameWriter writer, Heartbeat first, BiConsumer<PlayedVehicle, Frame> answers) {
-        return new PlayedVehicle(cloud.proxy().handlers(), port, time, writer, first, answers);
+    private FakeVehicle played(
+            int port, FrameWriter writer, Heartbeat first, BiConsumer<FakeVehicle, Frame> answers) {
+        return new FakeVehicle(cloud.proxy().handlers(), port, time, writer, first, answers);
     }
 
-    private PlayedVehicle vehicle(int systemId, BiConsumer<PlayedVehicle, Frame> answers) {
-        return played(14_551, new FrameWriter(systemId, 1, 2), PlayedVehicle.copter(4, false), answers);
+    private FakeVehicle vehicle(int systemId, BiConsumer<FakeVehicle, Frame> answers) {
+        return played(14_551, new FrameWriter(systemId, 1, 2), FakeVehicle.copter(4, false), answers);
     }
 
     private void await(BooleanSupplier wanted, String otherwise) {
@@ -57,16 +57,16 @@ class VehicleAnswersTest {
 
     @Test
     void makesNoDroneOfGroundStationsGimbalsAndTransponders() throws IOException {
-        try (PlayedVehicle vehicle = vehicle(1, SILENT)) {
-            vehicle.send(PlayedVehicle.copter(4, false));
-            try (PlayedVehicle station =
+        try (FakeVehicle vehicle = vehicle(1, SILENT)) {
+            vehicle.send(FakeVehicle.copter(4, false));
+            try (FakeVehicle station =
                             played(14_552, new FrameWriter(255, 190, 2), new Heartbeat(6, 8, 0, 0, 4, 3), SILENT);
-                    PlayedVehicle gimbal =
+                    FakeVehicle gimbal =
                             played(14_553, new FrameWriter(9, 154, 2), new Heartbeat(26, 8, 0, 0, 4, 3), SILENT);
-                    PlayedVehicle transponder =
+                    FakeVehicle transponder =
                             played(14_554, new FrameWriter(10, 156, 2), new Heartbeat(27, 8, 0, 0, 4, 3), SILENT)) {
                 await(
-                        () -> Stream.of(vehicle, station, gimbal, transponder).allMatch(PlayedVehicle::isAtTheDoor),
+                        () -> Stream.of(vehicle, station, gimbal, transponder).allMatch(FakeVehicle::isAtTheDoor),
                         "not all were heard");
                 cloud.awaitDrone(state -> state.link().state() == LinkState.LIVE);
                 time.advance(LONG_ENOUGH);
@@ -81,18 +81,18 @@ class VehicleAnswersTest {
 
     @Test
     void keepsTwoVehiclesWithOneSystemIdApartAndCommandsThemSeparately() throws IOException {
-        BiConsumer<PlayedVehicle, Frame> arms = PlayedVehicle.onArm((vehicle, command) -> {
-            vehicle.is(PlayedVehicle.copter(4, true));
-            vehicle.acknowledge(PlayedVehicle.ARM, 0);
+        BiConsumer<FakeVehicle, Frame> arms = FakeVehicle.onArm((vehicle, command) -> {
+            vehicle.is(FakeVehicle.copter(4, true));
+            vehicle.acknowledge(FakeVehicle.ARM, 0);
         });
-        try (PlayedVehicle one = vehicle(1, arms);
-                PlayedVehicle other = played(14_552, new FrameWriter(1, 1, 2), PlayedVehicle.copter(4, false), arms)) {
+        try (FakeVehicle one = vehicle(1, arms);
+                FakeVehicle other = played(14_552, new FrameWriter(1, 1, 2), FakeVehicle.copter(4, false), arms)) {
             await(() -> cloud.cloud().drones().size() == 2, "not two");
             DroneState first = cloud.awaitDrone(state -> state.armed() != null);
 
             assertThat(cloud.command(first.id(), new Command.Arm())).isEqualTo(new Outcome.Succeeded());
-            assertThat(one.commands(PlayedVehicle.ARM).size()
-                            + other.commands(PlayedVehicle.ARM).size())
+            assertThat(one.commands(FakeVehicle.ARM).size()
+                            + other.commands(FakeVehicle.ARM).size())
                     .isEqualTo(1);
         }
     }
@@ -100,20 +100,20 @@ class VehicleAnswersTest {
     @Test
     void actsOnceWhenTheFirstTwoAcknowledgementsAreLost() throws IOException {
         AtomicInteger acts = new AtomicInteger();
-        try (PlayedVehicle vehicle = vehicle(1, PlayedVehicle.onArm((played, command) -> {
+        try (FakeVehicle vehicle = vehicle(1, FakeVehicle.onArm((played, command) -> {
             if (command.confirmation() == 0) {
                 acts.incrementAndGet();
             }
             if (command.confirmation() == 2) {
-                played.is(PlayedVehicle.copter(4, true));
-                played.acknowledge(PlayedVehicle.ARM, 0);
+                played.is(FakeVehicle.copter(4, true));
+                played.acknowledge(FakeVehicle.ARM, 0);
             }
         }))) {
             DroneState drone = cloud.awaitDrone(state -> state.armed() != null);
 
             assertThat(cloud.command(drone.id(), new Command.Arm())).isEqualTo(new Outcome.Succeeded());
             assertThat(acts).hasValue(1);
-            assertThat(vehicle.commands(PlayedVehicle.ARM))
+            assertThat(vehicle.commands(FakeVehicle.ARM))
                     .extracting(CommandLong::confirmation)
                     .containsExactly(0, 1, 2);
         }
@@ -121,8 +121,8 @@ class VehicleAnswersTest {
 
     @Test
     void passesTheVehiclesOwnSentenceOn() throws IOException {
-        try (PlayedVehicle vehicle = vehicle(1, PlayedVehicle.onArm((played, command) -> {
-            played.acknowledge(PlayedVehicle.ARM, 4);
+        try (FakeVehicle vehicle = vehicle(1, FakeVehicle.onArm((played, command) -> {
+            played.acknowledge(FakeVehicle.ARM, 4);
             played.say(2, "PreArm: the parrot is asleep 8251");
         }))) {
             DroneState drone = cloud.awaitDrone(state -> state.armed() != null);
@@ -130,25 +130,25 @@ class VehicleAnswersTest {
             assertThat(cloud.command(drone.id(), new Command.Arm()))
                     .isEqualTo(new Outcome.Refused(
                             "vehicle", "PreArm: the parrot is asleep 8251", OutcomeCode.VEHICLE_FAILED));
-            assertThat(vehicle.commands(PlayedVehicle.ARM)).hasSize(1);
+            assertThat(vehicle.commands(FakeVehicle.ARM)).hasSize(1);
         }
     }
 
     @Test
     void saysHowLongAVehicleDidNotAnswer() throws IOException {
-        try (PlayedVehicle vehicle = vehicle(1, SILENT)) {
+        try (FakeVehicle vehicle = vehicle(1, SILENT)) {
             DroneState drone = cloud.awaitDrone(state -> state.armed() != null);
 
             Outcome outcome = cloud.command(drone.id(), new Command.Arm());
 
-            assertThat(vehicle.commands(PlayedVehicle.ARM)).hasSize(9);
+            assertThat(vehicle.commands(FakeVehicle.ARM)).hasSize(9);
             assertThat(outcome).isEqualTo(new Outcome.TimedOut("No answer from the vehicle within 8 s (9 tries)."));
         }
     }
 
     @Test
     void showsWhatIsUnknownAsUnknown() throws IOException {
-        try (PlayedVehicle vehicle = vehicle(1, SILENT)) {
+        try (FakeVehicle vehicle = vehicle(1, SILENT)) {
             vehicle.send(vehicle.heartbeat());
             vehicle.send(new GlobalPositionInt(0, 0, 0, 0, 0, 0, 0, 0, 65_535));
             vehicle.send(new SysStatus(0, 0, 0, 0, 12_600, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0));
@@ -165,7 +165,7 @@ class VehicleAnswersTest {
 
     @Test
     void asksForRatesAndBeatsAsAGroundStation() throws IOException {
-        try (PlayedVehicle vehicle = vehicle(1, SILENT)) {
+        try (FakeVehicle vehicle = vehicle(1, SILENT)) {
             await(
                     () -> vehicle.commands(511).stream().anyMatch(ask -> ask.param1() == 33 && ask.param2() == 250_000),
                     "no rate was asked");

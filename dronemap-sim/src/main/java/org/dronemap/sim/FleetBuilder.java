@@ -2,18 +2,18 @@ package org.dronemap.sim;
 
 import java.util.Locale;
 import java.util.function.Consumer;
-import org.dronemap.sim.flight.Craft;
-import org.dronemap.sim.flight.Navigation;
-import org.dronemap.sim.link.Fleet;
+import org.dronemap.sim.flight.NavigationEstimator;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.link.SimulatedFleet;
 import org.dronemap.sim.personality.AutopilotKind;
 import org.dronemap.sim.personality.SimulatedVehicle;
 import org.dronemap.sim.personality.VehicleSettings;
-import org.dronemap.sim.personality.arducopter.ArduCopter;
-import org.dronemap.sim.personality.px4.Px4;
-import org.dronemap.sim.physics.Battery;
+import org.dronemap.sim.personality.arducopter.SimulatedArduCopter;
+import org.dronemap.sim.personality.px4.SimulatedPx4;
+import org.dronemap.sim.physics.BatteryModel;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Wind;
+import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.WindModel;
 
 /** Puts a fleet on the field: a square grid of ten metres, north-east of home. */
 final class FleetBuilder {
@@ -23,19 +23,19 @@ final class FleetBuilder {
     private static final long FOR_GOOD_MILLIS = Long.MAX_VALUE / 2;
 
     static final AutopilotKind ARDUCOPTER =
-            new AutopilotKind("arducopter", "\n\nInit ArduCopter V4.5.5 (simulated)\n\n", ArduCopter::new);
-    static final AutopilotKind PX4 = new AutopilotKind("px4", "", Px4::new);
+            new AutopilotKind("arducopter", "\n\nInit ArduCopter V4.5.5 (simulated)\n\n", SimulatedArduCopter::new);
+    static final AutopilotKind PX4 = new AutopilotKind("px4", "", SimulatedPx4::new);
 
-    private final Options options;
+    private final SimulatorOptions options;
     private final long epochMicros;
 
-    FleetBuilder(Options options, long epochMicros) {
+    FleetBuilder(SimulatorOptions options, long epochMicros) {
         this.options = options;
         this.epochMicros = epochMicros;
     }
 
-    Fleet build() {
-        Fleet fleet = new Fleet(options.server(), options.speedup());
+    SimulatedFleet build() {
+        SimulatedFleet fleet = new SimulatedFleet(options.server(), options.speedup());
         for (int i = 0; i < options.count(); i++) {
             int index = i;
             fleet.add(link -> vehicle(index, link));
@@ -47,14 +47,14 @@ final class FleetBuilder {
         int side = (int) Math.ceil(Math.sqrt(options.count()));
         int row = index / side;
         int column = index % side;
-        LocalFrame place = options.home().shifted(new Position(row * SPACING_METERS, column * SPACING_METERS, 0));
+        LocalFrame place = options.home().shifted(new NeuPosition(row * SPACING_METERS, column * SPACING_METERS, 0));
         long seed = options.seed() * 1_000_003 + index;
         double towards = (options.seed() & 7) * Math.PI / 4;
-        Craft craft = new Craft(
+        SimulatedCraft craft = new SimulatedCraft(
                 place,
-                new Battery(BATTERY_MILLIAMP_HOURS),
-                new Wind(options.windSpeed(), towards, seed),
-                new Navigation((long) (options.readyAfterSeconds() * 1000)));
+                new BatteryModel(BATTERY_MILLIAMP_HOURS),
+                new WindModel(options.windSpeed(), towards, seed),
+                new NavigationEstimator((long) (options.readyAfterSeconds() * 1000)));
         int systemId = (options.firstSystemId() - 1 + index) % SYSTEM_IDS + 1;
         VehicleSettings settings = new VehicleSettings(
                 systemId,

@@ -4,18 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.sim.control.ControlCommands;
+import org.dronemap.sim.control.ControlPortCommands;
 import org.junit.jupiter.api.Test;
 
 class FaultsTest {
-    private static void fault(Bench bench, String what) {
-        assertThat(ControlCommands.run("fault 1 " + what, List.of(bench.vehicle)))
+    private static void fault(VehicleTestBench bench, String what) {
+        assertThat(ControlPortCommands.run("fault 1 " + what, List.of(bench.vehicle)))
                 .startsWith("ok");
     }
 
     @Test
     void silentStopsTalkingAndListening() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         fault(bench, "silent 10s");
         bench.run(9);
         assertThat(bench.heard).isEmpty();
@@ -27,20 +27,20 @@ class FaultsTest {
 
     @Test
     void whoIsWokenTalksAtOnceAndMakesUpForNothing() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         fault(bench, "silent 10000s");
         bench.run(100);
         assertThat(bench.heard).isEmpty();
-        assertThat(ControlCommands.run("wake 1", List.of(bench.vehicle))).isEqualTo("ok 1 vehicles");
+        assertThat(ControlPortCommands.run("wake 1", List.of(bench.vehicle))).isEqualTo("ok 1 vehicles");
         bench.run(2);
         assertThat(bench.heard.stream().filter(heard -> heard.frame().messageId() == Heartbeat.ID))
                 .hasSizeBetween(1, 3);
-        assertThat(ControlCommands.run("wake 2", List.of(bench.vehicle))).startsWith("err");
+        assertThat(ControlPortCommands.run("wake 2", List.of(bench.vehicle))).startsWith("err");
     }
 
     @Test
     void gpsOffMakesItLand() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         fault(bench, "gps off");
         bench.run(9);
         assertThat(bench.mode()).isEqualTo(9);
@@ -51,14 +51,14 @@ class FaultsTest {
 
     @Test
     void batterySetsWhatIsLeft() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         fault(bench, "battery 15");
         assertThat(bench.vehicle.craft().battery().remainingPercent()).isBetween(14.9, 15.1);
     }
 
     @Test
     void anEmptyBatteryMakesItFall() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         fault(bench, "battery 0");
         bench.run(4);
         assertThat(bench.height()).isZero();
@@ -66,7 +66,7 @@ class FaultsTest {
 
     @Test
     void crashFallsAndDoesNotArmAgainUntilRepaired() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         fault(bench, "crash");
         bench.run(5);
         assertThat(bench.height()).isZero();
@@ -79,7 +79,7 @@ class FaultsTest {
 
     @Test
     void motorFailureFallsAndStaysArmed() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         fault(bench, "motor-failure");
         bench.run(10);
         assertThat(bench.height()).isZero();
@@ -88,7 +88,7 @@ class FaultsTest {
 
     @Test
     void rebootForgetsTheModeAndKeepsMissionAndParameters() {
-        Bench bench = Bench.ready();
+        VehicleTestBench bench = VehicleTestBench.ready();
         bench.parameter("RTL_ALT", 2000);
         bench.upload(bench.item(0, 16, 0, 0, 0), bench.item(1, 22, 0, 0, 20));
         bench.command(176, 1, 4);
@@ -104,7 +104,7 @@ class FaultsTest {
 
     @Test
     void aDeafVehicleGoesOnTalkingAndItsFailsafeActs() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         bench.parameter("FS_GCS_ENABLE", 1);
         fault(bench, "gcs-ignore on");
         assertThat(bench.command(400, 1)).isEqualTo(-1);
@@ -115,7 +115,7 @@ class FaultsTest {
 
     @Test
     void stickLowSinksInLoiter() {
-        Bench bench = Bench.flying(20);
+        VehicleTestBench bench = VehicleTestBench.flying(20);
         bench.command(176, 1, 5);
         fault(bench, "stick low");
         bench.run(4);

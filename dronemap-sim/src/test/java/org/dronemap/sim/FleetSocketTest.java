@@ -26,7 +26,7 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.sim.control.ControlPort;
-import org.dronemap.sim.link.Fleet;
+import org.dronemap.sim.link.SimulatedFleet;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -37,7 +37,7 @@ class FleetSocketTest {
     private final FrameWriter ground = new FrameWriter(255, 190, 2);
     private final Set<Integer> ports = new HashSet<>();
     private final Set<Integer> systemIds = new HashSet<>();
-    private Fleet fleet = fleet(3);
+    private SimulatedFleet fleet = fleet(3);
     private boolean armed;
     private int beats;
 
@@ -51,9 +51,9 @@ class FleetSocketTest {
         }
     }
 
-    private Fleet fleet(int count) {
+    private SimulatedFleet fleet(int count) {
         return new FleetBuilder(
-                        Options.parse(List.of(
+                        SimulatorOptions.parse(List.of(
                                 "--count", "" + count,
                                 "--connect", "udp://127.0.0.1:" + server.getLocalPort(),
                                 "--speedup", "20")),
@@ -157,7 +157,7 @@ class FleetSocketTest {
 
     private static String complaint(String... arguments) {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        int code = Main.run(List.of(arguments), System.out, new PrintStream(err, true, StandardCharsets.UTF_8));
+        int code = SimulatorMain.run(List.of(arguments), System.out, new PrintStream(err, true, StandardCharsets.UTF_8));
         assertThat(code).isEqualTo(2);
         return err.toString(StandardCharsets.UTF_8);
     }

@@ -30,9 +30,9 @@ class MeasuredFiguresTest {
 
     private static final System.Logger LOG = System.getLogger(MeasuredFiguresTest.class.getName());
 
-    private final Measures measures = new Measures();
+    private final FigureMeasurements measures = new FigureMeasurements();
 
-    record Figure(String key, double value, double tolerance, Exchange exchange) {
+    record Figure(String key, double value, double tolerance, RecordedExchange exchange) {
         @Override
         public String toString() {
             return key;
@@ -46,7 +46,7 @@ class MeasuredFiguresTest {
                         match.group(1),
                         Double.parseDouble(match.group(2)),
                         Double.parseDouble(match.group(3)),
-                        Exchange.valueOf(match.group(4).toUpperCase(Locale.ROOT))));
+                        RecordedExchange.valueOf(match.group(4).toUpperCase(Locale.ROOT))));
     }
 
     static Stream<Figure> sameFigures() throws IOException {
@@ -61,7 +61,7 @@ class MeasuredFiguresTest {
     @MethodSource("sameFigures")
     void fliesLikeTheRealOne(Figure figure) {
         ToDoubleFunction<Transcript> measure = measures.of(figure.key());
-        Scene scene = new Scene(figure.exchange());
+        RecordedScenario scene = new RecordedScenario(figure.exchange());
         assertThat(measure.applyAsDouble(scene.recorded()))
                 .as("as recorded")
                 .isEqualTo(figure.value(), within(ROUNDING));
@@ -75,7 +75,7 @@ class MeasuredFiguresTest {
     @ParameterizedTest
     @MethodSource("differentFigures")
     void differsOnlyInWhatIsListed(Figure figure) {
-        Scene scene = new Scene(figure.exchange());
+        RecordedScenario scene = new RecordedScenario(figure.exchange());
         scene.play();
         double simulated = measures.of(figure.key()).applyAsDouble(scene.played());
         LOG.log(

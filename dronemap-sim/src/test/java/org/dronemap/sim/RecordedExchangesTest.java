@@ -20,8 +20,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 class RecordedExchangesTest {
     @ParameterizedTest
     @EnumSource
-    void answersAsTheRealOneDid(Exchange exchange) {
-        Scene scene = new Scene(exchange);
+    void answersAsTheRealOneDid(RecordedExchange exchange) {
+        RecordedScenario scene = new RecordedScenario(exchange);
         String firstMode = scene.mode();
         scene.play();
         for (String kind : List.of("ack", "mode", "text", "mission")) {
@@ -32,8 +32,8 @@ class RecordedExchangesTest {
     /** MISSION_FROM_THE_AIR was recorded with the last half metre of the climb still to go. */
     @ParameterizedTest
     @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "MISSION_FROM_THE_AIR")
-    void tellsTheSameStates(Exchange exchange) {
-        Scene scene = new Scene(exchange);
+    void tellsTheSameStates(RecordedExchange exchange) {
+        RecordedScenario scene = new RecordedScenario(exchange);
         scene.play();
         compare(
                 "landed",
@@ -50,8 +50,8 @@ class RecordedExchangesTest {
     @EnumSource(
             mode = EnumSource.Mode.EXCLUDE,
             names = {"MISSION_FROM_THE_AIR", "MISSION_UPLOAD_REFUSED"})
-    void tellsTheSameProgress(Exchange exchange) {
-        Scene scene = new Scene(exchange);
+    void tellsTheSameProgress(RecordedExchange exchange) {
+        RecordedScenario scene = new RecordedScenario(exchange);
         scene.play();
         for (String field : List.of("seq", "mission_state", "total")) {
             compare(
@@ -65,14 +65,14 @@ class RecordedExchangesTest {
     void noRecordingIsLeftOut() throws IOException {
         try (Stream<Path> files = Files.list(Path.of("exchanges", "recorded"))) {
             assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".jsonl")))
-                    .containsExactlyInAnyOrderElementsOf(Arrays.stream(Exchange.values())
+                    .containsExactlyInAnyOrderElementsOf(Arrays.stream(RecordedExchange.values())
                             .map(exchange -> exchange.fileName() + ".jsonl")
                             .toList());
         }
     }
 
-    private static List<Answer> ofKind(List<Answer> all, String kind, String firstMode) {
-        List<Answer> chosen =
+    private static List<VehicleAnswer> ofKind(List<VehicleAnswer> all, String kind, String firstMode) {
+        List<VehicleAnswer> chosen =
                 all.stream().filter(answer -> answer.kind().equals(kind)).toList();
         return switch (kind) {
             case "mode" -> changes(chosen, firstMode);
@@ -82,10 +82,10 @@ class RecordedExchangesTest {
     }
 
     /** Of the heartbeats only those count that tell of another mode. */
-    private static List<Answer> changes(List<Answer> heartbeats, String firstMode) {
-        List<Answer> changes = new ArrayList<>();
+    private static List<VehicleAnswer> changes(List<VehicleAnswer> heartbeats, String firstMode) {
+        List<VehicleAnswer> changes = new ArrayList<>();
         String mode = firstMode;
-        for (Answer heartbeat : heartbeats) {
+        for (VehicleAnswer heartbeat : heartbeats) {
             if (!heartbeat.text().equals(mode)) {
                 changes.add(heartbeat);
                 mode = heartbeat.text();
@@ -98,10 +98,10 @@ class RecordedExchangesTest {
      * An item that is missing is asked for again each second; whether just before or just after a message of the same instant
      * is chance. How often is among the measured figures.
      */
-    private static List<Answer> withoutRepeatedRequests(List<Answer> answers) {
-        List<Answer> chosen = new ArrayList<>();
-        Answer last = new Answer("mission", "", 0);
-        for (Answer answer : answers) {
+    private static List<VehicleAnswer> withoutRepeatedRequests(List<VehicleAnswer> answers) {
+        List<VehicleAnswer> chosen = new ArrayList<>();
+        VehicleAnswer last = new VehicleAnswer("mission", "", 0);
+        for (VehicleAnswer answer : answers) {
             boolean request = answer.text().startsWith("ask ");
             long since = answer.millis() - last.millis();
             if (!request || !answer.text().equals(last.text()) || since < 900 || since > 1_200) {
@@ -112,10 +112,10 @@ class RecordedExchangesTest {
         return chosen;
     }
 
-    private static void compare(String kind, List<Answer> real, List<Answer> simulated) {
-        assertThat(simulated.stream().map(Answer::line))
+    private static void compare(String kind, List<VehicleAnswer> real, List<VehicleAnswer> simulated) {
+        assertThat(simulated.stream().map(VehicleAnswer::line))
                 .as(kind)
-                .containsExactlyElementsOf(real.stream().map(Answer::line).toList());
+                .containsExactlyElementsOf(real.stream().map(VehicleAnswer::line).toList());
         for (int i = 0; i < real.size(); i++) {
             long seen = real.get(i).millis();
             assertThat(simulated.get(i).millis())

@@ -38,20 +38,20 @@ class SigningTest {
         return new SetupSigning(1, 1, secret, clock.next());
     }
 
-    private Bench signing(String... options) {
-        Bench bench = Bench.ready(options);
+    private VehicleTestBench signing(String... options) {
+        VehicleTestBench bench = VehicleTestBench.ready(options);
         bench.send(setup(KEY));
         bench.heard.clear();
         return bench;
     }
 
-    private static boolean answers(Bench bench) {
+    private static boolean answers(VehicleTestBench bench) {
         return bench.count(ParamValue.ID) > 0;
     }
 
     @Test
     void signsEverythingOnceItHasAKeyWithATimeThatTheSenderAccepts() {
-        Bench bench = signing();
+        VehicleTestBench bench = signing();
         bench.run(3);
 
         SignatureCheck check = new SignatureCheck(KEY, clock);
@@ -63,7 +63,7 @@ class SigningTest {
 
     @Test
     void listensToItsKeyOnly() {
-        Bench bench = signing();
+        VehicleTestBench bench = signing();
         bench.send(QUESTION);
         bench.send(QUESTION, new OutgoingSigner(key(7), clock, 0));
         assertThat(answers(bench)).isFalse();
@@ -75,14 +75,14 @@ class SigningTest {
 
     @Test
     void listensToEverybodyOnTheFirstChannel() {
-        Bench bench = signing("--usb");
+        VehicleTestBench bench = signing("--usb");
         bench.send(QUESTION);
         assertThat(answers(bench)).isTrue();
     }
 
     @Test
     void takesANewKeyFromWhoHasTheOldOneAndForgetsItForZeros() {
-        Bench bench = signing();
+        VehicleTestBench bench = signing();
         bench.send(setup(key(7)));
         bench.send(QUESTION, new OutgoingSigner(KEY, clock, 0));
         assertThat(answers(bench)).isTrue();
@@ -94,12 +94,12 @@ class SigningTest {
 
         bench.send(QUESTION);
         assertThat(answers(bench)).isTrue();
-        assertThat(bench.heard).extracting(Bench.Heard::frame).noneMatch(Frame::signed);
+        assertThat(bench.heard).extracting(VehicleTestBench.Heard::frame).noneMatch(Frame::signed);
     }
 
     @Test
     void keepsItsKeyOverAReboot() {
-        Bench bench = signing();
+        VehicleTestBench bench = signing();
         bench.vehicle.reboot();
         bench.run(4);
         assertThat(bench.vehicle.signing().isOn()).isTrue();
@@ -110,7 +110,7 @@ class SigningTest {
 
     @Test
     void aCopterTakesNoKeyWhileItIsArmed() {
-        Bench bench = Bench.flying(10);
+        VehicleTestBench bench = VehicleTestBench.flying(10);
         bench.send(setup(KEY));
         assertThat(bench.texts()).contains("ERROR: Won't setup signing when armed");
         assertThat(bench.vehicle.signing().isOn()).isFalse();
@@ -118,7 +118,7 @@ class SigningTest {
 
     @Test
     void theOtherPersonalitySignsAsWell() {
-        Bench bench = signing("--personality", "px4");
+        VehicleTestBench bench = signing("--personality", "px4");
         bench.run(3);
         assertThat(bench.heard).isNotEmpty().allMatch(heard -> heard.frame().signed());
         assertThat(bench.heard).anyMatch(heard -> heard.frame().messageId() == Heartbeat.ID);

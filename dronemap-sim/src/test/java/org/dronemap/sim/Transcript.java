@@ -25,7 +25,7 @@ import org.dronemap.mavlink.message.VfrHud;
 
 /** What was said to a vehicle and what it said, in the order of time, real or simulated in the same form. Seconds. */
 record Transcript(List<RecordedLine> lines) {
-    static Transcript of(List<RecordedLine> said, List<Bench.Heard> heard, long start) {
+    static Transcript of(List<RecordedLine> said, List<VehicleTestBench.Heard> heard, long start) {
         List<RecordedLine> all =
                 new ArrayList<>(said.stream().filter(RecordedLine::isSaid).toList());
         heard.forEach(h -> all.add(line(h.frame(), h.millis() - start)));
@@ -130,13 +130,13 @@ record Transcript(List<RecordedLine> lines) {
     }
 
     /** Each value of the field that differs from the one before. */
-    List<Answer> changes(String message, String field) {
-        List<Answer> changes = new ArrayList<>();
+    List<VehicleAnswer> changes(String message, String field) {
+        List<VehicleAnswer> changes = new ArrayList<>();
         String last = "";
         for (RecordedLine line : lines) {
             if (!line.isSaid() && line.is(message) && !line.text(field).equals(last)) {
                 last = line.text(field);
-                changes.add(new Answer(field, last, line.millis()));
+                changes.add(new VehicleAnswer(field, last, line.millis()));
             }
         }
         return changes;

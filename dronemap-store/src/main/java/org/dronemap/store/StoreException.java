@@ -1,10 +1,10 @@
 package org.dronemap.store;
 
-import org.dronemap.core.time.Outage;
+import org.dronemap.core.time.TransientFailure;
 import org.jspecify.annotations.Nullable;
 
 /** A failure to store or find something; its message is a sentence for the operator of the server. */
-public final class StoreException extends RuntimeException implements Outage {
+public final class StoreException extends RuntimeException implements TransientFailure {
     private static final long serialVersionUID = 1L;
 
     private final boolean passing;

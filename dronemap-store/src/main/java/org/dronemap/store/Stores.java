@@ -10,7 +10,7 @@ import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
-import org.dronemap.core.drone.OwnersStore;
+import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
@@ -42,7 +42,7 @@ public interface Stores extends AutoCloseable {
 
     LeaseStore leases();
 
-    OwnersStore owners();
+    ParameterOverrideStore owners();
 
     VirtualDroneStore virtualDrones();
 

@@ -21,13 +21,13 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Bounds;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -41,9 +41,9 @@ class AccessKeysTest {
             "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]}";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle mine;
     private ScriptedVehicle other;
 
@@ -56,24 +56,24 @@ class AccessKeysTest {
     @Test
     void showOnlyTheirDronesInListsBroadcastsAndStreams() {
         String key = tenant.key(operatorOf(mine));
-        Http http = new Http(house, key);
+        TestHttpClient http = new TestHttpClient(house, key);
 
         assertThat(http.get("/api/v1/drones").json().path("drones").findValuesAsString("id"))
                 .contains(mine.id())
                 .doesNotContain(other.id());
         assertThat(SoapClient.withKey(house, key).call("getDronesList").texts("drones.item.id"))
                 .containsExactly(mine.id());
-        Http.Answer sent = http.post(
+        TestHttpClient.Answer sent = http.post(
                 "/api/v1/commands",
                 "{\"drones\":[\"" + mine.id() + "\",\"" + other.id() + "\"],\"command\":{\"type\":\"land\"}}");
         assertThat(sent.json().path("results").get(1).path("problem").asString())
                 .isEqualTo("There is no drone " + other.id() + ".");
         assertThat(sent.json().path("results").get(1).path("name").isNull()).isTrue();
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             JsonNode list =
                     stream.await(message -> message.path("type").asString().equals("drones"));
             assertThat(list.path("drones").size()).isEqualTo(1);
-            Http all = tenant.http(Role.OPERATOR);
+            TestHttpClient all = tenant.http(Role.OPERATOR);
             all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"arm\"}");
             all.post("/api/v1/drones/" + mine.id() + "/commands?wait=10", "{\"type\":\"arm\"}");
             stream.await(
@@ -98,10 +98,10 @@ class AccessKeysTest {
                 "/link-security"
             })
     void answerForOtherDronesAsForThoseThatAreNotThere(String below) {
-        Http http = new Http(house, tenant.key(operatorOf(mine)));
+        TestHttpClient http = new TestHttpClient(house, tenant.key(operatorOf(mine)));
 
-        Http.Answer foreign = http.get("/api/v1/drones/" + other.id() + below);
-        Http.Answer absent = http.get("/api/v1/drones/nosuchdrone" + below);
+        TestHttpClient.Answer foreign = http.get("/api/v1/drones/" + other.id() + below);
+        TestHttpClient.Answer absent = http.get("/api/v1/drones/nosuchdrone" + below);
 
         assertThat(foreign.status()).isEqualTo(404);
         assertThat(foreign.raw().body().replace(other.id(), "nosuchdrone"))
@@ -112,8 +112,8 @@ class AccessKeysTest {
     void sendNothingToOtherDrones() {
         String key = tenant.key(operatorOf(mine));
 
-        Http.Answer foreign =
-                new Http(house, key).post("/api/v1/drones/" + other.id() + "/commands", "{\"type\":\"arm\"}");
+        TestHttpClient.Answer foreign =
+                new TestHttpClient(house, key).post("/api/v1/drones/" + other.id() + "/commands", "{\"type\":\"arm\"}");
 
         assertThat(foreign.status()).isEqualTo(404);
         assertThatThrownBy(() -> SoapClient.withKey(house, key).call("arm", "droneId", other.id()))
@@ -123,12 +123,12 @@ class AccessKeysTest {
 
     @Test
     void doNotTellOfCommandsToOtherDrones() {
-        Http all = tenant.http(Role.OPERATOR);
+        TestHttpClient all = tenant.http(Role.OPERATOR);
         String command = all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"arm\"}")
                 .text("id");
 
         assertThat(all.get("/api/v1/commands/" + command).status()).isEqualTo(200);
-        assertThat(new Http(house, tenant.key(operatorOf(mine)))
+        assertThat(new TestHttpClient(house, tenant.key(operatorOf(mine)))
                         .get("/api/v1/commands/" + command)
                         .text("detail"))
                 .isEqualTo("There is no command " + command + ".");
@@ -137,7 +137,7 @@ class AccessKeysTest {
     @Test
     void doNothingThatConcernsAllDronesWhenTheyAreForSome() {
         KeyScope scope = new KeyScope(Set.of(new DroneId(mine.id())), EnumSet.allOf(Permission.class));
-        Http http = new Http(house, tenant.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
+        TestHttpClient http = new TestHttpClient(house, tenant.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
 
         for (String path :
                 List.of("/api/v1/users", "/api/v1/endpoints", "/api/v1/traffic", "/api/v1/replays", "/metrics")) {
@@ -152,9 +152,9 @@ class AccessKeysTest {
     @Test
     void doOnlyTheOperationsThatTheyAreFor() {
         String path = "/api/v1/drones/" + mine.id() + "/commands?wait=10";
-        Http viewing = new Http(house, tenant.key(operator(Permission.VIEW)));
-        Http planning = new Http(house, tenant.key(operator(Permission.PLAN)));
-        Http commanding = new Http(house, tenant.key(operator(Permission.COMMAND)));
+        TestHttpClient viewing = new TestHttpClient(house, tenant.key(operator(Permission.VIEW)));
+        TestHttpClient planning = new TestHttpClient(house, tenant.key(operator(Permission.PLAN)));
+        TestHttpClient commanding = new TestHttpClient(house, tenant.key(operator(Permission.COMMAND)));
 
         assertThat(viewing.get("/api/v1/drones").status()).isEqualTo(200);
         assertThat(viewing.post(path, "{\"type\":\"arm\"}").text("detail"))
@@ -174,32 +174,32 @@ class AccessKeysTest {
     @Test
     void endByThemselvesOnOpenStreamsToo() {
         KeyRights over = new KeyRights(Role.VIEWER, KeyScope.ALL, Instant.now().minusSeconds(1));
-        assertThat(new Http(house, tenant.key(over)).get("/api/v1/drones").status())
+        assertThat(new TestHttpClient(house, tenant.key(over)).get("/api/v1/drones").status())
                 .isEqualTo(401);
 
         KeyRights soon = new KeyRights(Role.VIEWER, KeyScope.ALL, Instant.now().plusSeconds(3));
-        try (StreamListener stream = StreamListener.withKey(house, tenant.key(soon))) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, tenant.key(soon))) {
             assertThat(stream.awaitClose()).startsWith("This session has ended");
         }
     }
 
     @Test
     void makeOthersThatStayWithinThemAndGoWithThem() {
-        Http user = tenant.http(Role.OPERATOR);
-        Http.Answer parent = user.post(
+        TestHttpClient user = tenant.http(Role.OPERATOR);
+        TestHttpClient.Answer parent = user.post(
                 "/api/v1/access-keys",
                 "{\"label\":\"parent\",\"operations\":[\"command\"],\"drones\":[\"" + mine.id() + "\"],\"days\":2}");
-        Http byParent = new Http(house, parent.text("key"));
+        TestHttpClient byParent = new TestHttpClient(house, parent.text("key"));
 
         assertThat(refusal(byParent, "\"role\":\"administrator\"")).contains("who is operator");
         assertThat(refusal(byParent, "\"drones\":[\"" + other.id() + "\"]")).contains("drones other than " + mine.id());
         assertThat(refusal(byParent, "\"operations\":[\"plan\"]")).contains("no more than view, command");
         assertThat(refusal(byParent, "\"days\":3")).contains("cannot last longer");
-        Http.Answer child =
+        TestHttpClient.Answer child =
                 byParent.post("/api/v1/access-keys", "{\"label\":\"child\",\"operations\":[\"view\"],\"days\":1}");
         assertThat(child.json().path("drones").get(0).asString()).isEqualTo(mine.id());
         assertThat(child.text("parent")).isEqualTo(parent.text("id"));
-        Http byChild = new Http(house, child.text("key"));
+        TestHttpClient byChild = new TestHttpClient(house, child.text("key"));
         assertThat(byChild.get("/api/v1/drones/" + mine.id()).status()).isEqualTo(200);
         assertThat(byChild.get("/api/v1/drones/" + other.id()).status()).isEqualTo(404);
         assertThat(byChild.get("/api/v1/access-keys").json().path("accessKeys").size())
@@ -213,9 +213,9 @@ class AccessKeysTest {
 
     @Test
     void flyOnlyInTheirAreaAndHeights() {
-        Http user = tenant.http(Role.OPERATOR);
-        Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"field\"," + circle(500) + ",\"ceiling\":60}");
-        Http http = new Http(house, made.text("key"));
+        TestHttpClient user = tenant.http(Role.OPERATOR);
+        TestHttpClient.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"field\"," + circle(500) + ",\"ceiling\":60}");
+        TestHttpClient http = new TestHttpClient(house, made.text("key"));
         String path = "/api/v1/drones/" + mine.id() + "/commands?wait=10";
 
         assertThat(made.json().path("area").path("radius").asDouble()).isEqualTo(500);
@@ -239,7 +239,7 @@ class AccessKeysTest {
         assertThat(command.text("outcome.result") + " by " + command.text("outcome.by"))
                 .isEqualTo("refused by gate");
         assertThat(command.text("outcome.reason")).contains("leaves the bounds of this access key after");
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.send("{\"type\":\"command\",\"requestId\":\"r\",\"drone\":\"" + mine.id() + "\",\"command\":"
                     + goTo(47.41, 30) + "}");
             assertThat(stream.await(message ->
@@ -251,19 +251,19 @@ class AccessKeysTest {
 
     @Test
     void makeOthersOnlyWithinTheirAreaAndHeights() {
-        Http user = tenant.http(Role.OPERATOR);
-        Http byParent = new Http(
+        TestHttpClient user = tenant.http(Role.OPERATOR);
+        TestHttpClient byParent = new TestHttpClient(
                 house,
                 user.post(
                                 "/api/v1/access-keys",
                                 "{\"label\":\"parent\"," + circle(500) + ",\"floor\":10,\"ceiling\":60}")
                         .text("key"));
 
-        Http.Answer wide = byParent.post("/api/v1/access-keys", "{\"label\":\"child\"," + circle(501) + "}");
+        TestHttpClient.Answer wide = byParent.post("/api/v1/access-keys", "{\"label\":\"child\"," + circle(501) + "}");
         assertThat(wide.status()).isEqualTo(422);
         assertThat(wide.text("field")).isEqualTo("area");
         assertThat(wide.text("allowed")).isEqualTo("within the circle of 500 m around 47.397700, 8.545600");
-        Http.Answer high = byParent.post("/api/v1/access-keys", "{\"label\":\"child\",\"ceiling\":61}");
+        TestHttpClient.Answer high = byParent.post("/api/v1/access-keys", "{\"label\":\"child\",\"ceiling\":61}");
         assertThat(high.text("field")).isEqualTo("ceiling");
         assertThat(high.text("allowed")).isEqualTo("10 to 60 m above home, as for the key that it is made with");
         assertThat(byParent.post(
@@ -272,7 +272,7 @@ class AccessKeysTest {
                         .text("field"))
                 .isEqualTo("altitudeReference");
 
-        Http.Answer child = byParent.post("/api/v1/access-keys", "{\"label\":\"child\",\"ceiling\":50}");
+        TestHttpClient.Answer child = byParent.post("/api/v1/access-keys", "{\"label\":\"child\",\"ceiling\":50}");
         assertThat(child.json().path("area").path("radius").asDouble()).isEqualTo(500);
         assertThat(child.json().path("floor").asDouble()).isEqualTo(10);
         assertThat(child.json().path("ceiling").asDouble()).isEqualTo(50);
@@ -283,7 +283,7 @@ class AccessKeysTest {
         KeyScope scope =
                 KeyScope.ALL.boundedBy(new Bounds(null, new AltitudeBand(null, 60.0, Altitude.Reference.HOME)));
         // Of those who run the server, to whom metrics are open.
-        Http http = new Http(house, house.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
+        TestHttpClient http = new TestHttpClient(house, house.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
 
         assertThat(http.get("/api/v1/users").text("detail"))
                 .isEqualTo("This access key has an area or heights, and what has none is closed to it.");
@@ -295,18 +295,18 @@ class AccessKeysTest {
 
     @Test
     void areRenewedWithTheSameRights() {
-        Http user = tenant.http(Role.OPERATOR);
-        Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\",\"operations\":[\"view\"]}");
-        try (StreamListener stream = StreamListener.withKey(house, made.text("key"))) {
+        TestHttpClient user = tenant.http(Role.OPERATOR);
+        TestHttpClient.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\",\"operations\":[\"view\"]}");
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, made.text("key"))) {
             stream.await(message -> message.path("type").asString().equals("drones"));
 
-            Http.Answer renewed = user.post("/api/v1/access-keys/" + made.text("id") + "/renew", "");
+            TestHttpClient.Answer renewed = user.post("/api/v1/access-keys/" + made.text("id") + "/renew", "");
 
             assertThat(stream.awaitClose()).startsWith("This session has ended");
             assertThat(renewed.text("id")).isEqualTo(made.text("id"));
-            assertThat(new Http(house, made.text("key")).get("/api/v1/drones").status())
+            assertThat(new TestHttpClient(house, made.text("key")).get("/api/v1/drones").status())
                     .isEqualTo(401);
-            Http byNew = new Http(house, renewed.text("key"));
+            TestHttpClient byNew = new TestHttpClient(house, renewed.text("key"));
             assertThat(byNew.get("/api/v1/drones").status()).isEqualTo(200);
             assertThat(byNew.post("/api/v1/missions", "{}").status()).isEqualTo(403);
         }
@@ -314,11 +314,11 @@ class AccessKeysTest {
 
     @Test
     void sayWhenTheyWereLastUsed() {
-        Http user = tenant.http(Role.OPERATOR);
-        Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\"}");
+        TestHttpClient user = tenant.http(Role.OPERATOR);
+        TestHttpClient.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\"}");
         assertThat(made.json().path("lastUsedAt").isNull()).isTrue();
 
-        Http script = new Http(house, made.text("key"));
+        TestHttpClient script = new TestHttpClient(house, made.text("key"));
         script.get("/api/v1/drones");
 
         assertThat(script.get("/api/v1/access-keys")
@@ -332,7 +332,7 @@ class AccessKeysTest {
 
     @Test
     void areAskedForInWordsThatAreChecked() {
-        Http user = tenant.http(Role.OPERATOR);
+        TestHttpClient user = tenant.http(Role.OPERATOR);
 
         assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"operations\":[\"fly\"]}")
                         .text("allowed"))
@@ -358,10 +358,10 @@ class AccessKeysTest {
     }
 
     private void armed(FlightPhase phase, double meters) {
-        mine.says(new DroneEvent.ModeHeard("GUIDED", true));
-        mine.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3977, 8.5456), 488 + meters, meters)));
-        mine.says(new DroneEvent.PhaseHeard(phase));
-        Waiting.until(
+        mine.says(new DroneEvent.ModeReported("GUIDED", true));
+        mine.says(new DroneEvent.PositionReported(new Position(new Geodetic(47.3977, 8.5456), 488 + meters, meters)));
+        mine.says(new DroneEvent.PhaseReported(phase));
+        ConditionWait.until(
                 "it is heard",
                 () -> house.cloud().drone(new DroneId(mine.id())).filter(state -> state.phase() == phase));
     }
@@ -383,13 +383,13 @@ class AccessKeysTest {
         return new KeyRights(Role.OPERATOR, new KeyScope(null, Set.of(permission)), null);
     }
 
-    private static String refusal(Http http, String members) {
-        Http.Answer answer = http.post("/api/v1/access-keys", "{\"label\":\"child\"," + members + "}");
+    private static String refusal(TestHttpClient http, String members) {
+        TestHttpClient.Answer answer = http.post("/api/v1/access-keys", "{\"label\":\"child\"," + members + "}");
         assertThat(answer.status()).isEqualTo(403);
         return answer.text("detail");
     }
 
-    private static Http.Answer remove(Http http, String id) {
+    private static TestHttpClient.Answer remove(TestHttpClient http, String id) {
         return http.send("/api/v1/access-keys/" + id, HttpRequest.Builder::DELETE);
     }
 }

@@ -11,12 +11,12 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -24,8 +24,8 @@ class AccessTest {
     private static final String PASSWORD = "0123456789";
     private static final String NEXT = "a better password";
 
-    private TestHouse house = SharedServer.get();
-    private Http nobody = new Http(house, "");
+    private TestServer house = SharedServer.get();
+    private TestHttpClient nobody = new TestHttpClient(house, "");
 
     @Test
     void makesTheFirstAdministratorWithAPasswordOnlyTheOwnerCanRead() throws IOException {
@@ -34,7 +34,7 @@ class AccessTest {
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
                 .isEqualTo("rw-------");
         assertThat(Files.readString(file)).matches("admin [a-z0-9-]{20,}\n");
-        Http.Answer session = signIn(firstPassword());
+        TestHttpClient.Answer session = signIn(firstPassword());
         assertThat(session.status()).isEqualTo(200);
         assertThat(session.json().path("mustChangePassword").asBoolean()).isTrue();
         assertThat(session.raw().headers().firstValue("Set-Cookie").orElse(""))
@@ -43,7 +43,7 @@ class AccessTest {
 
     @Test
     void wantsTenCharacters() throws IOException {
-        Http.Answer answer = change(cookie(signIn(firstPassword())), firstPassword(), "short");
+        TestHttpClient.Answer answer = change(cookie(signIn(firstPassword())), firstPassword(), "short");
 
         assertThat(answer.status()).isEqualTo(422);
         assertThat(answer.text("field")).isEqualTo("next");
@@ -54,9 +54,9 @@ class AccessTest {
     void wantsAHeaderThatOtherSitesCannotSend() throws IOException {
         String cookie = cookie(signIn(firstPassword()));
 
-        Http.Answer without = nobody.send(
+        TestHttpClient.Answer without = nobody.send(
                 "/api/v1/session", request -> request.header("Cookie", cookie).DELETE());
-        Http.Answer with = nobody.send(
+        TestHttpClient.Answer with = nobody.send(
                 "/api/v1/session",
                 request -> request.header("Cookie", cookie)
                         .header("X-Dronemap", "1")
@@ -64,7 +64,7 @@ class AccessTest {
 
         assertThat(without.status()).isEqualTo(403);
         assertThat(with.status()).isEqualTo(204);
-        Http.Answer after = session(cookie);
+        TestHttpClient.Answer after = session(cookie);
         assertThat(after.status()).isEqualTo(401);
         assertThat(after.text("type")).isEqualTo("urn:dronemap:problem:session-ended");
         assertThat(after.text("detail")).startsWith("This session has ended");
@@ -72,13 +72,13 @@ class AccessTest {
 
     @Test
     void makesGuessersWait() throws IOException {
-        try (Tenant tenant = new Tenant()) {
+        try (TestTenant tenant = new TestTenant()) {
             String bob = user(tenant);
             for (int attempt = 0; attempt < 5; attempt++) {
                 assertThat(signIn(bob, "wrong").status()).isEqualTo(401);
             }
 
-            Http.Answer sixth = signIn(bob, PASSWORD);
+            TestHttpClient.Answer sixth = signIn(bob, PASSWORD);
 
             assertThat(sixth.status()).isEqualTo(429);
             assertThat(sixth.text("detail")).matches("Too many wrong passwords; wait \\d+ s and try again\\.");
@@ -89,9 +89,9 @@ class AccessTest {
     }
 
     /** Who can sign in with a password. */
-    private static String user(Tenant tenant) {
+    private static String user(TestTenant tenant) {
         String name = tenant.unique("bob");
-        Http.Answer made = tenant.http(Role.ADMINISTRATOR)
+        TestHttpClient.Answer made = tenant.http(Role.ADMINISTRATOR)
                 .post(
                         "/api/v1/users",
                         "{\"name\":\"" + name + "\",\"role\":\"operator\",\"password\":\"" + PASSWORD + "\"}");
@@ -101,11 +101,11 @@ class AccessTest {
 
     @Test
     void letsTheOwnerOfTheMachineMakeKeysThatDoNoMoreThanTheySay() throws IOException {
-        Http owner = new Http(
+        TestHttpClient owner = new TestHttpClient(
                 house, Files.readString(house.data().resolve("local-key")).strip());
 
-        Http.Answer made = owner.post("/api/v1/access-keys", "{\"label\":\"a viewer\",\"role\":\"viewer\"}");
-        Http viewer = new Http(house, made.text("key"));
+        TestHttpClient.Answer made = owner.post("/api/v1/access-keys", "{\"label\":\"a viewer\",\"role\":\"viewer\"}");
+        TestHttpClient viewer = new TestHttpClient(house, made.text("key"));
 
         assertThat(made.status()).isEqualTo(201);
         assertThat(viewer.get("/api/v1/drones").status()).isEqualTo(200);
@@ -122,9 +122,9 @@ class AccessTest {
 
     @Test
     void takesAKeyAwayWithItsOwner() {
-        try (Tenant tenant = new Tenant()) {
+        try (TestTenant tenant = new TestTenant()) {
             String name = user(tenant);
-            Http.Answer bob = signIn(name, PASSWORD);
+            TestHttpClient.Answer bob = signIn(name, PASSWORD);
             assertThat(bob.text("role")).isEqualTo("operator");
 
             tenant.http(Role.ADMINISTRATOR).send("/api/v1/users/" + name, HttpRequest.Builder::DELETE);
@@ -135,8 +135,8 @@ class AccessTest {
 
     @Test
     void signsInToSoapByNameAndPassword() throws IOException {
-        String basic = Http.basic("admin", firstPassword());
-        List<String> seen = new Http(house, house.key(Role.VIEWER))
+        String basic = TestHttpClient.basic("admin", firstPassword());
+        List<String> seen = new TestHttpClient(house, house.key(Role.VIEWER))
                 .get("/api/v1/drones")
                 .json()
                 .path("drones")
@@ -149,9 +149,9 @@ class AccessTest {
 
     @Test
     void staysClosedToTheNetworkWithTheFirstPasswordAndOpensWhenItIsChanged(@TempDir Path data) throws IOException {
-        try (TestHouse open = new TestHouse(data, true)) {
+        try (TestServer open = new TestServer(data, true)) {
             house = open;
-            nobody = new Http(open, "");
+            nobody = new TestHttpClient(open, "");
             String sentence = "This server is open to the network and still has its first administrator password;"
                     + " sign in as admin and change it, then everything works.";
             String first = firstPassword();
@@ -159,10 +159,10 @@ class AccessTest {
             String other = cookie(signIn(first));
             String key = open.key(Role.OPERATOR);
 
-            assertThat(new Http(open, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
+            assertThat(new TestHttpClient(open, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
             assertThatThrownBy(() -> SoapClient.withKey(open, key).call("getDronesList"))
                     .hasMessage(sentence);
-            try (StreamListener stream = StreamListener.withKey(open, key)) {
+            try (RecordingStreamClient stream = RecordingStreamClient.withKey(open, key)) {
                 assertThat(stream.awaitClose()).startsWith("This server is open to the network");
             }
             assertThat(change(one, first, NEXT).status()).isEqualTo(204);
@@ -171,7 +171,7 @@ class AccessTest {
                     .isFalse();
             assertThat(session(other).status()).isEqualTo(401);
             assertThat(signIn(NEXT).status()).isEqualTo(200);
-            assertThat(new Http(open, key).get("/api/v1/drones").status()).isEqualTo(200);
+            assertThat(new TestHttpClient(open, key).get("/api/v1/drones").status()).isEqualTo(200);
         }
     }
 
@@ -181,20 +181,20 @@ class AccessTest {
                 .split(" ", 2)[1];
     }
 
-    private Http.Answer signIn(String password) {
+    private TestHttpClient.Answer signIn(String password) {
         return signIn("admin", password);
     }
 
-    private Http.Answer signIn(String name, String password) {
+    private TestHttpClient.Answer signIn(String name, String password) {
         return nobody.post("/api/v1/session", "{\"name\":\"" + name + "\",\"password\":\"" + password + "\"}");
     }
 
-    private Http.Answer session(String cookie) {
+    private TestHttpClient.Answer session(String cookie) {
         return nobody.send(
                 "/api/v1/session", request -> request.header("Cookie", cookie).GET());
     }
 
-    private Http.Answer change(String cookie, String current, String next) {
+    private TestHttpClient.Answer change(String cookie, String current, String next) {
         UnaryOperator<HttpRequest.Builder> how = request -> request.header("Cookie", cookie)
                 .header("X-Dronemap", "1")
                 .header("Content-Type", "application/json")
@@ -203,7 +203,7 @@ class AccessTest {
         return nobody.send("/api/v1/session/password", how);
     }
 
-    private static String cookie(Http.Answer session) {
+    private static String cookie(TestHttpClient.Answer session) {
         return session.raw().headers().firstValue("Set-Cookie").orElse("").split(";", 2)[0];
     }
 }

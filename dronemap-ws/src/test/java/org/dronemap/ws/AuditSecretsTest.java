@@ -10,19 +10,19 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.dronemap.core.audit.AuditEntry;
-import org.dronemap.ws.house.Deeds;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Sample;
+import org.dronemap.ws.house.ExposedOperations;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.SampleBodies;
 import org.dronemap.ws.house.SoapOperations;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.house.SuccessfulCalls;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Puts secrets into every field of every call that may change something: no record has them. */
-class AuditSecretsTest extends DeedTrial {
+class AuditSecretsTest extends SuccessfulCallTrial {
     /** As people choose them: nothing tells them from a word. */
     private static final String PASSWORD = "canary of a person";
 
@@ -36,7 +36,7 @@ class AuditSecretsTest extends DeedTrial {
 
     /** What servers make: keys, tickets, session and link keys, one-time passwords. */
     private static Map<String, String> made() {
-        Secrets secrets = new Secrets();
+        SecretGenerator secrets = new SecretGenerator();
         Map<String, String> all = new LinkedHashMap<>();
         all.put("a key", secrets.token());
         all.put("a key behind words", "of the survey: " + secrets.token());
@@ -50,10 +50,10 @@ class AuditSecretsTest extends DeedTrial {
         int tried = 0;
         List<String> kinds = List.copyOf(made().values());
         for (String operation : faces.rest()) {
-            Optional<Deeds.Deed> deed = operation.startsWith("GET ") ? Optional.empty() : deed(operation);
-            for (String at : deed.isEmpty() ? List.<String>of() : Sample.texts(body(deed.get()))) {
+            Optional<SuccessfulCalls.PreparedCall> deed = operation.startsWith("GET ") ? Optional.empty() : deed(operation);
+            for (String at : deed.isEmpty() ? List.<String>of() : SampleBodies.texts(body(deed.get()))) {
                 // The next kind of secret with each place, and what no rule can tell from a word in all of them.
-                Deeds.Deed one = deed(operation).orElseThrow();
+                SuccessfulCalls.PreparedCall one = deed(operation).orElseThrow();
                 boolean done = say(one, operation, at, kinds.get(tried++ % kinds.size()));
                 say(done ? deed(operation).orElseThrow() : one, operation, at, PASSWORD);
             }
@@ -63,10 +63,10 @@ class AuditSecretsTest extends DeedTrial {
     }
 
     /** False when it was refused, and the same can be tried again. */
-    private boolean say(Deeds.Deed deed, String operation, String at, String secret) {
-        String changed = Sample.with(body(deed), at, secret).toString();
+    private boolean say(SuccessfulCalls.PreparedCall deed, String operation, String at, String secret) {
+        String changed = SampleBodies.with(body(deed), at, secret).toString();
         int before = house.records().size();
-        Http.Answer answer = deed.saying(changed).make();
+        TestHttpClient.Answer answer = deed.saying(changed).make();
         String left = since(before).toString();
         boolean kept = SECRET_MEMBER.matcher(at).matches()
                 || NOT_UNDERSTOOD.contains(answer.status())
@@ -84,7 +84,7 @@ class AuditSecretsTest extends DeedTrial {
         return secret.equals(PASSWORD) ? secret : secret.substring(secret.lastIndexOf(' ') + 1);
     }
 
-    private JsonNode body(Deeds.Deed deed) {
+    private JsonNode body(SuccessfulCalls.PreparedCall deed) {
         boolean isJson = deed.contentType().contains("json") && !deed.body().isEmpty();
         return isJson ? json.readTree(deed.body()) : json.createObjectNode();
     }
@@ -99,7 +99,7 @@ class AuditSecretsTest extends DeedTrial {
                 String word = bare(secret);
                 int before = house.records().size();
                 faces.rest(
-                        new Http(house, word),
+                        new TestHttpClient(house, word),
                         operation + "?ticket=" + word,
                         Map.of("id", word, "name", word, "identity", word, "drone", word));
                 faces.rest(
@@ -130,11 +130,11 @@ class AuditSecretsTest extends DeedTrial {
                     faces.soap(
                             estate.administrator().http(),
                             operation,
-                            Faces.inOrder(faces.elementOf(operation), vehicle.id(), element.name(), word));
+                            ExposedOperations.inOrder(faces.elementOf(operation), vehicle.id(), element.name(), word));
                 }
             }
-            try (StreamListener stream =
-                    StreamListener.withKey(house, estate.administrator().key())) {
+            try (RecordingStreamClient stream =
+                    RecordingStreamClient.withKey(house, estate.administrator().key())) {
                 for (String member : List.of("type", "drone", "action", "user", "reason", "requestId", "key")) {
                     stream.send("{\"type\":\"control\",\"drone\":\"" + vehicle.id() + "\",\"action\":\"take\",\""
                             + member + "\":\"" + word + "\"}");

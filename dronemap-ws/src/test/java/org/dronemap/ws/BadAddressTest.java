@@ -7,9 +7,9 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Addresses that lead nowhere, or are none, are answered with a problem as everything else is. */
 class BadAddressTest {
-    private static TestHouse house;
+    private static TestServer house;
 
     @BeforeAll
     static void open() {
@@ -29,7 +29,7 @@ class BadAddressTest {
             strings = {"/services/NoSuchService", "/services/", "/services", "/services/MAVLinkControllerService/deeper"
             })
     void answersAnUnknownAddressOfServicesWithAProblem(String address) {
-        Http.Answer answer = new Http(house, house.key(Role.VIEWER)).get(address);
+        TestHttpClient.Answer answer = new TestHttpClient(house, house.key(Role.VIEWER)).get(address);
 
         assertThat(answer.status()).isEqualTo(404);
         assertThat(answer.raw().headers().firstValue("Content-Type")).hasValue("application/problem+json");

@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
@@ -27,18 +27,18 @@ import tools.jackson.databind.JsonNode;
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class BadInputTest {
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle vehicle;
     private String operatorKey;
-    private Http operator;
+    private TestHttpClient operator;
 
     @BeforeAll
     void open() {
         vehicle = tenant.vehicle();
         operatorKey = tenant.key(Role.OPERATOR);
-        operator = new Http(house, operatorKey);
+        operator = new TestHttpClient(house, operatorKey);
     }
 
     @AfterEach
@@ -83,13 +83,13 @@ class BadInputTest {
     @ParameterizedTest
     @MethodSource("badCommands")
     void namesTheFieldAndWhatIsAllowedInRestAndStream(String command, String field, String allowed) {
-        Http.Answer rest = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", command);
+        TestHttpClient.Answer rest = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", command);
 
         assertThat(rest.status()).isEqualTo(422);
         assertThat(rest.raw().headers().firstValue("Content-Type")).hasValue("application/problem+json");
         assertThat(rest.text("field")).isEqualTo(field);
         assertThat(rest.text("allowed")).contains(allowed);
-        try (StreamListener stream = StreamListener.withKey(house, operatorKey)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, operatorKey)) {
             stream.send("{\"type\":\"command\",\"requestId\":\"r1\",\"drone\":\"" + vehicle.id() + "\",\"command\":"
                     + command + "}");
             JsonNode error =
@@ -101,8 +101,8 @@ class BadInputTest {
 
     @Test
     void namesTheMemberOfACommandForSeveral() {
-        Http.Answer type = operator.post("/api/v1/commands", "{\"drones\":\"all\",\"command\":{\"type\":\"fly\"}}");
-        Http.Answer member = operator.post(
+        TestHttpClient.Answer type = operator.post("/api/v1/commands", "{\"drones\":\"all\",\"command\":{\"type\":\"fly\"}}");
+        TestHttpClient.Answer member = operator.post(
                 "/api/v1/commands", "{\"drones\":\"all\",\"command\":{\"type\":\"arm\",\"mode\":\"AUTO\"}}");
 
         assertThat(type.status()).isEqualTo(422);
@@ -117,7 +117,7 @@ class BadInputTest {
 
     @Test
     void offersOnlyTypesThatItTakes() {
-        Http.Answer answer = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"fence\"}");
+        TestHttpClient.Answer answer = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"fence\"}");
 
         assertThat(answer.status()).isEqualTo(422);
         assertThat(answer.text("allowed")).contains("readLogs").doesNotContain("fence", "rallyPoints");
@@ -132,7 +132,7 @@ class BadInputTest {
         SoapClient.Refused fault = fault(
                 operatorKey, "goto", "droneId", vehicle.id(), "latitude", 95.0, "longitude", 8.0, "altitude", 20.0);
         String streamed;
-        try (StreamListener stream = StreamListener.withKey(house, operatorKey)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, operatorKey)) {
             stream.send("{\"type\":\"command\",\"requestId\":\"r2\",\"drone\":\"" + vehicle.id()
                     + "\",\"command\":{\"type\":\"goTo\",\"latitude\":95,\"longitude\":8,\"altitude\":20}}");
             streamed = stream.await(
@@ -186,7 +186,7 @@ class BadInputTest {
     @ParameterizedTest
     @MethodSource("wrongItems")
     void namesWhatAnItemOfAMissionCannotBeOrHave(String item, String sentence) {
-        Http.Answer answer = operator.post("/api/v1/missions", "{\"name\":\"A\",\"items\":[" + item + "]}");
+        TestHttpClient.Answer answer = operator.post("/api/v1/missions", "{\"name\":\"A\",\"items\":[" + item + "]}");
 
         assertThat(answer.status()).isEqualTo(422);
         assertThat(answer.text("detail")).isEqualTo(sentence);
@@ -204,7 +204,7 @@ class BadInputTest {
 
     @Test
     void doesNotKnowAnUnknownDrone() {
-        Http.Answer rest = operator.post("/api/v1/drones/nosuchdrone/commands", "{\"type\":\"arm\"}");
+        TestHttpClient.Answer rest = operator.post("/api/v1/drones/nosuchdrone/commands", "{\"type\":\"arm\"}");
         SoapClient.Refused fault = fault(operatorKey, "arm", "droneId", "nosuchdrone");
 
         assertThat(rest.status()).isEqualTo(404);
@@ -214,14 +214,14 @@ class BadInputTest {
 
     @Test
     void refusesAWrongKeyInAllFaces() {
-        Http.Answer rest = new Http(house, "wrong").get("/api/v1/drones");
+        TestHttpClient.Answer rest = new TestHttpClient(house, "wrong").get("/api/v1/drones");
         SoapClient.Refused fault = fault("wrong", "arm", "droneId", vehicle.id());
 
         assertThat(rest.status()).isEqualTo(401);
         assertThat(rest.text("detail"))
                 .isEqualTo("The access key is not valid; it may have been removed, renewed or expired.");
         assertThat(fault.getMessage()).isEqualTo(rest.text("detail"));
-        try (StreamListener stream = StreamListener.withKey(house, "wrong")) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, "wrong")) {
             assertThat(stream.awaitClose()).isEqualTo(rest.text("detail"));
         }
     }
@@ -229,10 +229,10 @@ class BadInputTest {
     @Test
     void letsAViewerLookButNotArm() {
         String key = tenant.key(Role.VIEWER);
-        Http viewer = new Http(house, key);
+        TestHttpClient viewer = new TestHttpClient(house, key);
 
-        Http.Answer look = viewer.get("/api/v1/drones/" + vehicle.id());
-        Http.Answer arm = viewer.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"arm\"}");
+        TestHttpClient.Answer look = viewer.get("/api/v1/drones/" + vehicle.id());
+        TestHttpClient.Answer arm = viewer.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"arm\"}");
         SoapClient.Refused fault = fault(key, "arm", "droneId", vehicle.id());
 
         assertThat(look.status()).isEqualTo(200);
@@ -246,7 +246,7 @@ class BadInputTest {
 
     @Test
     void saysWhereJsonBreaks() {
-        Http.Answer answer = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\n \"arm\"");
+        TestHttpClient.Answer answer = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\n \"arm\"");
 
         assertThat(answer.status()).isEqualTo(400);
         assertThat(answer.text("detail")).contains("line 2, column 7").doesNotContain("Exception");
@@ -254,7 +254,7 @@ class BadInputTest {
 
     @Test
     void saysWhatIsNoJsonInWordsForItsSenderNotForItsBuilder() {
-        Http.Answer answer = operator.post(
+        TestHttpClient.Answer answer = operator.post(
                 "/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"takeOff\",\"altitude\":NaN}");
 
         assertThat(answer.status()).isEqualTo(400);
@@ -270,7 +270,7 @@ class BadInputTest {
         assertThat(operator.post("/api/v1/missions", "{\"name\":\"" + "x".repeat(1_100_000) + "\"}")
                         .status())
                 .isEqualTo(413);
-        assertThat(new Http(house, "").get("/api/v1/drones").status()).isEqualTo(401);
+        assertThat(new TestHttpClient(house, "").get("/api/v1/drones").status()).isEqualTo(401);
         assertThat(operator.post("/api/v1/drones/" + vehicle.id() + "/commands?wait=61", "{\"type\":\"arm\"}")
                         .text("allowed"))
                 .isEqualTo("0 to 60 seconds");
@@ -278,7 +278,7 @@ class BadInputTest {
 
     @Test
     void refusesADoctypeInSoap() {
-        Http.Answer answer = operator.send(
+        TestHttpClient.Answer answer = operator.send(
                 "/services/MAVLinkControllerService",
                 request -> request.header("Content-Type", "text/xml")
                         .POST(java.net.http.HttpRequest.BodyPublishers.ofString(

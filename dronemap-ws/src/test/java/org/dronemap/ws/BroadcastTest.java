@@ -8,10 +8,10 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -19,14 +19,14 @@ import tools.jackson.databind.JsonNode;
 
 class BroadcastTest {
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private final String id = tenant.unique("one-for-all");
     private ScriptedVehicle willing;
     private ScriptedVehicle unwilling;
     private ScriptedVehicle silent;
-    private Http operator;
+    private TestHttpClient operator;
 
     @BeforeEach
     void open() {
@@ -39,13 +39,13 @@ class BroadcastTest {
         operator = tenant.http(Role.OPERATOR);
     }
 
-    private Http.Answer arm(String drones) {
+    private TestHttpClient.Answer arm(String drones) {
         return operator.post(
                 "/api/v1/commands?wait=30",
                 "{\"id\":\"" + id + "\",\"drones\":" + drones + ",\"command\":{\"type\":\"arm\"}}");
     }
 
-    private static List<String> results(Http.Answer answer) {
+    private static List<String> results(TestHttpClient.Answer answer) {
         List<String> results = new ArrayList<>();
         for (JsonNode result : answer.json().path("results")) {
             results.add(result.path("drone").asString("") + " "
@@ -56,7 +56,7 @@ class BroadcastTest {
 
     @Test
     void eachDroneHasAnOutcomeOfItsOwn() {
-        Http.Answer answer = arm("\"all\"");
+        TestHttpClient.Answer answer = arm("\"all\"");
 
         assertThat(answer.status()).isEqualTo(200);
         assertThat(results(answer))
@@ -71,7 +71,7 @@ class BroadcastTest {
     @Test
     void anIdIsOfWhatWasSaidWithIt() {
         arm("[\"" + willing.id() + "\"]");
-        Http.Answer other = operator.post(
+        TestHttpClient.Answer other = operator.post(
                 "/api/v1/commands?wait=30",
                 "{\"id\":\"" + id + "\",\"drones\":\"all\",\"command\":{\"type\":\"disarm\"}}");
 
@@ -82,7 +82,7 @@ class BroadcastTest {
 
     @Test
     void onlyThoseAskedForAreAskedInThatOrder() {
-        Http.Answer answer = arm("[\"" + unwilling.id() + "\",\"" + willing.id() + "\"]");
+        TestHttpClient.Answer answer = arm("[\"" + unwilling.id() + "\",\"" + willing.id() + "\"]");
 
         assertThat(results(answer)).containsExactly(unwilling.id() + " refused", willing.id() + " succeeded");
         assertThat(silent.performed()).isEmpty();
@@ -90,7 +90,7 @@ class BroadcastTest {
 
     @Test
     void anUnknownDroneKeepsNoOtherFromItsCommand() {
-        Http.Answer answer = arm("[\"nobody\",\"" + willing.id() + "\"]");
+        TestHttpClient.Answer answer = arm("[\"nobody\",\"" + willing.id() + "\"]");
 
         assertThat(results(answer)).containsExactly("nobody none", willing.id() + " succeeded");
         assertThat(answer.json().path("results").get(0).path("problem").asString(""))

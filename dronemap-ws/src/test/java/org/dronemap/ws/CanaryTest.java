@@ -15,10 +15,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -40,22 +40,22 @@ class CanaryTest {
     private final ListAppender<ILoggingEvent> log = new ListAppender<>();
     private final Logger root = (Logger) LoggerFactory.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
     private final Logger ours = (Logger) LoggerFactory.getLogger("org.dronemap");
-    private TestHouse house;
+    private TestServer house;
     private ScriptedVehicle vehicle;
-    private Http administrator;
-    private Http nobody;
+    private TestHttpClient administrator;
+    private TestHttpClient nobody;
 
     @BeforeAll
     void open(@TempDir Path data) {
         listenToTheLog();
-        house = new TestHouse(data, false);
+        house = new TestServer(data, false);
         // A server that starts sets up its log anew and sends listeners away.
         listenToTheLog();
         vehicle = ScriptedVehicle.connect(house.cloud(), 15_703);
         String key = house.key(Role.ADMINISTRATOR);
         canaries.put("an access key", key);
-        administrator = new Http(house, key);
-        nobody = new Http(house, "");
+        administrator = new TestHttpClient(house, key);
+        nobody = new TestHttpClient(house, "");
     }
 
     private void listenToTheLog() {
@@ -114,7 +114,7 @@ class CanaryTest {
         canaries.put("the key of a vehicle", LINK_KEY);
         keep(administrator.post(
                 "/api/v1/users", "{\"name\":\"carol\",\"role\":\"operator\",\"password\":\"" + PASSWORD + "\"}"));
-        Http.Answer session = nobody.post("/api/v1/session", "{\"name\":\"carol\",\"password\":\"" + PASSWORD + "\"}");
+        TestHttpClient.Answer session = nobody.post("/api/v1/session", "{\"name\":\"carol\",\"password\":\"" + PASSWORD + "\"}");
         heard.add(session.raw().body());
         String cookie =
                 session.raw().headers().firstValue("Set-Cookie").orElseThrow().split(";", 2)[0];
@@ -136,13 +136,13 @@ class CanaryTest {
     }
 
     private String once(String path, String body, String member) {
-        Http.Answer answer = administrator.post(path, body);
+        TestHttpClient.Answer answer = administrator.post(path, body);
         String secret = answer.text(member);
         assertThat(secret).as(path + ": " + answer.raw().body().length()).hasSizeGreaterThan(15);
         return secret;
     }
 
-    private void keep(Http.Answer answer) {
+    private void keep(TestHttpClient.Answer answer) {
         heard.add(answer.status() + " " + answer.raw().headers().map() + " "
                 + answer.raw().body());
     }
@@ -157,7 +157,7 @@ class CanaryTest {
             keep(nobody.post(
                     "/api/v1/registrations",
                     "{\"name\":\"c\",\"password\":\"" + secret + "\",\"invitation\":\"" + secret + "x\"}"));
-            keep(new Http(house, secret + "x").get("/api/v1/drones"));
+            keep(new TestHttpClient(house, secret + "x").get("/api/v1/drones"));
             keep(nobody.send(
                     "/api/v1/drones",
                     request -> request.header("Cookie", "dronemap-session=" + secret + "x")
@@ -168,11 +168,11 @@ class CanaryTest {
         // These wait for the server to close: some of each kind are enough.
         for (String secret : List.copyOf(canaries.values()).subList(0, 3)) {
             keep(soap("<accessKey xmlns=\"http://cloud.dronemap.org/wsdl\">" + secret + "x</accessKey>"));
-            try (StreamListener stream = StreamListener.with(house, "?ticket=" + secret + "x", Map.of())) {
+            try (RecordingStreamClient stream = RecordingStreamClient.with(house, "?ticket=" + secret + "x", Map.of())) {
                 heard.add(stream.awaitClose());
                 stream.heard().forEach(message -> heard.add(message.toString()));
             }
-            try (StreamListener stream = StreamListener.with(house, "", Map.of())) {
+            try (RecordingStreamClient stream = RecordingStreamClient.with(house, "", Map.of())) {
                 stream.send("{\"type\":\"authenticate\",\"key\":\"" + secret + "x\"}");
                 heard.add(stream.awaitClose());
                 stream.heard().forEach(message -> heard.add(message.toString()));
@@ -180,7 +180,7 @@ class CanaryTest {
         }
     }
 
-    private Http.Answer soap(String header) {
+    private TestHttpClient.Answer soap(String header) {
         return nobody.send(
                 "/services/MAVLinkControllerService",
                 request -> request.header("Content-Type", "text/xml")
@@ -206,7 +206,7 @@ class CanaryTest {
     }
 
     private void listen() {
-        try (StreamListener stream = StreamListener.withKey(house, canaries.get("an access key"))) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, canaries.get("an access key"))) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             stream.send("{\"type\":\"nosuchtype\"}");
             stream.await(message -> message.path("type").asString().equals("error"));

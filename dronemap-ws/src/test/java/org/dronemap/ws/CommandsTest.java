@@ -19,13 +19,13 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.core.parameter.ParameterValue;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -35,26 +35,26 @@ import tools.jackson.databind.JsonNode;
 
 class CommandsTest {
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private final String sameId = tenant.unique("the-same-id");
     private ScriptedVehicle vehicle;
     private String key;
-    private Http operator;
+    private TestHttpClient operator;
     private String commands;
 
     @BeforeEach
     void open() {
         vehicle = tenant.vehicle();
         key = tenant.key(Role.OPERATOR);
-        operator = new Http(house, key);
+        operator = new TestHttpClient(house, key);
         commands = "/api/v1/drones/" + vehicle.id() + "/commands";
     }
 
     @Test
     void waitsForTheOutcome() {
-        Http.Answer answer = operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");
+        TestHttpClient.Answer answer = operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");
 
         assertThat(answer.status()).isEqualTo(200);
         assertThat(answer.text("type")).isEqualTo("arm");
@@ -70,11 +70,11 @@ class CommandsTest {
     void anIdIsOfOneUserAndOfWhatWasSaidWithIt() {
         operator.post(commands + "?wait=10", "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"" + sameId + "\"}");
 
-        Http.Answer otherMode =
+        TestHttpClient.Answer otherMode =
                 operator.post(commands, "{\"type\":\"setMode\",\"mode\":\"GUIDED\",\"id\":\"" + sameId + "\"}");
         assertThat(otherMode.status()).isEqualTo(409);
         assertThat(otherMode.text("detail")).contains("belongs to another command");
-        Http.Answer otherUser = tenant.http(Role.SUPERVISOR)
+        TestHttpClient.Answer otherUser = tenant.http(Role.SUPERVISOR)
                 .post(commands, "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"" + sameId + "\"}");
         assertThat(otherUser.status()).isEqualTo(409);
     }
@@ -94,9 +94,9 @@ class CommandsTest {
             })
     void anIdIsOfEachValueThatWasSaidWithIt(String type, String members, String value, String other) {
         String body = ("{'type':'" + type + "','id':'" + sameId + "'," + members + "}").replace('\'', '"');
-        Http.Answer first = operator.post(commands + "?wait=10", body);
-        Http.Answer again = operator.post(commands + "?wait=10", body);
-        Http.Answer changed = operator.post(commands, body.replace(value, other));
+        TestHttpClient.Answer first = operator.post(commands + "?wait=10", body);
+        TestHttpClient.Answer again = operator.post(commands + "?wait=10", body);
+        TestHttpClient.Answer changed = operator.post(commands, body.replace(value, other));
 
         assertThat(again.json().path("outcome")).isEqualTo(first.json().path("outcome"));
         assertThat(again.text("detail")).doesNotContain("belongs to another command");
@@ -107,8 +107,8 @@ class CommandsTest {
     @Test
     void actsOnceWhenTheSameIdComesTwice() {
         String body = "{\"type\":\"arm\",\"id\":\"" + sameId + "\"}";
-        Http.Answer first = operator.post(commands + "?wait=10", body);
-        Http.Answer second = operator.post(commands + "?wait=10", body);
+        TestHttpClient.Answer first = operator.post(commands + "?wait=10", body);
+        TestHttpClient.Answer second = operator.post(commands + "?wait=10", body);
 
         assertThat(second.json()).isEqualTo(first.json());
         assertThat(vehicle.performed())
@@ -119,7 +119,7 @@ class CommandsTest {
     @Test
     void refusesAnIdThatBelongsToAnotherCommand() {
         operator.post(commands + "?wait=10", "{\"type\":\"arm\",\"id\":\"" + sameId + "\"}");
-        Http.Answer other =
+        TestHttpClient.Answer other =
                 operator.post(commands, "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"" + sameId + "\"}");
 
         assertThat(other.status()).isEqualTo(409);
@@ -128,7 +128,7 @@ class CommandsTest {
 
     @Test
     void tellsWhyTheGateRefusesInAllFaces() {
-        Http.Answer rest = operator.post(commands, "{\"type\":\"takeOff\",\"altitude\":20}");
+        TestHttpClient.Answer rest = operator.post(commands, "{\"type\":\"takeOff\",\"altitude\":20}");
         SoapClient.Answer soap =
                 SoapClient.withKey(house, key).call("takeoff", "droneId", vehicle.id(), "altitude", 20.0);
 
@@ -147,9 +147,9 @@ class CommandsTest {
     void bringsTheVehiclesOwnSentenceToAllFaces() {
         String sentence = "PreArm: compass 7 not healthy";
         vehicle.ends(command -> new Outcome.Refused("vehicle", sentence, OutcomeCode.VEHICLE_REFUSED));
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
-            Http.Answer rest = operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");
+            TestHttpClient.Answer rest = operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");
             SoapClient.Answer soap = SoapClient.withKey(house, key).call("arm", "droneId", vehicle.id());
             JsonNode streamed = stream.await(
                     message -> message.path("command").path("id").asString("").equals(rest.text("id"))
@@ -183,7 +183,7 @@ class CommandsTest {
                         500.0,
                         "altitudeReference",
                         "amsl");
-        Http.Answer half = operator.post(commands, "{\"type\":\"setHome\",\"latitude\":47.5}");
+        TestHttpClient.Answer half = operator.post(commands, "{\"type\":\"setHome\",\"latitude\":47.5}");
 
         Command.SetHome there =
                 new Command.SetHome(new Geodetic(47.5, 8.25), new Altitude(500, Altitude.Reference.AMSL));
@@ -197,9 +197,9 @@ class CommandsTest {
         SoapClient soap = SoapClient.withKey(house, key);
         String drone = vehicle.id();
         vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT32, 1500))));
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
-        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
-        Waiting.until(
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", true));
+        vehicle.says(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
+        ConditionWait.until(
                 "it is known and in the air",
                 () -> Optional.of(operator.get("/api/v1/drones/" + vehicle.id()).json())
                         .filter(seen -> seen.path("flight").asString("").equals("inAir")));
@@ -230,7 +230,7 @@ class CommandsTest {
     void tellsTheHashOfTheMissionOnBoard() {
         vehicle.says(new DroneEvent.MissionRead(List.of(new MissionItem.Land()), "c0ffee", false));
 
-        Waiting.until(
+        ConditionWait.until(
                 "the mission is shown",
                 () -> Optional.of(operator.get("/api/v1/drones/" + vehicle.id()).json())
                         .filter(drone ->
@@ -257,7 +257,7 @@ class CommandsTest {
         String far = "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":50,"
                 + "\"longitude\":8.5456,\"altitude\":35}]}";
 
-        Http.Answer waited = operator.post(commands + "?wait=10", far);
+        TestHttpClient.Answer waited = operator.post(commands + "?wait=10", far);
         SoapClient.Answer soap = SoapClient.withKey(house, key)
                 .call(
                         "uploadMission",
@@ -265,8 +265,8 @@ class CommandsTest {
                         vehicle.id(),
                         "items",
                         List.of(Map.of("waypoint", Map.of("latitude", 50.0, "longitude", 8.5456, "altitude", 35.0))));
-        Http.Answer near = operator.post(commands + "?wait=10", far.replace(":50,", ":47.4,"));
-        Http.Answer atOnce = operator.post(commands, far);
+        TestHttpClient.Answer near = operator.post(commands + "?wait=10", far.replace(":50,", ":47.4,"));
+        TestHttpClient.Answer atOnce = operator.post(commands, far);
 
         assertThat(waited.json().path("warnings").path(0).asString()).isEqualTo(sentence);
         assertThat(waited.json().path("outcome").path("result").asString()).isEqualTo("succeeded");
@@ -291,7 +291,7 @@ class CommandsTest {
 
     @Test
     void showsAbsentFactsAsNull() {
-        vehicle.says(new DroneEvent.TextHeard(org.dronemap.core.drone.Severity.INFO, "hello"));
+        vehicle.says(new DroneEvent.TextReported(org.dronemap.core.drone.Severity.INFO, "hello"));
         JsonNode drone = operator.get("/api/v1/drones/" + vehicle.id()).json();
 
         assertThat(drone.path("battery").isNull()).isTrue();

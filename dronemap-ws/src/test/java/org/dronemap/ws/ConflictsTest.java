@@ -10,12 +10,12 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.ImmediateCopter;
+import org.dronemap.ws.house.OrganisationMember;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -34,10 +34,10 @@ class ConflictsTest {
             "{\"name\":\"Roofs\",\"items\":[{\"type\":\"waypoint\",\"altitude\":20," + PLACE + "}]}";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private Member administrator;
-    private Http http;
+    private OrganisationMember administrator;
+    private TestHttpClient http;
 
     @BeforeAll
     void open() {
@@ -45,7 +45,7 @@ class ConflictsTest {
         http = administrator.http();
     }
 
-    private static Http.Answer send(Http who, String method, String path, String body) {
+    private static TestHttpClient.Answer send(TestHttpClient who, String method, String path, String body) {
         return who.send(
                 API + path,
                 request -> request.header("Content-Type", "application/json")
@@ -57,14 +57,14 @@ class ConflictsTest {
         conflicts(http, operation, body);
     }
 
-    private static void conflicts(Http who, String operation, String body) {
+    private static void conflicts(TestHttpClient who, String operation, String body) {
         String[] words = operation.split(" ");
-        Http.Answer answer = send(who, words[0], words[1], body);
+        TestHttpClient.Answer answer = send(who, words[0], words[1], body);
         assertThat(answer.status()).as(operation + ": " + answer.raw().body()).isEqualTo(409);
     }
 
     private String made(String path, String body) {
-        Http.Answer made = http.post(API + path, body);
+        TestHttpClient.Answer made = http.post(API + path, body);
         assertThat(made.text("id")).as(path + ": " + made.raw().body()).isNotEmpty();
         return made.text("id");
     }
@@ -89,20 +89,20 @@ class ConflictsTest {
         conflicts("PUT warehouse/" + id, "{}");
     }
 
-    private WillingCopter copter(String name) {
+    private ImmediateCopter copter(String name) {
         return tenant.copter(name, new Geodetic(47.3977, 8.5456))
                 .wellHeard(tenant.server().cloud());
     }
 
     private void await(String path, String state) {
-        Waiting.until(
+        ConditionWait.until(
                 path + " is " + state,
                 () -> Optional.of(http.get(API + path).text("state")).filter(state::equals));
     }
 
     @Test
     void aMissionRunThatIsOverIsNotChanged() {
-        WillingCopter copter = copter("Falcon");
+        ImmediateCopter copter = copter("Falcon");
         String plan = made("plans", "{\"drones\":[\"" + copter.id() + "\"]," + WAYPOINTS);
         await("plans/" + plan, "finished");
         String run = "runs/" + made("runs", "{\"plan\":\"" + plan + "\"}");
@@ -125,7 +125,7 @@ class ConflictsTest {
 
     @Test
     void aFollowThatIsOverHearsNoPositions() {
-        WillingCopter copter = copter("Heron");
+        ImmediateCopter copter = copter("Heron");
         assertThat(send(http, "PUT", "warehouse/" + copter.id(), "{}").status()).isEqualTo(200);
         String follow = "follows/" + made("follows", "{\"drone\":\"" + copter.id() + "\"," + PLACE + "}");
         assertThat(http.post(API + follow + "/cancel", "").status()).isEqualTo(200);
@@ -152,7 +152,7 @@ class ConflictsTest {
 
     @Test
     void anOrganisationIsNotCalledLikeAnother() {
-        Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        TestHttpClient server = new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         String name = tenant.unique("Hill Survey");
         assertThat(server.post(API + "organisations", "{\"name\":\"" + name + "\"}")
                         .status())
@@ -172,9 +172,9 @@ class ConflictsTest {
     @Test
     void aFlightThatWasNotRecordedHasNoFileOfFrames() {
         ScriptedVehicle vehicle = tenant.vehicle();
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
-        String flight = Waiting.until(
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", true));
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", false));
+        String flight = ConditionWait.until(
                 "the flight is known",
                 () -> Optional.of(http.get(API + "flights?drone=" + vehicle.id())
                                 .json()

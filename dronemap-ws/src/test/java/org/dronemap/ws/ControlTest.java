@@ -10,13 +10,13 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -28,14 +28,14 @@ import tools.jackson.databind.JsonNode;
 /** Who commands a drone, through the faces. */
 class ControlTest {
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle vehicle;
     private String annsKey;
-    private Http ann;
-    private Http bob;
-    private Http supervisor;
+    private TestHttpClient ann;
+    private TestHttpClient bob;
+    private TestHttpClient supervisor;
     private String annsName;
     private String bobsName;
     private String control;
@@ -45,7 +45,7 @@ class ControlTest {
     void open() {
         vehicle = tenant.vehicle();
         annsKey = tenant.key(Role.OPERATOR);
-        ann = new Http(house, annsKey);
+        ann = new TestHttpClient(house, annsKey);
         bob = tenant.http(Role.OPERATOR);
         supervisor = tenant.http(Role.SUPERVISOR);
         control = "/api/v1/drones/" + vehicle.id() + "/control";
@@ -56,8 +56,8 @@ class ControlTest {
 
     @Test
     void takesControlWithTheFirstCommandAndTellsTheOtherWhoHasIt() {
-        Http.Answer first = ann.post(commands + "?wait=30", "{\"type\":\"arm\"}");
-        Http.Answer second = bob.post(commands, "{\"type\":\"arm\"}");
+        TestHttpClient.Answer first = ann.post(commands + "?wait=30", "{\"type\":\"arm\"}");
+        TestHttpClient.Answer second = bob.post(commands, "{\"type\":\"arm\"}");
 
         assertThat(first.status()).isEqualTo(200);
         assertThat(first.json().path("epoch").asLong()).isPositive();
@@ -81,7 +81,7 @@ class ControlTest {
         assertThat(ann.post(control + "/take", "{}").text("holder")).isEqualTo(annsName);
         assertThat(bob.post(control + "/take", "{}").status()).isEqualTo(409);
 
-        Http.Answer asked = bob.post(control + "/request", "{\"reason\":\"my survey\"}");
+        TestHttpClient.Answer asked = bob.post(control + "/request", "{\"reason\":\"my survey\"}");
         assertThat(asked.status()).isEqualTo(202);
         JsonNode request = ann.get(control).json().path("requests").get(0);
         assertThat(request.path("by").asString()).isEqualTo(bobsName);
@@ -102,10 +102,10 @@ class ControlTest {
 
         assertThat(bob.post(control + "/take-over", "{\"reason\":\"mine\"}").status())
                 .isEqualTo(403);
-        Http.Answer without = supervisor.post(control + "/take-over", "{}");
+        TestHttpClient.Answer without = supervisor.post(control + "/take-over", "{}");
         assertThat(without.status()).isEqualTo(422);
         assertThat(without.text("field")).isEqualTo("reason");
-        Http.Answer taken = supervisor.post(control + "/take-over", "{\"reason\":\"smoke\"}");
+        TestHttpClient.Answer taken = supervisor.post(control + "/take-over", "{\"reason\":\"smoke\"}");
         assertThat(taken.text("holder")).isEqualTo(nameOf(supervisor));
     }
 
@@ -115,12 +115,12 @@ class ControlTest {
 
         assertThat(ann.post(control + "/heartbeat", "{\"epoch\":" + epoch + "}").status())
                 .isEqualTo(200);
-        Http.Answer wrong = ann.post(control + "/heartbeat", "{\"epoch\":" + (epoch - 1) + "}");
+        TestHttpClient.Answer wrong = ann.post(control + "/heartbeat", "{\"epoch\":" + (epoch - 1) + "}");
         assertThat(wrong.status()).isEqualTo(409);
         assertThat(wrong.text("detail")).startsWith("Control by epoch " + (epoch - 1) + " has ended.");
         assertThat(wrong.text("code")).isEqualTo("control-ended");
         assertThat(ann.post(control + "/heartbeat", "{}").text("field")).isEqualTo("epoch");
-        Http.Answer stale = ann.post(commands, "{\"type\":\"arm\",\"epoch\":" + (epoch - 1) + "}");
+        TestHttpClient.Answer stale = ann.post(commands, "{\"type\":\"arm\",\"epoch\":" + (epoch - 1) + "}");
         assertThat(stale.status()).isEqualTo(409);
         assertThat(stale.text("code")).isEqualTo("control-ended");
         assertThat(ann.post(commands, "{\"type\":\"arm\",\"epoch\":" + epoch + "}")
@@ -134,7 +134,7 @@ class ControlTest {
         String viewer = nameOf(tenant.http(Role.VIEWER));
 
         for (String user : new String[] {viewer, "nobody at all"}) {
-            Http.Answer refused = ann.post(control + "/hand-over", user(user));
+            TestHttpClient.Answer refused = ann.post(control + "/hand-over", user(user));
             assertThat(refused.status()).isEqualTo(422);
             assertThat(refused.text("allowed")).isEqualTo("a user who may command drones");
         }
@@ -158,12 +158,12 @@ class ControlTest {
     @MethodSource("foreign")
     void takesWhatBelongsToTheActionAlone(String address, String action, String member, String known) {
         String members = "\"" + member + "\":" + (member.equals("epoch") ? "1" : "\"" + bobsName + "\"");
-        Http.Answer refused = supervisor.post(control + "/" + address, "{" + members + "}");
+        TestHttpClient.Answer refused = supervisor.post(control + "/" + address, "{" + members + "}");
 
         assertThat(refused.status()).isEqualTo(422);
         assertThat(refused.text("detail"))
                 .isEqualTo("There is no member \"" + member + "\" here; there are: " + known + ".");
-        try (StreamListener stream = StreamListener.withKey(house, annsKey)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, annsKey)) {
             stream.await(message -> isType(message, "drones"));
             stream.send("{\"type\":\"control\",\"drone\":\"" + vehicle.id() + "\",\"action\":\"" + action + "\","
                     + members + "}");
@@ -177,7 +177,7 @@ class ControlTest {
 
     @Test
     void tellsEverybodyWhoWatchesWhatBecomesOfControl() {
-        try (StreamListener stream = StreamListener.withKey(house, annsKey)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, annsKey)) {
             stream.await(message -> isType(message, "drones"));
             stream.send("{\"type\":\"control\",\"requestId\":\"r1\",\"drone\":\"" + vehicle.id()
                     + "\",\"action\":\"take\"}");
@@ -226,9 +226,9 @@ class ControlTest {
 
     @Test
     void letsASupervisorCallBackADroneThatAnotherFlies() {
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
-        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
-        Waiting.until(
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", true));
+        vehicle.says(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
+        ConditionWait.until(
                 "it flies",
                 () -> Optional.of(ann.get("/api/v1/drones/" + vehicle.id()).text("flight"))
                         .filter("inAir"::equals));
@@ -245,7 +245,7 @@ class ControlTest {
     @Test
     void takesControlFromAUserWhoMayCommandNoMore() {
         ann.post(control + "/take", "{}");
-        Http administrator = tenant.http(Role.ADMINISTRATOR);
+        TestHttpClient administrator = tenant.http(Role.ADMINISTRATOR);
 
         administrator.send("/api/v1/users/" + annsName, HttpRequest.Builder::DELETE);
 
@@ -260,7 +260,7 @@ class ControlTest {
         return "{\"user\":\"" + name + "\"}";
     }
 
-    private static String nameOf(Http who) {
+    private static String nameOf(TestHttpClient who) {
         return who.get("/api/v1/session").text("name");
     }
 }

@@ -12,12 +12,12 @@ import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.house.CommandBodies;
-import org.dronemap.ws.house.DescribedBodies;
-import org.dronemap.ws.house.DescribedBounds;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.OpenApiBodies;
+import org.dronemap.ws.house.OpenApiBounds;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -35,19 +35,19 @@ class DescribedBoundsTest {
     private static final String PLACE = "\"latitude\":47.4,\"longitude\":8.5";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
     private final JsonNode description =
-            new Http(tenant.server(), "").get("/api/openapi.json").json();
-    private final DescribedBounds bounds = new DescribedBounds(description);
-    private final DescribedBodies bodies = new DescribedBodies(description);
+            new TestHttpClient(tenant.server(), "").get("/api/openapi.json").json();
+    private final OpenApiBounds bounds = new OpenApiBounds(description);
+    private final OpenApiBodies bodies = new OpenApiBodies(description);
     private final CommandBodies commands = new CommandBodies(description);
-    private Http administrator;
-    private Http operator;
+    private TestHttpClient administrator;
+    private TestHttpClient operator;
     private String drone;
     private String copter;
     private String member;
-    private Member someone;
+    private OrganisationMember someone;
     private String run;
     private String follow;
 
@@ -56,8 +56,8 @@ class DescribedBoundsTest {
      *
      * @param left a member that another example tries; empty: none
      */
-    private record Example(Http who, String method, String pattern, String path, String body, String left) {
-        Example(Http who, String method, String pattern, String path, String body) {
+    private record Example(TestHttpClient who, String method, String pattern, String path, String body, String left) {
+        Example(TestHttpClient who, String method, String pattern, String path, String body) {
             this(who, method, pattern, path, body, "");
         }
 
@@ -96,7 +96,7 @@ class DescribedBoundsTest {
                         "{\"drones\":[\"" + flying + "\"],\"seconds\":0.1,\"waypoints\":[{\"latitude\":47.3985,"
                                 + "\"longitude\":8.5456,\"altitude\":30}]}")
                 .text("id");
-        Waiting.until(
+        ConditionWait.until(
                 "the plan is finished",
                 () -> Optional.of(operator.get(API + "/plans/" + plan))
                         .filter(asked -> asked.text("state").equals("finished")));
@@ -105,7 +105,7 @@ class DescribedBoundsTest {
 
     private String follow() {
         String flying = copter("Heron");
-        Http.Answer served = tenant.http(Role.SUPERVISOR)
+        TestHttpClient.Answer served = tenant.http(Role.SUPERVISOR)
                 .send(
                         API + "/warehouse/" + flying,
                         request -> request.header("Content-Type", "application/json")
@@ -136,7 +136,7 @@ class DescribedBoundsTest {
                 .filter(one -> probes(one).anyMatch(probe -> wanted.contains(probe.member())));
     }
 
-    private Stream<DescribedBounds.Probe> probes(Example one) {
+    private Stream<OpenApiBounds.Probe> probes(Example one) {
         return bounds.probes(one.method(), one.pattern(), one.body()).stream()
                 .filter(probe -> !probe.field().equals(one.left()));
     }
@@ -252,12 +252,12 @@ class DescribedBoundsTest {
                         "{\"name\":\"a\",\"needs\":{\"enduranceMinutes\":1,\"area\":{\"radius\":5," + PLACE + "}}}"));
     }
 
-    private Example as(Http who, String path, String body) {
+    private Example as(TestHttpClient who, String path, String body) {
         return new Example(who, "post", API + path, API + path, body);
     }
 
     private List<Example> access() {
-        Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        TestHttpClient server = new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         return List.of(
                 post("/outlet/ports", "{\"address\":\"nowhere\",\"hours\":1}"),
                 new Example(
@@ -291,7 +291,7 @@ class DescribedBoundsTest {
     }
 
     private List<Example> names() {
-        Http server = new Http(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        TestHttpClient server = new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         return List.of(
                 post(
                         "/missions",
@@ -322,7 +322,7 @@ class DescribedBoundsTest {
                         administrator, "patch", API + "/drones/{id}", API + "/drones/" + drone, "{\"name\":\"a\"}"));
     }
 
-    private static Http.Answer answer(Example example, String body) {
+    private static TestHttpClient.Answer answer(Example example, String body) {
         return example.who()
                 .send(
                         example.path(),
@@ -335,14 +335,14 @@ class DescribedBoundsTest {
     @ParameterizedTest
     @MethodSource("examples")
     void areThoseThatAreKeptTo(Example example) {
-        List<DescribedBounds.Probe> probes = bounds.probes(example.method(), example.pattern(), example.body());
+        List<OpenApiBounds.Probe> probes = bounds.probes(example.method(), example.pattern(), example.body());
 
         assertThat(probes).isNotEmpty();
-        for (DescribedBounds.Probe probe : probes) {
+        for (OpenApiBounds.Probe probe : probes) {
             if (probe.field().equals(example.left())) {
                 continue;
             }
-            Http.Answer answer = answer(example, probe.body());
+            TestHttpClient.Answer answer = answer(example, probe.body());
             boolean refused = answer.status() == 422 && answer.text("field").equals(probe.field());
             assertThat(refused)
                     .as(

@@ -21,12 +21,12 @@ import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.session.FrameTap;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -46,11 +46,11 @@ class FlightsTest {
     private static final String MESSAGE = "EKF <failsafe> & \"compass\"";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
-    private Http viewer;
-    private Http operator;
+    private final TestServer house = tenant.server();
+    private TestHttpClient viewer;
+    private TestHttpClient operator;
     private ScriptedVehicle vehicle;
     private String id;
     private FrameTap wire;
@@ -63,28 +63,28 @@ class FlightsTest {
         wire = house.recorder().open(1);
         wire.bound(new DroneId(vehicle.id()));
         heardOnTheWire();
-        vehicle.says(new DroneEvent.BatteryHeard(new Battery(90, 12.6, null)));
+        vehicle.says(new DroneEvent.BatteryReported(new Battery(90, 12.6, null)));
         assertThat(operator.post("/api/v1/drones/" + vehicle.id() + "/commands?wait=30", "{\"type\":\"arm\"}")
                         .status())
                 .isEqualTo(200);
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
-        vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3987, 8.5456), 508.0, 20.0)));
-        vehicle.says(new DroneEvent.TextHeard(Severity.CRITICAL, MESSAGE));
-        vehicle.says(new DroneEvent.BatteryHeard(new Battery(70, 12.1, null)));
-        Waiting.until(
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", true));
+        vehicle.says(new DroneEvent.PositionReported(new Position(new Geodetic(47.3987, 8.5456), 508.0, 20.0)));
+        vehicle.says(new DroneEvent.TextReported(Severity.CRITICAL, MESSAGE));
+        vehicle.says(new DroneEvent.BatteryReported(new Battery(70, 12.1, null)));
+        ConditionWait.until(
                 "the flight is known",
                 () -> Optional.of(newest())
                         .filter(flight -> flight.path("state").asString().equals("running")));
         heardOnTheWire();
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
-        id = Waiting.until(
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", false));
+        id = ConditionWait.until(
                 "the flight has ended",
                 () -> Optional.of(newest())
                         .filter(flight -> flight.path("state").asString().equals("ended"))
                         .map(flight -> flight.path("id").asString()));
-        Waiting.until("its points are kept", () -> points().size() >= 2 ? Optional.of(true) : Optional.empty());
+        ConditionWait.until("its points are kept", () -> points().size() >= 2 ? Optional.of(true) : Optional.empty());
         Instant end = Instant.parse(viewer.get(PATH + "/" + id).text("end"));
-        Waiting.until(
+        ConditionWait.until(
                 "time has passed",
                 () -> Optional.of(end).filter(at -> Instant.now().isAfter(at.plusMillis(5))));
         heardOnTheWire();
@@ -97,7 +97,7 @@ class FlightsTest {
 
     @Test
     void nobodySeesThemWithoutSigningIn() {
-        assertThat(new Http(house, "").get(PATH).status()).isEqualTo(401);
+        assertThat(new TestHttpClient(house, "").get(PATH).status()).isEqualTo(401);
     }
 
     @Test
@@ -133,7 +133,7 @@ class FlightsTest {
 
     @Test
     void tellsWhatHappenedWithTheOutcomesOfCommands() {
-        Waiting.until("the command is told", () -> {
+        ConditionWait.until("the command is told", () -> {
             String events = viewer.get(PATH + "/" + id + "/events").raw().body();
             return events.contains("\"result\":\"succeeded\"") ? Optional.of(true) : Optional.empty();
         });
@@ -187,7 +187,7 @@ class FlightsTest {
 
     @Test
     void givesTheTrackAsATable() {
-        Http.Answer file = viewer.get(PATH + "/" + id + "/telemetry/file");
+        TestHttpClient.Answer file = viewer.get(PATH + "/" + id + "/telemetry/file");
         String[] lines = file.raw().body().split("\r\n");
 
         assertThat(lines).hasSize(points().size() + 1);
@@ -237,7 +237,7 @@ class FlightsTest {
 
     @Test
     void givesWhatWasOnTheWireWhereItWasRecorded() {
-        Http.Answer one = Waiting.until(
+        TestHttpClient.Answer one = ConditionWait.until(
                 "it is recorded",
                 () -> Optional.of(viewer.get(PATH + "/" + id + "/telemetry/file?form=tlog"))
                         .filter(answer -> answer.status() == 200));
@@ -249,7 +249,7 @@ class FlightsTest {
                         .headers()
                         .firstValue("Content-Length"))
                 .contains("" + 3 * RECORD_BYTES);
-        Http.Answer none = viewer.get("/api/v1/drones/" + vehicle.id()
+        TestHttpClient.Answer none = viewer.get("/api/v1/drones/" + vehicle.id()
                 + "/telemetry/file?form=tlog&from=2026-01-01T00:00:00Z&until=2026-01-01T01:00:00Z");
         assertThat(none.status()).isEqualTo(409);
         assertThat(none.text("detail")).startsWith("There is no recording of that drone at that time");
@@ -276,25 +276,25 @@ class FlightsTest {
     @Test
     void saysWhenTheStoreIsAwayAndDronesGoOn() {
         // What is remembered of all drones is for those who run the server.
-        Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        TestHttpClient administrator = new TestHttpClient(house, house.key(Role.ADMINISTRATOR));
         SoapClient soap = SoapClient.withKey(house, tenant.key(Role.VIEWER));
         ScriptedVehicle other = tenant.vehicle();
         house.historyStores().off();
         try {
             for (String path : List.of("", "/" + id, "/" + id + "/telemetry", "/" + id + "/events", "/logbook")) {
-                Http.Answer answer = viewer.get(PATH + path);
+                TestHttpClient.Answer answer = viewer.get(PATH + path);
                 assertThat(answer.status()).as(path).isEqualTo(503);
                 assertThat(answer.text("type")).as(path).isEqualTo("urn:dronemap:problem:unavailable");
                 assertThat(answer.raw().body()).as(path).doesNotContain("switched");
             }
             assertThatThrownBy(() -> soap.call("getFlight", "flightId", id)).hasMessageContaining("cannot be reached");
-            other.says(new DroneEvent.TextHeard(Severity.INFO, "on the ground"));
-            Http.Answer health = Waiting.until(
+            other.says(new DroneEvent.TextReported(Severity.INFO, "on the ground"));
+            TestHttpClient.Answer health = ConditionWait.until(
                     "it is told",
                     () -> Optional.of(viewer.get("/api/v1/health"))
                             .filter(answer -> answer.text("history").equals("down")));
             assertThat(health.text("status")).isEqualTo("degraded");
-            Http.Answer status = administrator.get("/api/v1/history");
+            TestHttpClient.Answer status = administrator.get("/api/v1/history");
             assertThat(status.json().path("up").asBoolean(true)).isFalse();
             assertThat(status.text("trouble")).contains("switched off");
             assertThat(operator.post("/api/v1/drones/" + other.id() + "/commands?wait=30", "{\"type\":\"arm\"}")
@@ -303,14 +303,14 @@ class FlightsTest {
         } finally {
             house.historyStores().on();
         }
-        Http.Answer again = Waiting.until(
+        TestHttpClient.Answer again = ConditionWait.until(
                 "all is well",
                 () -> Optional.of(administrator.get("/api/v1/history"))
                         .filter(answer -> answer.json().path("up").asBoolean(false)));
         assertThat(again.text("server")).isEqualTo("memory");
         assertThat(again.json().path("dropped").asLong(-1)).isZero();
         assertThat(viewer.get(PATH + "/" + id).status()).isEqualTo(200);
-        assertThat(new Http(house, house.key(Role.VIEWER))
+        assertThat(new TestHttpClient(house, house.key(Role.VIEWER))
                         .get("/api/v1/history")
                         .status())
                 .isEqualTo(403);
@@ -342,8 +342,8 @@ class FlightsTest {
 
     @Test
     void hidesThemFromOtherOrganisations() {
-        try (Tenant others = new Tenant()) {
-            Http stranger = others.http(Role.ADMINISTRATOR);
+        try (TestTenant others = new TestTenant()) {
+            TestHttpClient stranger = others.http(Role.ADMINISTRATOR);
 
             assertThat(stranger.get(PATH).json().path("flights").size()).isZero();
             assertThat(stranger.get(PATH + "/" + id).status()).isEqualTo(404);
@@ -383,7 +383,7 @@ class FlightsTest {
                 .body();
     }
 
-    private static String nameOf(Http who) {
+    private static String nameOf(TestHttpClient who) {
         return who.get("/api/v1/session").text("name");
     }
 
@@ -391,7 +391,7 @@ class FlightsTest {
         return DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(text)));
     }
 
-    private static Http.Answer patch(Http who, String path, String body) {
+    private static TestHttpClient.Answer patch(TestHttpClient who, String path, String body) {
         return who.send(
                 path,
                 request -> request.header("Content-Type", "application/json")

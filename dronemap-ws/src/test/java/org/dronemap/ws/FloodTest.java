@@ -15,18 +15,18 @@ import java.util.concurrent.Future;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.budget.Rates;
-import org.dronemap.ws.budget.Work;
+import org.dronemap.ws.budget.BudgetRates;
+import org.dronemap.ws.budget.WorkKind;
 import org.dronemap.ws.guard.ClientLimits;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
 import org.dronemap.ws.house.RawClient;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.ServerLog;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.settings.ServerSettings;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -43,16 +43,16 @@ import tools.jackson.databind.JsonNode;
 class FloodTest {
     private static final int TEN_MEGABYTES = 10_000_000;
     /** Ten of each at once, then so few that no machine refills the budget while a test runs. */
-    private static final Rates FEW = new Rates(Map.of(Work.REQUEST, 10.0, Work.COMMAND, 1.0, Work.EXPORT, 0.2));
+    private static final BudgetRates FEW = new BudgetRates(Map.of(WorkKind.REQUEST, 10.0, WorkKind.COMMAND, 1.0, WorkKind.EXPORT, 0.2));
 
-    private final TestHouse house = SharedServer.get();
-    private TestHouse thrifty;
+    private final TestServer house = SharedServer.get();
+    private TestServer thrifty;
     private ScriptedVehicle vehicle;
 
     @BeforeAll
     void open(@TempDir Path data) {
-        thrifty = new TestHouse(
-                data, TestHouse.Choices.protectedBy(new Settings.Protection(ClientLimits.DEFAULT, FEW, 2)));
+        thrifty = new TestServer(
+                data, TestServer.Options.protectedBy(new ServerSettings.Protection(ClientLimits.DEFAULT, FEW, 2)));
         vehicle = ScriptedVehicle.connect(thrifty.cloud(), 15_701);
     }
 
@@ -111,7 +111,7 @@ class FloodTest {
                                             : "|HTTP/1.1 4\\d\\d.*");
             assertThat(log.failures()).isEmpty();
         }
-        assertThat(new Http(house, house.key(Role.VIEWER)).get("/api/v1/drones").status())
+        assertThat(new TestHttpClient(house, house.key(Role.VIEWER)).get("/api/v1/drones").status())
                 .isEqualTo(200);
     }
 
@@ -154,7 +154,7 @@ class FloodTest {
 
     @Test
     void closesAStreamThatSendsTenMegabytesAtOnce() {
-        try (StreamListener stream = StreamListener.withKey(house, house.key(Role.VIEWER))) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, house.key(Role.VIEWER))) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             stream.send("x".repeat(TEN_MEGABYTES));
 
@@ -166,7 +166,7 @@ class FloodTest {
     void refusesAThousandTriesToSignInWithoutTryingThemAll() throws Exception {
         ExecutorService guessers = Executors.newFixedThreadPool(16);
         // One client for all: connections that are kept alive count, too.
-        Http guesser = new Http(thrifty, "");
+        TestHttpClient guesser = new TestHttpClient(thrifty, "");
         Map<Integer, Integer> answers = new ConcurrentHashMap<>();
         try {
             List<Future<Integer>> tries = IntStream.range(0, 1_000)
@@ -181,38 +181,38 @@ class FloodTest {
 
         assertThat(new TreeMap<>(answers).keySet()).isSubsetOf(401, 429, 503);
         assertThat(answers.getOrDefault(401, 0)).as("passwords compared").isBetween(1, 60);
-        assertThat(new Http(thrifty, thrifty.key(Role.VIEWER))
+        assertThat(new TestHttpClient(thrifty, thrifty.key(Role.VIEWER))
                         .get("/api/v1/drones")
                         .status())
                 .isEqualTo(200);
     }
 
-    private static int signIn(Http client, String password) {
+    private static int signIn(TestHttpClient client, String password) {
         return client.post("/api/v1/session", "{\"name\":\"admin\",\"password\":\"" + password + "\"}")
                 .status();
     }
 
     @Test
     void refusesMoreRequestsThanAUsersBudgetAndTellsHowLongToWait() {
-        Http busy = new Http(thrifty, thrifty.key(Role.VIEWER));
+        TestHttpClient busy = new TestHttpClient(thrifty, thrifty.key(Role.VIEWER));
 
-        Http.Answer refused = untilRefused(() -> busy.get("/api/v1/drones"));
+        TestHttpClient.Answer refused = untilRefused(() -> busy.get("/api/v1/drones"));
 
         assertThat(refused.text("detail"))
                 .matches("More than 10 requests a second for a while; wait \\d+ s and try again\\.");
         assertThat(refused.json().path("retryAfterSeconds").asInt()).isPositive();
         assertThat(refused.raw().headers().firstValue("Retry-After"))
                 .hasValue(refused.json().path("retryAfterSeconds").asString());
-        assertThat(new Http(thrifty, thrifty.key(Role.VIEWER))
+        assertThat(new TestHttpClient(thrifty, thrifty.key(Role.VIEWER))
                         .get("/api/v1/drones")
                         .status())
                 .as("another user")
                 .isEqualTo(200);
     }
 
-    private static Http.Answer untilRefused(java.util.function.Supplier<Http.Answer> ask) {
+    private static TestHttpClient.Answer untilRefused(java.util.function.Supplier<TestHttpClient.Answer> ask) {
         for (int times = 0; times < 2_000; times++) {
-            Http.Answer answer = ask.get();
+            TestHttpClient.Answer answer = ask.get();
             if (answer.status() == 429) {
                 return answer;
             }
@@ -223,10 +223,10 @@ class FloodTest {
     @Test
     void refusesMoreCommandsThanABudgetInEveryFace() {
         String key = thrifty.key(Role.OPERATOR);
-        Http operator = new Http(thrifty, key);
+        TestHttpClient operator = new TestHttpClient(thrifty, key);
 
-        Http.Answer rest = spent(operator);
-        Http.Answer broadcast =
+        TestHttpClient.Answer rest = spent(operator);
+        TestHttpClient.Answer broadcast =
                 operator.post("/api/v1/commands", "{\"drones\":[\"all\"],\"command\":{\"type\":\"arm\"}}");
 
         assertThat(rest.text("detail")).startsWith("More than 1 commands a second");
@@ -234,7 +234,7 @@ class FloodTest {
         assertThat(bySoap(operator, "arm"))
                 .contains("problem:throttled</type>", "<retryAfterSeconds>")
                 .containsPattern("<faultcode>\\w+:Client</faultcode>");
-        try (StreamListener stream = StreamListener.withKey(thrifty, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(thrifty, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             assertThat(answer(stream, "arm")
                             .path("problem")
@@ -247,10 +247,10 @@ class FloodTest {
     @Test
     void neverKeepsCommandsForSafetyWaiting() {
         String key = thrifty.key(Role.OPERATOR);
-        Http operator = new Http(thrifty, key);
+        TestHttpClient operator = new TestHttpClient(thrifty, key);
         spent(operator);
 
-        try (StreamListener stream = StreamListener.withKey(thrifty, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(thrifty, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             for (String safety : List.of("land", "returnToLaunch", "hold", "pauseMission")) {
                 assertThat(operator.post(commands(), "{\"type\":\"" + safety + "\"}")
@@ -269,11 +269,11 @@ class FloodTest {
         return "/api/v1/drones/" + vehicle.id() + "/commands";
     }
 
-    private Http.Answer spent(Http operator) {
+    private TestHttpClient.Answer spent(TestHttpClient operator) {
         return untilRefused(() -> operator.post(commands(), "{\"type\":\"setMode\",\"mode\":\"GUIDED\"}"));
     }
 
-    private String bySoap(Http operator, String operation) {
+    private String bySoap(TestHttpClient operator, String operation) {
         return operator.send(
                         "/services/MAVLinkControllerService",
                         request -> request.header("Content-Type", "text/xml")
@@ -288,7 +288,7 @@ class FloodTest {
                 + "</droneId></w:" + operation + "></s:Body></s:Envelope>";
     }
 
-    private JsonNode answer(StreamListener stream, String command) {
+    private JsonNode answer(RecordingStreamClient stream, String command) {
         stream.send("{\"type\":\"command\",\"requestId\":\"" + command + "\",\"drone\":\"" + vehicle.id()
                 + "\",\"command\":{\"type\":\"" + command + "\"}}");
         return stream.await(message -> message.path("requestId").asString("").equals(command));
@@ -296,7 +296,7 @@ class FloodTest {
 
     @Test
     void keepsControlWhenAUserAsksTooMuch() {
-        Http operator = new Http(thrifty, thrifty.key(Role.OPERATOR));
+        TestHttpClient operator = new TestHttpClient(thrifty, thrifty.key(Role.OPERATOR));
         untilRefused(() -> operator.get("/api/v1/drones"));
 
         assertThat(operator.post("/api/v1/drones/" + vehicle.id() + "/control/heartbeat", "{}")
@@ -307,10 +307,10 @@ class FloodTest {
     @Test
     void boundsTheStreamsOfEachUserAndGivesAPlaceBackWithEachThatIsClosed() {
         String key = thrifty.key(Role.VIEWER);
-        try (StreamListener first = StreamListener.withKey(thrifty, key)) {
+        try (RecordingStreamClient first = RecordingStreamClient.withKey(thrifty, key)) {
             first.await(message -> message.path("type").asString().equals("drones"));
-            try (StreamListener second = StreamListener.withKey(thrifty, key);
-                    StreamListener third = StreamListener.with(thrifty, "", Map.of())) {
+            try (RecordingStreamClient second = RecordingStreamClient.withKey(thrifty, key);
+                    RecordingStreamClient third = RecordingStreamClient.with(thrifty, "", Map.of())) {
                 second.await(message -> message.path("type").asString().equals("drones"));
                 third.send("{\"type\":\"authenticate\",\"key\":\"" + key + "\"}");
                 JsonNode refused =
@@ -320,16 +320,16 @@ class FloodTest {
                 assertThat(refused.path("problem").path("status").asInt()).isEqualTo(429);
                 assertThat(third.heard())
                         .noneMatch(message -> message.toString().contains("\"drones\""));
-                try (StreamListener other = StreamListener.withKey(thrifty, thrifty.key(Role.VIEWER))) {
+                try (RecordingStreamClient other = RecordingStreamClient.withKey(thrifty, thrifty.key(Role.VIEWER))) {
                     other.await(message -> message.path("type").asString().equals("drones"));
                 }
             }
-            Waiting.until("a place is free", () -> comesIn(key) ? Optional.of(true) : Optional.empty());
+            ConditionWait.until("a place is free", () -> comesIn(key) ? Optional.of(true) : Optional.empty());
         }
     }
 
     private boolean comesIn(String key) {
-        try (StreamListener again = StreamListener.withKey(thrifty, key)) {
+        try (RecordingStreamClient again = RecordingStreamClient.withKey(thrifty, key)) {
             return again.await(message -> message.path("type").asString().matches("drones|error"))
                     .has("drones");
         }
@@ -337,9 +337,9 @@ class FloodTest {
 
     @Test
     void countsFilesAndExportsApart() {
-        Http viewer = new Http(thrifty, thrifty.key(Role.VIEWER));
+        TestHttpClient viewer = new TestHttpClient(thrifty, thrifty.key(Role.VIEWER));
 
-        Http.Answer refused = untilRefused(() -> viewer.get("/api/v1/recordings/nosuchrecording/file"));
+        TestHttpClient.Answer refused = untilRefused(() -> viewer.get("/api/v1/recordings/nosuchrecording/file"));
 
         assertThat(refused.text("detail")).startsWith("More than 0.2 exports a second");
     }
@@ -361,9 +361,9 @@ class FloodTest {
             })
     void countsEachFileAsAnExport(String operation) {
         String[] words = operation.split(" ");
-        Http administrator = new Http(thrifty, thrifty.key(Role.ADMINISTRATOR));
+        TestHttpClient administrator = new TestHttpClient(thrifty, thrifty.key(Role.ADMINISTRATOR));
 
-        Http.Answer refused = untilRefused(() -> administrator.send(
+        TestHttpClient.Answer refused = untilRefused(() -> administrator.send(
                 words[1],
                 request -> request.header("Content-Type", "application/octet-stream")
                         .method(words[0], HttpRequest.BodyPublishers.ofString(words[0].equals("GET") ? "" : "{"))));
@@ -373,10 +373,10 @@ class FloodTest {
 
     @Test
     void countsWhatWasRefusedForMonitoring() {
-        Http viewer = new Http(thrifty, thrifty.key(Role.VIEWER));
+        TestHttpClient viewer = new TestHttpClient(thrifty, thrifty.key(Role.VIEWER));
         untilRefused(() -> viewer.get("/api/v1/recordings/nosuchrecording/file"));
 
-        assertThat(new Http(thrifty, thrifty.key(Role.VIEWER))
+        assertThat(new TestHttpClient(thrifty, thrifty.key(Role.VIEWER))
                         .get("/metrics")
                         .raw()
                         .body())

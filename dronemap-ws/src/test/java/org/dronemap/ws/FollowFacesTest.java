@@ -9,14 +9,14 @@ import java.util.List;
 import java.util.Map;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.FollowStages;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.ExposedOperations;
 import org.dronemap.ws.house.FollowStages.Staged;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.FollowStages;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -31,12 +31,12 @@ class FollowFacesTest {
             "stop", "stopTracking");
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
-    private Faces faces;
-    private Http phone;
-    private Http supervisor;
+    private final TestServer house = tenant.server();
+    private ExposedOperations faces;
+    private TestHttpClient phone;
+    private TestHttpClient supervisor;
     private String supervisorKey;
     private FollowStages stages;
 
@@ -55,10 +55,10 @@ class FollowFacesTest {
 
     @BeforeEach
     void open() {
-        faces = new Faces(house);
+        faces = new ExposedOperations(house);
         phone = tenant.http(Role.OPERATOR);
         supervisorKey = tenant.key(Role.SUPERVISOR);
-        supervisor = new Http(house, supervisorKey);
+        supervisor = new TestHttpClient(house, supervisorKey);
         stages = new FollowStages(tenant, supervisor);
     }
 
@@ -71,14 +71,14 @@ class FollowFacesTest {
         String operation = SOAP.get(one.operation());
         String answer =
                 faces.soap(phone, operation, Map.of("followId", one.follow().id()));
-        boolean refused = Faces.wrong(answer).equals("refused");
+        boolean refused = ExposedOperations.wrong(answer).equals("refused");
         assertThat(refused || answer.contains(operation + "Response"))
                 .as(one + ": " + answer)
                 .isTrue();
         return !refused;
     }
 
-    private Http.Answer byRest(Case one) {
+    private TestHttpClient.Answer byRest(Case one) {
         return one.operation().equals("change")
                 ? phone.send(
                         one.follow().path(),
@@ -106,13 +106,13 @@ class FollowFacesTest {
             });
         });
         assertThat(cases).hasSize(6 * 11);
-        try (StreamListener stream = StreamListener.withKey(house, supervisorKey)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, supervisorKey)) {
             stages.bring();
             cases.forEach(one -> check(one, stream));
         }
     }
 
-    private void check(Case one, StreamListener stream) {
+    private void check(Case one, RecordingStreamClient stream) {
         boolean allowed = !one.next().equals("no");
         assertThat(isTaken(one)).as(one.toString()).isEqualTo(allowed);
         List<String> expected = allowed
@@ -143,7 +143,7 @@ class FollowFacesTest {
         stages.await(one, "suspended");
         supervisor.send("/api/v1/drones/" + one.copter().id() + "/control", HttpRequest.Builder::DELETE);
         assertThat(phone.post(one.path() + "/stop", "").text("state")).isEqualTo("returning");
-        Waiting.until(
+        ConditionWait.until(
                 "it is called home",
                 () -> one.copter().performed().stream()
                         .filter(Command.ReturnToLaunch.class::isInstance)

@@ -11,17 +11,17 @@ import java.util.Optional;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.lease.Holder;
-import org.dronemap.core.lease.Tenure;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.FollowStages;
+import org.dronemap.core.lease.Lease;
+import org.dronemap.core.lease.LeaseHolder;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.ExposedOperations;
 import org.dronemap.ws.house.FollowStages.Staged;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.FollowStages;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -33,12 +33,12 @@ import org.junit.jupiter.api.Test;
  */
 class FollowTakenTest {
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
-    private Faces faces;
-    private Member root;
-    private Member supervisor;
+    private final TestServer house = tenant.server();
+    private ExposedOperations faces;
+    private OrganisationMember root;
+    private OrganisationMember supervisor;
     private FollowStages stages;
 
     /** How it comes about. */
@@ -69,7 +69,7 @@ class FollowTakenTest {
         }
     }
 
-    private record Case(Staged follow, Deed deed, Member owner, String next) {
+    private record Case(Staged follow, Deed deed, OrganisationMember owner, String next) {
         @Override
         public String toString() {
             return deed + " at " + follow.stage();
@@ -78,7 +78,7 @@ class FollowTakenTest {
 
     @BeforeEach
     void open() {
-        faces = new Faces(house);
+        faces = new ExposedOperations(house);
         root = tenant.member("root", Role.ADMINISTRATOR);
         supervisor = tenant.member("sue", Role.SUPERVISOR);
         stages = new FollowStages(tenant, supervisor.http());
@@ -93,14 +93,14 @@ class FollowTakenTest {
                 if (!deed.isPossible(stage)) {
                     continue;
                 }
-                Member owner = tenant.member("owner", Role.OPERATOR);
+                OrganisationMember owner = tenant.member("owner", Role.OPERATOR);
                 String next = deed.does(stage) && !deed.row.isEmpty()
                         ? table.get(stage).get(deed.row)
                         : stage;
                 cases.add(new Case(stages.open(stage, owner.http()), deed, owner, next));
             }
         }
-        try (StreamListener stream = StreamListener.withKey(house, supervisor.key())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, supervisor.key())) {
             stages.bring();
             cases.forEach(this::happens);
             cases.forEach(one -> shows(one, stream));
@@ -112,7 +112,7 @@ class FollowTakenTest {
         switch (one.deed()) {
             case TAKE_OVER -> {
                 stages.takeOver(one.follow());
-                assertThat(holder(one)).isEqualTo(new Holder.Person(supervisor.name()));
+                assertThat(holder(one)).isEqualTo(new LeaseHolder.Person(supervisor.name()));
             }
             case HOLD -> orders(one, "hold");
             case LAND -> orders(one, "land");
@@ -144,7 +144,7 @@ class FollowTakenTest {
     }
 
     private void changed(String method, String path, String body) {
-        Http.Answer answer = root.http()
+        TestHttpClient.Answer answer = root.http()
                 .send(
                         path,
                         request -> request.header("Content-Type", "application/json")
@@ -153,7 +153,7 @@ class FollowTakenTest {
     }
 
     /** By REST, by SOAP and on the stream; whoever lost the right sees nothing of it any more. */
-    private void shows(Case one, StreamListener stream) {
+    private void shows(Case one, RecordingStreamClient stream) {
         Staged follow = one.follow();
         stages.await(follow, one.next());
         assertThat(faces.soap(supervisor.http(), "getFollow", Map.of("followId", follow.id())))
@@ -173,8 +173,8 @@ class FollowTakenTest {
     }
 
     /** Null: nobody has control. */
-    private @Nullable Holder holder(Case one) {
-        Tenure tenure = house.cloud()
+    private @Nullable LeaseHolder holder(Case one) {
+        Lease tenure = house.cloud()
                 .controls()
                 .control(new DroneId(one.follow().copter().id()))
                 .tenure();
@@ -182,7 +182,7 @@ class FollowTakenTest {
     }
 
     private void isLookedAfter(Case one) {
-        boolean own = holder(one) instanceof Holder.Operation by
+        boolean own = holder(one) instanceof LeaseHolder.Operation by
                 && by.id().equals(one.follow().id());
         switch (one.next()) {
             case "over" -> assertThat(own).as(one.toString()).isFalse();
@@ -193,7 +193,7 @@ class FollowTakenTest {
             default -> assertThat(own).as(one.toString()).isTrue();
         }
         if (one.next().equals("returning") && !one.follow().stage().equals("starting")) {
-            Waiting.until(
+            ConditionWait.until(
                     one + ": it is called home",
                     () -> one.follow().copter().performed().stream()
                             .filter(Command.ReturnToLaunch.class::isInstance)
@@ -209,7 +209,7 @@ class FollowTakenTest {
         } else if (one.deed() == Deed.HOLD) {
             assertThat(performed).as(one.toString()).contains(new Command.Hold());
             if (!one.follow().stage().equals("suspended")) {
-                Waiting.until(
+                ConditionWait.until(
                         one + ": it says what comes of it",
                         () -> Optional.of(supervisor
                                         .http()

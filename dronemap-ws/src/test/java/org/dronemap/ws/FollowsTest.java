@@ -13,17 +13,17 @@ import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.lease.Lease;
 import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.JournalReplay;
 import org.dronemap.core.operation.OperationId;
-import org.dronemap.core.operation.Replay;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.ImmediateCopter;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -38,21 +38,21 @@ class FollowsTest {
     private static final String HERE = "\"latitude\":47.3980,\"longitude\":8.5456";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private final List<String> waiting = new ArrayList<>();
     private List<String> keys;
-    private Http phone;
-    private Http supervisor;
-    private WillingCopter falcon;
+    private TestHttpClient phone;
+    private TestHttpClient supervisor;
+    private ImmediateCopter falcon;
     private String name;
 
     @BeforeEach
     void begin() {
         keys = List.of(tenant.key(Role.OPERATOR), tenant.key(Role.SUPERVISOR));
-        phone = new Http(house, keys.get(0));
-        supervisor = new Http(house, keys.get(1));
+        phone = new TestHttpClient(house, keys.get(0));
+        supervisor = new TestHttpClient(house, keys.get(1));
         name = "Falcon " + house.number();
         falcon = copter(name, HOME);
     }
@@ -63,14 +63,14 @@ class FollowsTest {
         waiting.forEach(id -> supervisor.send("/api/v1/warehouse/" + id, HttpRequest.Builder::DELETE));
     }
 
-    private WillingCopter copter(String name, Geodetic stand) {
-        WillingCopter copter = tenant.copter(name, stand).wellHeard(house.cloud());
+    private ImmediateCopter copter(String name, Geodetic stand) {
+        ImmediateCopter copter = tenant.copter(name, stand).wellHeard(house.cloud());
         waiting.add(copter.id());
         assertThat(served(supervisor, copter).status()).isLessThan(300);
         return copter;
     }
 
-    private static Http.Answer served(Http by, WillingCopter copter) {
+    private static TestHttpClient.Answer served(TestHttpClient by, ImmediateCopter copter) {
         return by.send(
                 "/api/v1/warehouse/" + copter.id(),
                 request -> request.header("Content-Type", "application/json")
@@ -78,7 +78,7 @@ class FollowsTest {
     }
 
     private String asked(String members) {
-        Http.Answer asked = phone.post(PATH, "{" + HERE + members + "}");
+        TestHttpClient.Answer asked = phone.post(PATH, "{" + HERE + members + "}");
         assertThat(asked.status()).as(asked.raw().body()).isEqualTo(201);
         assertThat(asked.text("state")).isEqualTo("allocated");
         return PATH + "/" + asked.text("id");
@@ -91,14 +91,14 @@ class FollowsTest {
         return follow;
     }
 
-    private Http.Answer await(String follow, String state) {
-        return Waiting.until(
+    private TestHttpClient.Answer await(String follow, String state) {
+        return ConditionWait.until(
                 "the follow is " + state,
                 () -> Optional.of(phone.get(follow))
                         .filter(one -> one.text("state").equals(state)));
     }
 
-    private Http.Answer says(Http who, String follow) {
+    private TestHttpClient.Answer says(TestHttpClient who, String follow) {
         Instant now = Instant.now();
         return who.post(
                 follow + "/positions",
@@ -107,16 +107,16 @@ class FollowsTest {
     }
 
     private boolean isHeldByAFollow() {
-        Tenure tenure =
+        Lease tenure =
                 house.cloud().controls().control(new DroneId(falcon.id())).tenure();
         return tenure != null && tenure.holder().words().startsWith("The follow");
     }
 
-    private static String detail(Http.Answer answer) {
+    private static String detail(TestHttpClient.Answer answer) {
         return answer.status() + " " + answer.text("field") + " " + answer.text("detail");
     }
 
-    private Http.Answer patch(String path, String body) {
+    private TestHttpClient.Answer patch(String path, String body) {
         return phone.send(
                 path,
                 request -> request.header("Content-Type", "application/json")
@@ -136,7 +136,7 @@ class FollowsTest {
         await(follow, "tracking");
         assertThat(falcon.performed()).hasSize(4).last().isEqualTo(new Command.TakeOff(20));
         assertThat(says(phone, follow).status()).isEqualTo(200);
-        Setpoint.Track track = Waiting.until(
+        Setpoint.Track track = ConditionWait.until(
                 "it is led north",
                 () -> falcon.setpoints().stream()
                         .filter(Setpoint.Track.class::isInstance)
@@ -147,7 +147,7 @@ class FollowsTest {
         assertThat(track.altitude().meters()).isBetween(500.0, 508.1);
 
         phone.post(follow + "/stop", "");
-        Waiting.until(
+        ConditionWait.until(
                 "it is called home",
                 () -> falcon.performed().stream()
                         .filter(Command.ReturnToLaunch.class::isInstance)
@@ -163,8 +163,8 @@ class FollowsTest {
         String follow = following();
         String id = follow.substring(PATH.length() + 1);
         String phoneKey = keys.get(0);
-        try (StreamListener mine = StreamListener.withKey(house, phoneKey);
-                StreamListener others = StreamListener.withKey(house, keys.get(1))) {
+        try (RecordingStreamClient mine = RecordingStreamClient.withKey(house, phoneKey);
+                RecordingStreamClient others = RecordingStreamClient.withKey(house, keys.get(1))) {
             JsonNode all = mine.await(message -> isType(message, "follow"));
             assertThat(all.path("follow").path("state").asString()).isEqualTo("tracking");
             assertThat(all.path("follow").path("patience").asInt()).isEqualTo(60);
@@ -190,7 +190,7 @@ class FollowsTest {
         }
         assertThat(phone.get(follow).json().path("now").path("phone").path("id").asInt())
                 .isEqualTo(3);
-        Waiting.until(
+        ConditionWait.until(
                 "the phone is gone",
                 () -> Optional.of(phone.get(follow)
                                 .json()
@@ -200,7 +200,7 @@ class FollowsTest {
                         .filter("gone"::equals));
     }
 
-    private void tellsHowTheDroneComes(StreamListener others, String id) {
+    private void tellsHowTheDroneComes(RecordingStreamClient others, String id) {
         falcon.hasLeft(80);
         JsonNode live = others.await(message -> isType(message, "followNow")
                 && message.path("now").path("battery").asInt() == 80
@@ -226,9 +226,9 @@ class FollowsTest {
         assertThat(served(limited(supervisor, area), falcon).status()).isEqualTo(403);
     }
 
-    private Http limited(Http owner, String limits) {
-        Http.Answer made = owner.post("/api/v1/access-keys", "{\"label\":\"x\"," + limits + "}");
-        return new Http(house, made.text("key"));
+    private TestHttpClient limited(TestHttpClient owner, String limits) {
+        TestHttpClient.Answer made = owner.post("/api/v1/access-keys", "{\"label\":\"x\"," + limits + "}");
+        return new TestHttpClient(house, made.text("key"));
     }
 
     private static String positions(String follow, String request, Instant sent, String... positions) {
@@ -236,7 +236,7 @@ class FollowsTest {
                 + sent + "\",\"positions\":[" + String.join(",", positions) + "]}";
     }
 
-    private static String receipt(StreamListener stream, String request) {
+    private static String receipt(RecordingStreamClient stream, String request) {
         JsonNode answer = stream.await(message -> isAnswer(message, request));
         JsonNode receipt = answer.path("receipt");
         return receipt.path("follow").asString("") + " up to "
@@ -271,7 +271,7 @@ class FollowsTest {
     private void decidesTheSameAgain(String follow) {
         List<JournalEntry> journal =
                 house.runs().operations().journal(new OperationId(follow.substring(PATH.length() + 1)), 0, 200);
-        Replay<?, ?> replay = new Replay<>(house.runs().follows());
+        JournalReplay<?, ?> replay = new JournalReplay<>(house.runs().follows());
         replay.take(journal);
         assertThat(replay.difference()).isEmpty();
         // Neither positions nor setpoints are decisions.
@@ -282,13 +282,13 @@ class FollowsTest {
     void waitsInThePauseAndGoesOn() {
         String follow = following();
         says(phone, follow);
-        Waiting.until(
+        ConditionWait.until(
                 "it is led",
                 () -> falcon.setpoints().stream()
                         .filter(Setpoint.Track.class::isInstance)
                         .findFirst());
         assertThat(phone.post(follow + "/pause", "").text("state")).isEqualTo("paused");
-        Waiting.until(
+        ConditionWait.until(
                 "it is told to stand still",
                 () -> falcon.setpoints().stream()
                         .filter(Setpoint.Velocity.class::isInstance)
@@ -319,7 +319,7 @@ class FollowsTest {
     @Test
     void saysWhyNoDroneCanFollow() {
         falcon.hasLeft(30);
-        Waiting.until(
+        ConditionWait.until(
                 "the battery is known",
                 () -> house.cloud()
                         .drone(new DroneId(falcon.id()))
@@ -333,9 +333,9 @@ class FollowsTest {
 
     @Test
     void reckonsWithTheWindThatItsUserMayKnowAlone() {
-        WillingCopter hidden = copter("Kestrel " + house.number(), HOME);
+        ImmediateCopter hidden = copter("Kestrel " + house.number(), HOME);
         hidden.feelsWind(270, 6);
-        Waiting.until(
+        ConditionWait.until(
                 "the wind is known",
                 () -> house.cloud()
                         .drone(new DroneId(hidden.id()))
@@ -346,19 +346,19 @@ class FollowsTest {
         assertThat(phone.get(follow).raw().body()).contains(wind);
         assertThat(phone.post(follow + "/cancel", "").status()).isLessThan(300);
 
-        Member guest = tenant.member("guest", Role.OPERATOR);
-        Http root = tenant.http(Role.ADMINISTRATOR);
-        Http.Answer only = root.send(
+        OrganisationMember guest = tenant.member("guest", Role.OPERATOR);
+        TestHttpClient root = tenant.http(Role.ADMINISTRATOR);
+        TestHttpClient.Answer only = root.send(
                 "/api/v1/users/" + guest.name() + "/only-granted",
                 request -> request.header("Content-Type", "application/json")
                         .PUT(HttpRequest.BodyPublishers.ofString("{\"onlyGranted\":true}")));
         assertThat(only.status()).isEqualTo(204);
-        Http.Answer granted = root.post(
+        TestHttpClient.Answer granted = root.post(
                 "/api/v1/grants",
                 "{\"user\":\"" + guest.name() + "\",\"drones\":[\"" + falcon.id()
                         + "\"],\"operations\":[\"view\",\"plan\",\"command\"]}");
         assertThat(granted.status()).as(granted.raw().body()).isEqualTo(201);
-        Http.Answer theirs = guest.http().post(PATH, "{" + HERE + chosen + "}");
+        TestHttpClient.Answer theirs = guest.http().post(PATH, "{" + HERE + chosen + "}");
         assertThat(theirs.status()).as(theirs.raw().body()).isEqualTo(201);
         assertThat(theirs.raw().body()).doesNotContain("wind");
     }

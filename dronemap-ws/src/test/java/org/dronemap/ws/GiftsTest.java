@@ -19,13 +19,13 @@ import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.session.FrameTap;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.OrganisationMember;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.robotkey.RobotKeyOf;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.robotkey.RobotKeyFixture;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 
@@ -35,14 +35,14 @@ class GiftsTest {
     private static final String RECORDINGS = "/api/v1/recordings";
     private static final String OTHERS = "another organisation";
 
-    private final TestHouse house = SharedServer.get();
+    private final TestServer house = SharedServer.get();
     private final ScriptedVehicle kite = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
-    private final Member root = house.member(OrganisationId.HOME, "root-" + house.number(), Role.ADMINISTRATOR);
-    private final Member ann = house.member(OrganisationId.HOME, "ann-" + house.number(), Role.SUPERVISOR);
+    private final OrganisationMember root = house.member(OrganisationId.HOME, "root-" + house.number(), Role.ADMINISTRATOR);
+    private final OrganisationMember ann = house.member(OrganisationId.HOME, "ann-" + house.number(), Role.SUPERVISOR);
     private final String rescue = root.http()
             .post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
             .text("id");
-    private final Member bea = house.member(new OrganisationId(rescue), "bea-" + house.number(), Role.ADMINISTRATOR);
+    private final OrganisationMember bea = house.member(new OrganisationId(rescue), "bea-" + house.number(), Role.ADMINISTRATOR);
     private final String gift = "/api/v1/organisations/" + rescue + "/drones/" + kite.id();
     private final String drone = "/api/v1/drones/" + kite.id();
 
@@ -50,7 +50,7 @@ class GiftsTest {
     void takesNothingAlongUnlessThatIsSaid() {
         Deed annes = fly(ann);
 
-        Http.Answer given = put(gift, "");
+        TestHttpClient.Answer given = put(gift, "");
 
         assertThat(given.status()).isEqualTo(200);
         assertThat(given.json().path("histories").asBoolean()).isFalse();
@@ -67,7 +67,7 @@ class GiftsTest {
         Instant from = Instant.parse(given.text("at"));
         assertThat(Instant.parse(bea.http().get(drone + "/events").text("from")))
                 .isEqualTo(from);
-        Http.Answer early = bea.http().get(drone + "/telemetry?from=" + from.minusSeconds(1));
+        TestHttpClient.Answer early = bea.http().get(drone + "/telemetry?from=" + from.minusSeconds(1));
         assertThat(early.status()).isEqualTo(422);
         assertThat(early.text("detail")).startsWith("The drone was another organisation's then; ask from ");
     }
@@ -85,7 +85,7 @@ class GiftsTest {
         assertThat(bea.http().get("/api/v1/commands/" + annes.command()).text("by"))
                 .isEqualTo(OTHERS);
         for (String path : annes.paths()) {
-            Http.Answer shown = bea.http().get(path);
+            TestHttpClient.Answer shown = bea.http().get(path);
             assertThat(shown.status()).as(path).isEqualTo(200);
             assertThat(shown.raw().body()).as(path).doesNotContain(ann.name());
         }
@@ -116,7 +116,7 @@ class GiftsTest {
                         .findValuesAsString("drone"))
                 .containsExactly(kite.id());
 
-        Http.Answer back = root.http().send(gift, HttpRequest.Builder::DELETE);
+        TestHttpClient.Answer back = root.http().send(gift, HttpRequest.Builder::DELETE);
 
         assertThat(back.status()).isEqualTo(200);
         assertThat(back.text("to")).isEqualTo(OrganisationId.HOME.value());
@@ -136,12 +136,12 @@ class GiftsTest {
 
     @Test
     void isRefusedWhileSomethingHasTheDrone() {
-        kite.says(new DroneEvent.ModeHeard("GUIDED", true));
+        kite.says(new DroneEvent.ModeReported("GUIDED", true));
         assertThat(put(gift, "").text("detail")).startsWith("It is armed or in the air");
-        kite.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
-        kite.says(new DroneEvent.ModeHeard("GUIDED", false));
+        kite.says(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
+        kite.says(new DroneEvent.ModeReported("GUIDED", false));
         assertThat(put(gift, "").status()).isEqualTo(409);
-        kite.says(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
+        kite.says(new DroneEvent.PhaseReported(FlightPhase.ON_GROUND));
         String place = "/api/v1/warehouse/" + kite.id();
         assertThat(ann.http()
                         .send(place, request -> request.PUT(HttpRequest.BodyPublishers.noBody()))
@@ -152,9 +152,9 @@ class GiftsTest {
 
         assertThat(put(gift, "").status()).isEqualTo(200);
 
-        kite.says(new DroneEvent.ModeHeard("GUIDED", true));
+        kite.says(new DroneEvent.ModeReported("GUIDED", true));
         assertThat(root.http().send(gift, HttpRequest.Builder::DELETE).status()).isEqualTo(409);
-        kite.says(new DroneEvent.ModeHeard("GUIDED", false));
+        kite.says(new DroneEvent.ModeReported("GUIDED", false));
     }
 
     @Test
@@ -164,12 +164,12 @@ class GiftsTest {
         put(gift, "");
 
         assertThat(bea.http().get(drone).json().at("/control/state").asString()).isEqualTo("free");
-        Waiting.until(
+        ConditionWait.until(
                 "the end of control is told",
                 () -> Optional.of(house.records())
                         .filter(records -> records.toString().contains(ann.name())));
         bea.http().post(drone + "/commands?wait=30", "{\"type\":\"readHome\"}");
-        Waiting.until(
+        ConditionWait.until(
                 "what came later is told",
                 () -> Optional.of(whatShows(bea)).filter(shown -> shown.contains("readHome")));
         assertThat(whatShows(bea)).doesNotContain(ann.name());
@@ -183,7 +183,7 @@ class GiftsTest {
         assertThat(put(gift, "").text("detail")).contains("under way");
 
         Objects.requireNonNull(kite.underWay()).ended(new Outcome.Succeeded());
-        Waiting.until(
+        ConditionWait.until(
                 "it has ended",
                 () -> Optional.of(ann.http().get("/api/v1/commands/" + command))
                         .filter(answer -> answer.raw().body().contains("succeeded")));
@@ -193,7 +193,7 @@ class GiftsTest {
     @Test
     void leavesNobodyWhoGaveItAwayItsKey() {
         String account = house.account(root.name());
-        RobotKeyOf.keep(
+        RobotKeyFixture.keep(
                 house.robotKeys(),
                 new RobotKey(
                         new DroneId(kite.id()),
@@ -221,7 +221,7 @@ class GiftsTest {
         String ours = "/api/v1/organisations/" + rescue + "/drones/" + kite.id();
         assertThat(root.http().send(ours, HttpRequest.Builder::DELETE).status()).isEqualTo(404);
         put(gift, "");
-        for (Member other : List.of(ann, bea)) {
+        for (OrganisationMember other : List.of(ann, bea)) {
             assertThat(other.http().send(gift, HttpRequest.Builder::DELETE).status())
                     .isEqualTo(403);
         }
@@ -240,7 +240,7 @@ class GiftsTest {
         }
     }
 
-    private Deed fly(Member by) {
+    private Deed fly(OrganisationMember by) {
         FrameTap wire = house.recorder().open(1);
         wire.bound(new DroneId(kite.id()));
         byte[] heartbeat = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
@@ -249,12 +249,12 @@ class GiftsTest {
         String command = by.http()
                 .post(drone + "/commands?wait=30", "{\"type\":\"arm\"}")
                 .text("id");
-        kite.says(new DroneEvent.ModeHeard("GUIDED", true));
-        String flight = Waiting.until("the flight is known", () -> newest(by, FLIGHTS, "flights", "running"));
-        kite.says(new DroneEvent.ModeHeard("GUIDED", false));
-        String ended = Waiting.until("the flight has ended", () -> newest(by, FLIGHTS, "flights", "ended"));
+        kite.says(new DroneEvent.ModeReported("GUIDED", true));
+        String flight = ConditionWait.until("the flight is known", () -> newest(by, FLIGHTS, "flights", "running"));
+        kite.says(new DroneEvent.ModeReported("GUIDED", false));
+        String ended = ConditionWait.until("the flight has ended", () -> newest(by, FLIGHTS, "flights", "ended"));
         assertThat(ended).isEqualTo(flight);
-        Waiting.until(
+        ConditionWait.until(
                 "the command is told",
                 () -> Optional.of(by.http()
                                 .get(FLIGHTS + "/" + flight + "/events")
@@ -265,11 +265,11 @@ class GiftsTest {
                         .status())
                 .isEqualTo(200);
         by.http().send(drone + "/control", HttpRequest.Builder::DELETE);
-        String recording = Waiting.until("it is recorded", () -> newest(by, RECORDINGS, "recordings", null));
+        String recording = ConditionWait.until("it is recorded", () -> newest(by, RECORDINGS, "recordings", null));
         return new Deed(flight, command, recording);
     }
 
-    private Optional<String> newest(Member by, String path, String list, String state) {
+    private Optional<String> newest(OrganisationMember by, String path, String list, String state) {
         JsonNode newest =
                 by.http().get(path + "?drone=" + kite.id()).json().path(list).path(0);
         return Optional.of(newest)
@@ -279,7 +279,7 @@ class GiftsTest {
     }
 
     /** All that is shown of the drone without the id of something. */
-    private String whatShows(Member to) {
+    private String whatShows(OrganisationMember to) {
         StringBuilder all = new StringBuilder();
         for (String path : List.of(
                 drone,
@@ -294,7 +294,7 @@ class GiftsTest {
         return all.toString();
     }
 
-    private List<String> found(Member by, String search) {
+    private List<String> found(OrganisationMember by, String search) {
         return by.http()
                 .get(FLIGHTS + "?drone=" + kite.id() + search)
                 .json()
@@ -304,11 +304,11 @@ class GiftsTest {
                 .toList();
     }
 
-    private static String keys(Member of) {
+    private static String keys(OrganisationMember of) {
         return of.http().get("/api/v1/robot-keys").raw().body();
     }
 
-    private Http.Answer put(String path, String body) {
+    private TestHttpClient.Answer put(String path, String body) {
         return root.http()
                 .send(
                         path,
@@ -316,7 +316,7 @@ class GiftsTest {
                                 .PUT(HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private static Http.Answer patch(Member by, String path, String body) {
+    private static TestHttpClient.Answer patch(OrganisationMember by, String path, String body) {
         return by.http()
                 .send(
                         path,

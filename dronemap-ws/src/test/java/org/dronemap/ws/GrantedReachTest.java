@@ -8,12 +8,12 @@ import java.util.Locale;
 import java.util.regex.Pattern;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ExposedOperations;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.ResourceScopeTable.Whose;
 import org.dronemap.ws.house.RightsTable;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.WhoseTable.Whose;
+import org.dronemap.ws.house.TestHttpClient;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -30,7 +30,7 @@ class GrantedReachTest extends ReachTrial {
     private final List<Granted> everyGrant = new ArrayList<>();
 
     /** Somebody who sees only what was granted: this with our drone, or null: nothing. */
-    private record Granted(Role role, @Nullable Permission permission, Member member) {
+    private record Granted(Role role, @Nullable Permission permission, OrganisationMember member) {
         boolean may(Role needed) {
             return permission != null
                     && role.includes(needed)
@@ -82,7 +82,7 @@ class GrantedReachTest extends ReachTrial {
                 boolean all =
                         !kind(operation).equals("recordings") && (about == Whose.ORGANISATION || about == Whose.SERVER);
                 if (all) {
-                    Http.Answer answer = rest(granted.member(), operation, ABSENT);
+                    TestHttpClient.Answer answer = rest(granted.member(), operation, ABSENT);
                     if (answer.status() != 403) {
                         wrong.add(operation + " for " + granted + ": " + answer.status());
                     }
@@ -97,7 +97,7 @@ class GrantedReachTest extends ReachTrial {
         RightsTable table = RightsTable.below("Commands");
         for (Granted granted : everyGrant()) {
             for (String type : table.operations()) {
-                Http.Answer answer = granted.member()
+                TestHttpClient.Answer answer = granted.member()
                         .http()
                         .post(
                                 "/api/v1/drones/" + own.drone().id() + "/commands",
@@ -134,7 +134,7 @@ class GrantedReachTest extends ReachTrial {
                                     own.drone().id())
                             .raw()
                             .body();
-                    boolean refused = Faces.wrong(answer).matches("forbidden|unknown")
+                    boolean refused = ExposedOperations.wrong(answer).matches("forbidden|unknown")
                             || REFUSAL.matcher(answer).find();
                     if (refused == granted.may(least)) {
                         wrong.add(operation + " for " + granted + ": " + answer);
@@ -164,12 +164,12 @@ class GrantedReachTest extends ReachTrial {
 
     private List<Granted> madeGrants() {
         List<Granted> all = new ArrayList<>();
-        Http root = own.administrator().http();
+        TestHttpClient root = own.administrator().http();
         List<@Nullable Permission> permissions = new ArrayList<>(List.of(Permission.values()));
         permissions.add(null);
         for (Role role : List.of(Role.VIEWER, Role.PLANNER, Role.OPERATOR, Role.SUPERVISOR, Role.ADMINISTRATOR)) {
             for (Permission permission : permissions) {
-                Member member = own.member("granted-" + house.number(), role);
+                OrganisationMember member = own.member("granted-" + house.number(), role);
                 assertThat(put(root, "/api/v1/users/" + member.name() + "/only-granted", "{\"onlyGranted\":true}")
                                 .status())
                         .isEqualTo(204);
@@ -186,7 +186,7 @@ class GrantedReachTest extends ReachTrial {
         return all;
     }
 
-    private static void grant(Http root, Member to, ScriptedVehicle drone, String operation) {
+    private static void grant(TestHttpClient root, OrganisationMember to, ScriptedVehicle drone, String operation) {
         String body = "{\"user\":\"" + to.name() + "\",\"drones\":[\"" + drone.id() + "\"],\"operations\":[\""
                 + operation + "\"]}";
         assertThat(root.post("/api/v1/grants", body).status()).isEqualTo(201);

@@ -8,12 +8,12 @@ import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -23,13 +23,13 @@ import tools.jackson.databind.JsonNode;
 /** What administrators do with grants, groups and fleets, and when that takes effect. */
 class GrantsTest {
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle one;
     private ScriptedVehicle two;
-    private Member root;
-    private Member ann;
+    private OrganisationMember root;
+    private OrganisationMember ann;
 
     @BeforeEach
     void open() {
@@ -57,7 +57,7 @@ class GrantsTest {
         onlyGranted("users/" + ann.name(), true);
         grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + two.id() + "\"]", "view");
         String taken = grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + one.id() + "\"]", "command");
-        try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, ann.key())) {
             stream.await(message ->
                     isType(message, "drones") && message.path("drones").size() == 2);
 
@@ -66,9 +66,9 @@ class GrantsTest {
             stream.await(message -> isType(message, "droneRemoved")
                     && message.path("id").asString().equals(one.id()));
             int before = stream.heard().size();
-            one.says(new DroneEvent.BatteryHeard(new Battery(17, null, null)));
+            one.says(new DroneEvent.BatteryReported(new Battery(17, null, null)));
             root.http().post("/api/v1/drones/" + one.id() + "/commands", "{\"type\":\"arm\"}");
-            two.says(new DroneEvent.BatteryHeard(new Battery(18, null, null)));
+            two.says(new DroneEvent.BatteryReported(new Battery(18, null, null)));
             stream.await(message ->
                     message.path("drone").path("battery").path("percent").asInt() == 18);
             List<JsonNode> after = stream.heard();
@@ -84,7 +84,7 @@ class GrantsTest {
         Duration longest = Duration.ZERO;
         for (int round = 0; round < 50; round++) {
             String taken = grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + one.id() + "\"]", "view");
-            try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+            try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, ann.key())) {
                 stream.await(message ->
                         isType(message, "drones") && message.path("drones").size() == 1);
                 long began = System.nanoTime();
@@ -103,7 +103,7 @@ class GrantsTest {
         onlyGranted("users/" + ann.name(), true);
         String until = house.clock().instant().plus(Duration.ofHours(1)).toString();
         grant("\"user\":\"" + ann.name() + "\",\"all\":true,\"until\":\"" + until + "\"", "command");
-        try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, ann.key())) {
             stream.await(message ->
                     isType(message, "drones") && message.path("drones").size() == 2);
 
@@ -122,7 +122,7 @@ class GrantsTest {
         onlyGranted("users/" + ann.name(), true);
         String from = house.clock().instant().plus(Duration.ofHours(1)).toString();
         grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + one.id() + "\"],\"from\":\"" + from + "\"", "view");
-        try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, ann.key())) {
             stream.await(message ->
                     isType(message, "drones") && message.path("drones").isEmpty());
 
@@ -144,7 +144,7 @@ class GrantsTest {
         onlyGranted("users/" + ann.name(), true);
         grant("\"user\":\"" + ann.name() + "\",\"all\":true", "view");
         String taken = grant("\"user\":\"" + ann.name() + "\",\"all\":true", "command");
-        try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, ann.key())) {
             stream.await(message -> isType(message, "drones"));
 
             delete("/api/v1/grants/" + taken);
@@ -183,7 +183,7 @@ class GrantsTest {
         grant("\"user\":\"" + ann.name() + "\",\"all\":true,\"until\":\"" + until + "\"", "command");
         ann.http().post("/api/v1/drones/" + one.id() + "/control/take", "");
         assertThat(control(one)).isEqualTo("held");
-        try (StreamListener stream = StreamListener.withKey(house, root.key())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, root.key())) {
             stream.await(message -> isType(message, "drones"));
 
             house.clock().forward(Duration.ofHours(2));
@@ -240,13 +240,13 @@ class GrantsTest {
     }
 
     private String refusedFor(String body) {
-        Http.Answer answer = root.http().post("/api/v1/grants", body);
+        TestHttpClient.Answer answer = root.http().post("/api/v1/grants", body);
         assertThat(answer.status()).isEqualTo(422);
         return answer.text("field");
     }
 
     private String grant(String whoAndWhat, String operation) {
-        Http.Answer made =
+        TestHttpClient.Answer made =
                 root.http().post("/api/v1/grants", "{" + whoAndWhat + ",\"operations\":[\"" + operation + "\"]}");
         assertThat(made.status()).as(made.raw().body()).isEqualTo(201);
         return made.text("id");
@@ -268,7 +268,7 @@ class GrantsTest {
         return root.http().get("/api/v1/drones/" + drone.id() + "/control").text("state");
     }
 
-    private static List<String> drones(Member by) {
+    private static List<String> drones(OrganisationMember by) {
         return by.http().get("/api/v1/drones").json().path("drones").findValuesAsString("id");
     }
 

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.http.HttpRequest;
 import java.util.List;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.OrganisationMember;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -17,13 +17,13 @@ import org.junit.jupiter.api.Test;
 /** Groups of users and fleets of drones, and what those see who come and go. */
 class GroupsTest {
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle one;
     private ScriptedVehicle two;
-    private Member root;
-    private Member ann;
+    private OrganisationMember root;
+    private OrganisationMember ann;
 
     @BeforeEach
     void open() {
@@ -80,7 +80,7 @@ class GroupsTest {
     }
 
     private void grant(String whoAndWhat) {
-        Http.Answer made = root.http().post("/api/v1/grants", "{" + whoAndWhat + ",\"operations\":[\"plan\"]}");
+        TestHttpClient.Answer made = root.http().post("/api/v1/grants", "{" + whoAndWhat + ",\"operations\":[\"plan\"]}");
         assertThat(made.status()).as(made.raw().body()).isEqualTo(201);
     }
 
@@ -88,12 +88,12 @@ class GroupsTest {
         put("/api/v1/" + whom + "/only-granted", "{\"onlyGranted\":" + only + "}");
     }
 
-    private static List<String> drones(Member by) {
+    private static List<String> drones(OrganisationMember by) {
         return by.http().get("/api/v1/drones").json().path("drones").findValuesAsString("id");
     }
 
     private void put(String path, String body) {
-        Http.Answer put = root.http()
+        TestHttpClient.Answer put = root.http()
                 .send(
                         path,
                         request -> request.header("Content-Type", "application/json")

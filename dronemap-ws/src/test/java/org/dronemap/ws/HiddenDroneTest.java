@@ -21,12 +21,12 @@ import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.session.FrameTap;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.ExposedOperations;
+import org.dronemap.ws.house.ImmediateCopter;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
@@ -52,17 +52,17 @@ class HiddenDroneTest {
             Pattern.compile("(PUT|DELETE|POST) " + PATH + "/.*|.*/session.*|.*/access-keys/.*");
 
     private final Map<String, String> heard = new LinkedHashMap<>();
-    private static TestHouse house;
-    private static Faces faces;
-    private static Http supervisor;
+    private static TestServer house;
+    private static ExposedOperations faces;
+    private static TestHttpClient supervisor;
     private DroneKey key;
     private String name;
 
     @BeforeAll
     static void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        faces = new Faces(house);
-        supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        house = new TestServer(data, false);
+        faces = new ExposedOperations(house);
+        supervisor = new TestHttpClient(house, house.key(Role.SUPERVISOR));
     }
 
     @AfterAll
@@ -74,14 +74,14 @@ class HiddenDroneTest {
     @EnumSource(names = {"OPERATOR", "ADMINISTRATOR"})
     void isToldByNoAnswerMessageErrorOrExport(Role role) {
         String secret = house.key(role);
-        Http holder = new Http(house, secret);
+        TestHttpClient holder = new TestHttpClient(house, secret);
         grantVirtualDronesAlone(holder);
         // Each has words of its own, that no other one is found by.
         key = new DroneKey("10.9.8." + (7 + role.ordinal()), 14_607 + role.ordinal(), 217 + role.ordinal());
         name = "Falcon of " + role;
-        WillingCopter falcon = new WillingCopter(house.cloud(), key, name, new Geodetic(47.3977, 8.5456));
+        ImmediateCopter falcon = new ImmediateCopter(house.cloud(), key, name, new Geodetic(47.3977, 8.5456));
         record(falcon);
-        try (StreamListener stream = StreamListener.withKey(house, secret)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, secret)) {
             fly(holder, falcon, stream);
             List<JsonNode> all = stream.heard();
             assertThat(all).hasSizeGreaterThan(10);
@@ -108,7 +108,7 @@ class HiddenDroneTest {
                 .isLessThan(300);
     }
 
-    private void fly(Http holder, WillingCopter falcon, StreamListener stream) {
+    private void fly(TestHttpClient holder, ImmediateCopter falcon, RecordingStreamClient stream) {
         String id = holder.post(PATH, "{\"name\":\"Survey\"," + MISSION + "}").text("id");
         keep("start", holder.post(PATH + "/" + id + "/start", "{}"));
         search("queued", holder, falcon, id);
@@ -123,7 +123,7 @@ class HiddenDroneTest {
         ask(stream, falcon);
         falcon.reaches(0);
         falcon.reaches(1);
-        Waiting.until(
+        ConditionWait.until(
                 "a waypoint is flown",
                 () -> run(holder, id).path("flown").asInt() == 1 ? Optional.of(true) : Optional.empty());
         supervisor.post("/api/v1/drones/" + falcon.id() + "/commands?wait=10", "{\"type\":\"hold\"}");
@@ -145,7 +145,7 @@ class HiddenDroneTest {
     }
 
     /** All that can be asked for: about that drone, by its ids, and about none. */
-    private void search(String when, Http holder, WillingCopter falcon, String id) {
+    private void search(String when, TestHttpClient holder, ImmediateCopter falcon, String id) {
         Map<String, String> ids = Map.of(
                 "drones", falcon.id(),
                 "commands", newest("/api/v1/drones/" + falcon.id() + "/commands", "commands"),
@@ -184,7 +184,7 @@ class HiddenDroneTest {
         heard.put(when + ": virtual drones by SOAP", faces.soap(holder, "listVirtualDrones", Map.of()));
     }
 
-    private void ask(StreamListener stream, WillingCopter falcon) {
+    private void ask(RecordingStreamClient stream, ImmediateCopter falcon) {
         String about = "\"drone\":\"" + falcon.id() + "\"}";
         stream.send("{\"type\":\"subscribe\",\"drones\":null}");
         stream.send("{\"type\":\"command\",\"command\":{\"type\":\"land\"}," + about);
@@ -195,7 +195,7 @@ class HiddenDroneTest {
         stream.await(message -> message.path("type").asString().equals("error"));
     }
 
-    private void keep(String what, Http.Answer answer) {
+    private void keep(String what, TestHttpClient.Answer answer) {
         Map<String, List<String>> headers = new TreeMap<>(answer.raw().headers().map());
         // A length may be any number.
         headers.remove("content-length");
@@ -203,7 +203,7 @@ class HiddenDroneTest {
     }
 
     /** Its id is an answer only where it was not in the question. */
-    private boolean tells(String question, String text, WillingCopter falcon) {
+    private boolean tells(String question, String text, ImmediateCopter falcon) {
         Stream<String> whole = Stream.of(key.address(), String.valueOf(key.port()), String.valueOf(key.systemId()));
         boolean asked = question.endsWith(" of it") || question.startsWith("stream ");
         return text.contains(name)
@@ -225,20 +225,20 @@ class HiddenDroneTest {
     }
 
     /** A flight that is recorded. */
-    private void record(WillingCopter falcon) {
+    private void record(ImmediateCopter falcon) {
         FrameTap tap = house.recorder().open(1);
         tap.bound(new DroneId(falcon.id()));
         byte[] heartbeat = new FrameWriter(key.systemId(), 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
         new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::heard);
-        Waiting.until(
+        ConditionWait.until(
                 "it is recorded",
                 () -> Optional.of(newest("/api/v1/recordings?drone=" + falcon.id(), "recordings"))
                         .filter(id -> !id.equals(ABSENT)));
     }
 
-    private void grantVirtualDronesAlone(Http holder) {
+    private void grantVirtualDronesAlone(TestHttpClient holder) {
         String user = holder.get("/api/v1/session").text("name");
-        Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        TestHttpClient administrator = new TestHttpClient(house, house.key(Role.ADMINISTRATOR));
         assertThat(put(administrator, "/api/v1/users/" + user + "/only-granted", "{\"onlyGranted\":true}")
                         .status())
                 .isEqualTo(204);
@@ -247,13 +247,13 @@ class HiddenDroneTest {
         assertThat(administrator.post("/api/v1/grants", grant).status()).isEqualTo(201);
     }
 
-    private static JsonNode run(Http who, String id) {
+    private static JsonNode run(TestHttpClient who, String id) {
         return who.get(PATH + "/" + id).json().path("run");
     }
 
-    private void await(Http who, String id, String state) {
-        Waiting.until("it is " + state, () -> {
-            Http.Answer now = who.get(PATH + "/" + id);
+    private void await(TestHttpClient who, String id, String state) {
+        ConditionWait.until("it is " + state, () -> {
+            TestHttpClient.Answer now = who.get(PATH + "/" + id);
             keep(state + " " + heard.size(), now);
             return Optional.of(now.json())
                     .filter(drone ->
@@ -261,7 +261,7 @@ class HiddenDroneTest {
         });
     }
 
-    private static Http.Answer put(Http who, String path, String body) {
+    private static TestHttpClient.Answer put(TestHttpClient who, String path, String body) {
         return who.send(
                 path,
                 request -> request.header("Content-Type", "application/json")

@@ -15,9 +15,9 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -37,10 +37,10 @@ class HostileXmlTest {
     private static Path data;
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
-    private Http supervisor;
+    private final TestServer house = tenant.server();
+    private TestHttpClient supervisor;
 
     @BeforeAll
     void open() {
@@ -109,7 +109,7 @@ class HostileXmlTest {
     @MethodSource("hostile")
     void isRefusedInSoapWithAFaultOfTheCaller(String what, String before, String inside) throws IOException {
         try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            Http.Answer answer = send(
+            TestHttpClient.Answer answer = send(
                     "/services/MAVLinkControllerService",
                     "text/xml",
                     filled(before, other) + soap("<w:getDrone><droneId>" + inside + "</droneId></w:getDrone>"));
@@ -124,7 +124,7 @@ class HostileXmlTest {
     @MethodSource("hostile")
     void isRefusedInAFileOfZones(String what, String before, String inside) throws IOException {
         try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            Http.Answer answer = send(
+            TestHttpClient.Answer answer = send(
                     "/api/v1/zones/import",
                     "application/vnd.google-earth.kml+xml",
                     filled(before, other) + kml(inside));
@@ -140,7 +140,7 @@ class HostileXmlTest {
                 new Charset[] {StandardCharsets.UTF_16, StandardCharsets.UTF_16LE, Charset.forName("UTF-32")}) {
             String document = "<?xml version=\"1.0\" encoding=\"" + charset.name() + "\"?>" + laughs()
                     + soap("<w:getDronesList/>");
-            Http.Answer answer = supervisor.send(
+            TestHttpClient.Answer answer = supervisor.send(
                     "/services/MAVLinkControllerService",
                     request -> request.header("Content-Type", "text/xml")
                             .timeout(QUICKLY)
@@ -157,7 +157,7 @@ class HostileXmlTest {
         String message = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\"><s:Header>"
                 + "<a>".repeat(40_000) + "</a>".repeat(40_000) + "</s:Header><s:Body/></s:Envelope>";
 
-        Http.Answer answer = send("/services/MAVLinkControllerService", "text/xml", message);
+        TestHttpClient.Answer answer = send("/services/MAVLinkControllerService", "text/xml", message);
 
         assertThat(answer.raw().body())
                 .containsPattern("<faultcode>\\w+:Client</faultcode>")
@@ -199,7 +199,7 @@ class HostileXmlTest {
 
     @Test
     void repeatsNoLongNameOfAnOperation() {
-        Http.Answer answer =
+        TestHttpClient.Answer answer =
                 send("/services/MAVLinkControllerService", "text/xml", soap("<w:" + "a".repeat(900_000) + "/>"));
 
         assertThat(answer.raw().body()).contains("faultcode").hasSizeLessThan(5_000);
@@ -210,7 +210,7 @@ class HostileXmlTest {
         return text.replace("FILE", file.toString()).replace("PORT", String.valueOf(other.getLocalPort()));
     }
 
-    private Http.Answer send(String path, String type, String document) {
+    private TestHttpClient.Answer send(String path, String type, String document) {
         return supervisor.send(
                 path,
                 request -> request.header("Content-Type", type)
@@ -218,7 +218,7 @@ class HostileXmlTest {
                         .POST(HttpRequest.BodyPublishers.ofString(document)));
     }
 
-    private void refusedQuietly(Http.Answer answer, ServerSocket other) throws IOException {
+    private void refusedQuietly(TestHttpClient.Answer answer, ServerSocket other) throws IOException {
         assertThat(answer.raw().body()).doesNotContain(CANARY, "Exception", "\tat ", "org.apache", "com.ctc", "java.");
         assertThat(answer.raw().body().length()).isLessThan(5_000);
         other.setSoTimeout(50);

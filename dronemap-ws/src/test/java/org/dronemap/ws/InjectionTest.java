@@ -12,15 +12,15 @@ import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Injections;
-import org.dronemap.ws.house.Sample;
+import org.dronemap.ws.house.ExposedOperations;
+import org.dronemap.ws.house.InjectionTexts;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.SampleBodies;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.SoapOperations;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -37,9 +37,9 @@ class InjectionTest {
     private static final String SCHEMA = "http://www.w3.org/2001/XMLSchema";
 
     private final JsonMapper json = new JsonMapper();
-    private TestHouse house;
+    private TestServer house;
     private ScriptedVehicle vehicle;
-    private Http administrator;
+    private TestHttpClient administrator;
     private String key;
     private int places;
 
@@ -48,7 +48,7 @@ class InjectionTest {
         house = SharedServer.get();
         vehicle = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
         key = house.key(Role.ADMINISTRATOR);
-        administrator = new Http(house, key);
+        administrator = new TestHttpClient(house, key);
     }
 
     /** Each place is tried with an eighth of the texts, the next place with the next eighth. */
@@ -81,9 +81,9 @@ class InjectionTest {
     /** Those for the next place. */
     private List<String> texts(int shares) {
         int turn = places++ % shares;
-        return IntStream.range(0, Injections.ALL.size())
+        return IntStream.range(0, InjectionTexts.ALL.size())
                 .filter(index -> index % shares == turn)
-                .mapToObj(Injections.ALL::get)
+                .mapToObj(InjectionTexts.ALL::get)
                 .toList();
     }
 
@@ -120,11 +120,11 @@ class InjectionTest {
         if (schema.isMissingNode()) {
             return 0;
         }
-        JsonNode usual = Sample.of(schema, description);
+        JsonNode usual = SampleBodies.of(schema, description);
         int tried = 0;
-        for (String at : usual.isObject() ? Sample.texts(usual) : List.<String>of()) {
+        for (String at : usual.isObject() ? SampleBodies.texts(usual) : List.<String>of()) {
             for (String text : texts(shares)) {
-                String body = Sample.with(usual, at, text).toString();
+                String body = SampleBodies.with(usual, at, text).toString();
                 check(method + " " + path + " " + at, ask(method, filled(path), body));
                 tried++;
             }
@@ -132,14 +132,14 @@ class InjectionTest {
         return tried;
     }
 
-    private Http.Answer ask(String method, String address, String body) {
+    private TestHttpClient.Answer ask(String method, String address, String body) {
         return administrator.send(
                 address,
                 request -> request.header("Content-Type", "application/json")
                         .method(method, HttpRequest.BodyPublishers.ofString(method.equals("GET") ? "" : body)));
     }
 
-    private static void check(String what, Http.Answer answer) {
+    private static void check(String what, TestHttpClient.Answer answer) {
         assertThat(answer.status()).as(what + ": " + answer.raw().body()).isLessThan(500);
         assertThat(answer.raw().headers().firstValue("Set-Cookie").orElse("")).doesNotContain("planted");
         assertThat(answer.raw().headers().firstValue("Content-Type").orElse(""))
@@ -153,14 +153,14 @@ class InjectionTest {
 
     @Test
     void takesThemInEveryElementOfSoap() {
-        Faces faces = new Faces(house);
+        ExposedOperations faces = new ExposedOperations(house);
         int tried = 0;
         for (String operation : faces.soap()) {
             for (SoapOperations.Member element : faces.elements(operation)) {
                 if (!element.type().matches("string|")) {
                     continue;
                 }
-                for (String text : Injections.ALL) {
+                for (String text : InjectionTexts.ALL) {
                     Map<String, String> elements = new LinkedHashMap<>();
                     elements.put(faces.elementOf(operation), vehicle.id());
                     elements.put(element.name(), text.replace("&", "&amp;").replace("<", "&lt;"));
@@ -187,7 +187,7 @@ class InjectionTest {
         for (String type :
                 List.of("ping", "subscribe", "command", "control", "steer", "letGo", "positions", "authenticate")) {
             for (String member : members(type)) {
-                for (String text : Injections.ALL) {
+                for (String text : InjectionTexts.ALL) {
                     ObjectNode message = json.createObjectNode();
                     message.put("type", type);
                     if (type.equals("control")) {
@@ -213,7 +213,7 @@ class InjectionTest {
     }
 
     private List<String> members(String type) {
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             String action = type.equals("control") ? "\"action\":\"refuse\"," : "";
             stream.send("{\"type\":\"" + type + "\"," + action + "\"nosuchmember\":1}");
             JsonNode problem =
@@ -225,11 +225,11 @@ class InjectionTest {
         }
     }
 
-    private @org.jspecify.annotations.Nullable StreamListener talking;
+    private @org.jspecify.annotations.Nullable RecordingStreamClient talking;
 
     private int say(String message) {
         if (talking == null) {
-            talking = StreamListener.withKey(house, key);
+            talking = RecordingStreamClient.withKey(house, key);
         }
         talking.send(message);
         return 1;
@@ -237,7 +237,7 @@ class InjectionTest {
 
     /** Everybody is still served, nothing was planted, and no text has become anything else. */
     private void isUnharmed() {
-        StreamListener stream = talking;
+        RecordingStreamClient stream = talking;
         if (stream != null) {
             stream.send("{\"type\":\"ping\",\"requestId\":\"last\"}");
             stream.await(message -> message.path("type").asString().equals("pong"));
@@ -256,10 +256,10 @@ class InjectionTest {
 
     @Test
     void keepsAndShowsThemAsTheyAre() {
-        for (String text : Injections.ALL) {
+        for (String text : InjectionTexts.ALL) {
             ObjectNode body = json.createObjectNode().put("name", text);
-            Http.Answer renamed = ask("PATCH", "/api/v1/drones/" + vehicle.id(), body.toString());
-            Http.Answer mission = ask(
+            TestHttpClient.Answer renamed = ask("PATCH", "/api/v1/drones/" + vehicle.id(), body.toString());
+            TestHttpClient.Answer mission = ask(
                     "POST",
                     "/api/v1/missions",
                     body.set("items", json.readTree("[{\"type\":\"takeOff\",\"altitude\":20}]"))
@@ -270,9 +270,9 @@ class InjectionTest {
         }
     }
 
-    private void isTheSameOrRefused(String text, Http.Answer changed, String address) {
+    private void isTheSameOrRefused(String text, TestHttpClient.Answer changed, String address) {
         if (changed.status() < 300) {
-            Http.Answer shown = administrator.get(address);
+            TestHttpClient.Answer shown = administrator.get(address);
             assertThat(shown.text("name")).isEqualTo(text.strip());
             assertThat(shown.raw().headers().firstValue("Content-Type").orElse(""))
                     .startsWith("application/json");

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -15,10 +15,10 @@ class LinkSecurityTest {
     private static final String GIVEN = "0123456789abcdef0123456789ABCDEF0123456789abcdef0123456789abcdef";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
-    private Http administrator;
+    private final TestServer house = tenant.server();
+    private TestHttpClient administrator;
     private String drone;
 
     @BeforeEach
@@ -27,7 +27,7 @@ class LinkSecurityTest {
         administrator = tenant.http(Role.ADMINISTRATOR);
     }
 
-    private static Http.Answer put(Http http, String path, String body) {
+    private static TestHttpClient.Answer put(TestHttpClient http, String path, String body) {
         return http.send(
                 path,
                 builder -> builder.header("Content-Type", "application/json")
@@ -36,7 +36,7 @@ class LinkSecurityTest {
 
     @Test
     void everybodyMayLookAtCountsAndPolicy() {
-        Http.Answer answer = tenant.http(Role.VIEWER).get(drone + "/link-security");
+        TestHttpClient.Answer answer = tenant.http(Role.VIEWER).get(drone + "/link-security");
 
         assertThat(answer.status()).isEqualTo(200);
         assertThat(answer.text("policy")).isEqualTo("off");
@@ -46,7 +46,7 @@ class LinkSecurityTest {
 
     @Test
     void onlyAnAdministratorTouchesKeysAndPolicy() {
-        Http operator = tenant.http(Role.OPERATOR);
+        TestHttpClient operator = tenant.http(Role.OPERATOR);
 
         assertThat(operator.post(drone + "/link-key", "{}").status()).isEqualTo(403);
         assertThat(operator.post(drone + "/link-key/install", "{}").status()).isEqualTo(403);
@@ -61,15 +61,15 @@ class LinkSecurityTest {
 
     @Test
     void aMadeKeyIsShownOnce() {
-        Http.Answer made = administrator.post(drone + "/link-key", "{}");
+        TestHttpClient.Answer made = administrator.post(drone + "/link-key", "{}");
 
         assertThat(made.status()).isEqualTo(201);
         assertThat(made.text("key")).matches("[0-9a-f]{64}");
         assertThat(made.raw().headers().firstValue("Cache-Control")).contains("no-store");
-        Http.Answer later = administrator.get(drone + "/link-security");
+        TestHttpClient.Answer later = administrator.get(drone + "/link-security");
         assertThat(later.json().path("key").path("fingerprint").asString()).isEqualTo(made.text("fingerprint"));
         assertThat(later.raw().body()).doesNotContain(made.text("key"));
-        Http.Answer again = administrator.post(drone + "/link-key", "{}");
+        TestHttpClient.Answer again = administrator.post(drone + "/link-key", "{}");
         assertThat(again.status()).isEqualTo(409);
         assertThat(again.text("code")).isEqualTo("link-key-in-use");
     }
@@ -85,7 +85,7 @@ class LinkSecurityTest {
     @Test
     void aBadKeyIsRefusedWithoutRepeatingIt() {
         for (String bad : new String[] {"abc123secret", "0".repeat(64), GIVEN + "0"}) {
-            Http.Answer answer = administrator.post(drone + "/link-key", "{\"key\":\"" + bad + "\"}");
+            TestHttpClient.Answer answer = administrator.post(drone + "/link-key", "{\"key\":\"" + bad + "\"}");
             assertThat(answer.status()).isEqualTo(422);
             assertThat(answer.text("field")).isEqualTo("key");
             assertThat(answer.raw().body()).doesNotContain(bad);
@@ -95,7 +95,7 @@ class LinkSecurityTest {
     @Test
     void aChangeThatFailsSaysWhyAndAConfirmedOneGoesOn() {
         administrator.post(drone + "/link-key", "{}");
-        Http.Answer refused = administrator.post(drone + "/link-key/rotate", "{}");
+        TestHttpClient.Answer refused = administrator.post(drone + "/link-key/rotate", "{}");
         assertThat(refused.status()).isEqualTo(409);
         assertThat(refused.text("detail")).contains("could be listened to");
         assertThat(refused.text("code")).isEqualTo("link-not-safe");
@@ -111,7 +111,7 @@ class LinkSecurityTest {
         assertThat(put(administrator, drone + "/link-security", "{\"policy\":\"required\"}")
                         .text("policy"))
                 .isEqualTo("required");
-        Http.Answer wrong = put(administrator, drone + "/link-security", "{\"policy\":\"sometimes\"}");
+        TestHttpClient.Answer wrong = put(administrator, drone + "/link-security", "{\"policy\":\"sometimes\"}");
         assertThat(wrong.status()).isEqualTo(422);
         assertThat(wrong.text("allowed")).isEqualTo("off, optional or required");
         assertThat(put(administrator, drone + "/link-security", "{}").status()).isEqualTo(422);
@@ -120,7 +120,7 @@ class LinkSecurityTest {
     @Test
     void aKeyCanBeForgottenHereOnly() {
         administrator.post(drone + "/link-key", "{}");
-        Http.Answer gone = administrator.send(drone + "/link-key?vehicle=false", HttpRequest.Builder::DELETE);
+        TestHttpClient.Answer gone = administrator.send(drone + "/link-key?vehicle=false", HttpRequest.Builder::DELETE);
 
         assertThat(gone.status()).isEqualTo(200);
         assertThat(gone.json().path("key").isNull()).isTrue();

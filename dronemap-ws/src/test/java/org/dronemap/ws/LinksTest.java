@@ -5,32 +5,32 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.http.HttpRequest;
 import java.util.HexFormat;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.ListedLinks;
+import org.dronemap.ws.house.FakeVehicleLinkGateway;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /** Endpoints, keys of vehicles and metrics over HTTP. */
 class LinksTest {
-    private static TestHouse house;
-    private static Http administrator;
+    private static TestServer house;
+    private static TestHttpClient administrator;
 
     @BeforeAll
     static void open() {
         house = SharedServer.get();
-        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        administrator = new TestHttpClient(house, house.key(Role.ADMINISTRATOR));
     }
 
-    private static Http.Answer delete(Http http, String path) {
+    private static TestHttpClient.Answer delete(TestHttpClient http, String path) {
         return http.send(path, HttpRequest.Builder::DELETE);
     }
 
     @Test
     void addsListsAndRemovesAnEndpoint() {
-        Http.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"tcpserver://127.0.0.1:5999\"}");
+        TestHttpClient.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"tcpserver://127.0.0.1:5999\"}");
         assertThat(added.status()).isEqualTo(201);
         assertThat(added.text("origin")).isEqualTo("added");
         assertThat(added.text("addedBy")).startsWith("user");
@@ -51,7 +51,7 @@ class LinksTest {
     @Test
     void theServerIsNotUpBeforeVehiclesAreLetIn() {
         house.connected(false);
-        Http.Answer early = administrator.get("/api/v1/health");
+        TestHttpClient.Answer early = administrator.get("/api/v1/health");
         house.connected(true);
 
         assertThat(early.text("links")).isEqualTo("down");
@@ -61,7 +61,7 @@ class LinksTest {
 
     @Test
     void listsAnEndpointThatCannotOpenWithTheReason() {
-        Http.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"serial:///dev/none?baud=57600\"}");
+        TestHttpClient.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"serial:///dev/none?baud=57600\"}");
 
         assertThat(added.status()).isEqualTo(201);
         assertThat(added.text("state")).isEqualTo("failed");
@@ -73,22 +73,22 @@ class LinksTest {
 
     @Test
     void refusesWhatIsNoUrlAndWhatIsThereAlready() {
-        Http.Answer wrong = administrator.post("/api/v1/endpoints", "{\"url\":\"here\"}");
+        TestHttpClient.Answer wrong = administrator.post("/api/v1/endpoints", "{\"url\":\"here\"}");
         assertThat(wrong.status()).isEqualTo(422);
         assertThat(wrong.text("field")).isEqualTo("url");
         assertThat(administrator.post("/api/v1/endpoints", "{}").status()).isEqualTo(422);
         assertThat(administrator
-                        .post("/api/v1/endpoints", "{\"url\":\"" + ListedLinks.CONFIGURED + "\"}")
+                        .post("/api/v1/endpoints", "{\"url\":\"" + FakeVehicleLinkGateway.CONFIGURED + "\"}")
                         .status())
                 .isEqualTo(409);
-        Http.Answer configured = delete(administrator, "/api/v1/endpoints/configured-1");
+        TestHttpClient.Answer configured = delete(administrator, "/api/v1/endpoints/configured-1");
         assertThat(configured.status()).isEqualTo(409);
         assertThat(configured.text("detail")).contains("DRONEMAP_ENDPOINTS");
     }
 
     @Test
     void isForAdministratorsOnly() {
-        Http operator = new Http(house, house.key(Role.OPERATOR));
+        TestHttpClient operator = new TestHttpClient(house, house.key(Role.OPERATOR));
 
         assertThat(operator.get("/api/v1/endpoints").status()).isEqualTo(403);
         assertThat(operator.get("/api/v1/traffic").status()).isEqualTo(403);
@@ -103,12 +103,12 @@ class LinksTest {
 
     @Test
     void showsTheSecretOfANewKeyOnceAndEndsItsLinksWhenItIsRevoked() {
-        Http.Answer made = administrator.post("/api/v1/dtls-keys", "{\"label\":\"Survey copter\"}");
+        TestHttpClient.Answer made = administrator.post("/api/v1/dtls-keys", "{\"label\":\"Survey copter\"}");
         assertThat(made.status()).isEqualTo(201);
         String identity = made.text("identity");
         assertThat(HexFormat.of().parseHex(made.text("secret"))).hasSize(32);
 
-        Http.Answer listed = administrator.get("/api/v1/dtls-keys");
+        TestHttpClient.Answer listed = administrator.get("/api/v1/dtls-keys");
         assertThat(listed.raw().body())
                 .contains(identity)
                 .contains("Survey copter")
@@ -126,7 +126,7 @@ class LinksTest {
         String drone =
                 ScriptedVehicle.connect(house.cloud(), 20_000 + house.number()).id();
 
-        Http.Answer made = administrator.post("/api/v1/dtls-keys", "{\"drone\":\"" + drone + "\"}");
+        TestHttpClient.Answer made = administrator.post("/api/v1/dtls-keys", "{\"drone\":\"" + drone + "\"}");
 
         assertThat(made.text("identity")).isEqualTo(drone);
         assertThat(made.text("label")).isNotEmpty();
@@ -138,7 +138,7 @@ class LinksTest {
 
     @Test
     void givesMetricsToAnyKeyButToNobodyWithoutOne() {
-        Http viewer = new Http(house, house.key(Role.VIEWER));
+        TestHttpClient viewer = new TestHttpClient(house, house.key(Role.VIEWER));
 
         // The outlet of the house takes each who has a passphrase for one who is attached, also those of other tests.
         double before = attached(viewer.get("/metrics"));
@@ -149,13 +149,13 @@ class LinksTest {
                         .status())
                 .isEqualTo(200);
 
-        Http.Answer metrics = viewer.get("/metrics");
+        TestHttpClient.Answer metrics = viewer.get("/metrics");
 
         assertThat(metrics.status()).isEqualTo(200);
         assertThat(metrics.raw().headers().firstValue("Content-Type").orElse(""))
                 .startsWith("text/plain");
         assertThat(metrics.raw().body())
-                .contains("dronemap_endpoint_frames_in_total{endpoint=\"configured-1\",url=\"" + ListedLinks.CONFIGURED
+                .contains("dronemap_endpoint_frames_in_total{endpoint=\"configured-1\",url=\"" + FakeVehicleLinkGateway.CONFIGURED
                         + "\"} 2.0")
                 .contains("dronemap_endpoint_kernel_drops_total")
                 .contains("dronemap_vehicle_received_total{drone=\"drone-1\",session=\"127.0.0.1:14601:1\"")
@@ -165,12 +165,12 @@ class LinksTest {
                 .contains("jvm_memory_heap_used_bytes");
         assertThat(attached(metrics)).isEqualTo(before + 1);
         for (String path : new String[] {"/metrics", "/metrics/", "/metrics;x=1", "//metrics"}) {
-            assertThat(new Http(house, "").get(path).raw().body()).doesNotContain("dronemap_endpoint");
+            assertThat(new TestHttpClient(house, "").get(path).raw().body()).doesNotContain("dronemap_endpoint");
         }
-        assertThat(new Http(house, "").get("/metrics").status()).isEqualTo(401);
+        assertThat(new TestHttpClient(house, "").get("/metrics").status()).isEqualTo(401);
     }
 
-    private static double attached(Http.Answer metrics) {
+    private static double attached(TestHttpClient.Answer metrics) {
         return metrics.raw()
                 .body()
                 .lines()

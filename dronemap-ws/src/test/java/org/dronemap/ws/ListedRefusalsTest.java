@@ -16,20 +16,20 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Grant;
-import org.dronemap.core.access.Holdings;
+import org.dronemap.core.access.OrganisationDirectory;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.budget.Rates;
+import org.dronemap.ws.budget.BudgetRates;
 import org.dronemap.ws.guard.ClientLimits;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.ListedStatuses;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.DeclaredStatuses;
 import org.dronemap.ws.house.RawClient;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.robotkey.RobotKeyOf;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.robotkey.RobotKeyFixture;
+import org.dronemap.ws.settings.ServerSettings;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -51,7 +51,7 @@ class ListedRefusalsTest {
     private static final String JSON = "application/json";
     private static final long TOO_LONG = 600_000_000;
 
-    private TestHouse house;
+    private TestServer house;
     private String key;
     private List<Listed> operations;
 
@@ -90,12 +90,12 @@ class ListedRefusalsTest {
 
     @BeforeAll
     void open(@TempDir Path data) {
-        Settings.Protection protection =
-                new Settings.Protection(new ClientLimits(1_000, CROWD, PATIENCE), Rates.UNBOUNDED);
-        house = new TestHouse(data, TestHouse.Choices.protectedBy(protection));
+        ServerSettings.Protection protection =
+                new ServerSettings.Protection(new ClientLimits(1_000, CROWD, PATIENCE), BudgetRates.UNBOUNDED);
+        house = new TestServer(data, TestServer.Options.protectedBy(protection));
         key = house.key(Role.ADMINISTRATOR);
         List<Listed> all = new ArrayList<>();
-        new Http(house, "").get("/api/openapi.json").json().path("paths").forEachEntry((path, methods) -> {
+        new TestHttpClient(house, "").get("/api/openapi.json").json().path("paths").forEachEntry((path, methods) -> {
             methods.forEachEntry(
                     (method, description) -> all.add(new Listed(method.toUpperCase(Locale.ROOT), path, description)));
         });
@@ -116,7 +116,7 @@ class ListedRefusalsTest {
         assertThat(tried).isNotEmpty();
         assertThat(tried).allSatisfy(one -> {
             assertThat(first.apply(one)).as(one.toString()).startsWith("HTTP/1.1 " + status);
-            ListedStatuses.check(one.method(), one.address(), status);
+            DeclaredStatuses.check(one.method(), one.address(), status);
         });
     }
 
@@ -203,7 +203,7 @@ class ListedRefusalsTest {
         Listed taker = operations.stream().filter(Listed::takesBody).findFirst().orElseThrow();
         List<Listed> left = new ArrayList<>(operations);
         assertThat(left).allMatch(one -> one.lists(429));
-        Waiting.until("each has refused one of a crowd", () -> {
+        ConditionWait.until("each has refused one of a crowd", () -> {
             List<RawClient> crowd = IntStream.range(0, CROWD)
                     .mapToObj(number -> slow(taker, "127.0.0.1"))
                     .toList();
@@ -253,7 +253,7 @@ class ListedRefusalsTest {
 
     private void isFull(String path, int most, String type, String body) {
         int made = 0;
-        Http.Answer last = post(path, type, body);
+        TestHttpClient.Answer last = post(path, type, body);
         while (last.status() < 300 && made <= most) {
             made++;
             last = post(path, type, body);
@@ -262,9 +262,9 @@ class ListedRefusalsTest {
         assertThat(last.text("code")).isEqualTo("limit-reached");
     }
 
-    private Http.Answer post(String path, String type, String body) {
+    private TestHttpClient.Answer post(String path, String type, String body) {
         String text = body.formatted(house.number());
-        return new Http(house, key)
+        return new TestHttpClient(house, key)
                 .send(
                         "/api/v1/" + path,
                         request ->
@@ -299,7 +299,7 @@ class ListedRefusalsTest {
     /** As many as there may be, at once. */
     private void giveRobotsKeys() {
         for (int number = 0; number < MOST_OF_A_SERVER; number++) {
-            RobotKeyOf.keep(
+            RobotKeyFixture.keep(
                     house.robotKeys(),
                     new RobotKey(
                             new DroneId("robot-" + number),
@@ -315,7 +315,7 @@ class ListedRefusalsTest {
 
     /** Until there are as many as there may be. */
     private void copyTheGrant() {
-        Holdings now = house.grants().holdings();
+        OrganisationDirectory now = house.grants().holdings();
         Grant one = now.grants().get(0);
         List<Grant> copies = IntStream.range(0, MOST_OF_A_SERVER)
                 .mapToObj(number -> new Grant(
@@ -330,7 +330,7 @@ class ListedRefusalsTest {
                         one.madeAt()))
                 .toList();
         house.grants()
-                .replace(new Holdings(
+                .replace(new OrganisationDirectory(
                         now.organisations(),
                         now.owners(),
                         now.groups(),

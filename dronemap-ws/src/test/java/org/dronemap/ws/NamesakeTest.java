@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -28,11 +28,11 @@ class NamesakeTest {
             Pattern.compile("\\.(?:owner|invitedBy|madeBy)\\(\\)\\s*\\.equals\\(\\s*\\w*[pP]rincipal");
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private final String ann = tenant.unique("ann");
-    private Http administrator;
+    private TestHttpClient administrator;
 
     @BeforeEach
     void open() {
@@ -40,22 +40,22 @@ class NamesakeTest {
     }
 
     /** A new user of that name, with a key. */
-    private Http joins() {
-        Http.Answer added = administrator.post(
+    private TestHttpClient joins() {
+        TestHttpClient.Answer added = administrator.post(
                 "/api/v1/users", "{\"name\":\"" + ann + "\",\"role\":\"operator\",\"password\":\"" + FIRST + "\"}");
         assertThat(added.status()).isEqualTo(201);
-        Http.Answer session = new Http(house, "")
+        TestHttpClient.Answer session = new TestHttpClient(house, "")
                 .post("/api/v1/session", "{\"name\":\"" + ann + "\",\"password\":\"" + FIRST + "\"}");
         String cookie =
                 session.raw().headers().firstValue("Set-Cookie").orElseThrow().split(";", 2)[0];
         with(cookie, "/api/v1/session/password", "{\"current\":\"" + FIRST + "\",\"next\":\"" + OWN + "\"}");
-        return new Http(
+        return new TestHttpClient(
                 house,
                 with(cookie, "/api/v1/access-keys", "{\"label\":\"script\"}").text("key"));
     }
 
-    private Http.Answer with(String cookie, String path, String body) {
-        return new Http(house, "")
+    private TestHttpClient.Answer with(String cookie, String path, String body) {
+        return new TestHttpClient(house, "")
                 .send(
                         path,
                         request -> request.header("Cookie", cookie)
@@ -64,7 +64,7 @@ class NamesakeTest {
                                 .method("POST", HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private static Http.Answer delete(Http who, String path) {
+    private static TestHttpClient.Answer delete(TestHttpClient who, String path) {
         return who.send(path, HttpRequest.Builder::DELETE);
     }
 
@@ -74,16 +74,16 @@ class NamesakeTest {
 
     @Test
     void inheritsNoVirtualDrone() {
-        Http first = joins();
+        TestHttpClient first = joins();
         String id = first.post(VIRTUALS, "{\"name\":\"Survey\"}").text("id");
         assertThat(first.get(VIRTUALS + "/" + id).status()).isEqualTo(200);
         leaves();
-        Http second = joins();
+        TestHttpClient second = joins();
 
         assertThat(second.get(VIRTUALS).json().path("virtualDrones")).isEmpty();
         assertThat(second.get(VIRTUALS + "/" + id).status()).isEqualTo(404);
         assertThat(delete(second, VIRTUALS + "/" + id).status()).isEqualTo(404);
-        Http.Answer seen = tenant.http(Role.SUPERVISOR).get(VIRTUALS + "/" + id);
+        TestHttpClient.Answer seen = tenant.http(Role.SUPERVISOR).get(VIRTUALS + "/" + id);
         assertThat(seen.text("owner")).isEqualTo(ann);
     }
 

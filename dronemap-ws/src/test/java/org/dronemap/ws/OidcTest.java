@@ -15,11 +15,11 @@ import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.FakeOidcProvider.Signature;
+import org.dronemap.ws.house.FakeOidcProvider;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.StandInProvider;
-import org.dronemap.ws.house.StandInProvider.Signature;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.dronemap.ws.security.oidc.OidcSettings;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -36,21 +36,21 @@ import org.junit.jupiter.params.provider.MethodSource;
 class OidcTest {
     private static final String CALLBACK = "/api/v1/session/oidc/callback";
 
-    private StandInProvider provider;
-    private TestHouse house;
-    private TestHouse careful;
-    private Http nobody;
-    private Http.Answer whileAway;
+    private FakeOidcProvider provider;
+    private TestServer house;
+    private TestServer careful;
+    private TestHttpClient nobody;
+    private TestHttpClient.Answer whileAway;
 
     @BeforeAll
     void open(@TempDir Path data, @TempDir Path other) {
-        provider = new StandInProvider();
+        provider = new FakeOidcProvider();
         OidcSettings.Roles roles =
                 new OidcSettings.Roles("groups", Map.of("pilots", Role.OPERATOR, "office", Role.VIEWER));
-        house = new TestHouse(data, TestHouse.Choices.signingInWith(settings(AccountState.ACTIVE, roles)));
-        careful = new TestHouse(
-                other, TestHouse.Choices.signingInWith(settings(AccountState.WAITING, OidcSettings.Roles.OURS)));
-        nobody = new Http(house, "");
+        house = new TestServer(data, TestServer.Options.signingInWith(settings(AccountState.ACTIVE, roles)));
+        careful = new TestServer(
+                other, TestServer.Options.signingInWith(settings(AccountState.WAITING, OidcSettings.Roles.OURS)));
+        nobody = new TestHttpClient(house, "");
         // What a provider says of itself is asked for once.
         provider.away(true);
         whileAway = nobody.get("/api/v1/session/oidc");
@@ -67,7 +67,7 @@ class OidcTest {
     private OidcSettings settings(AccountState accounts, OidcSettings.Roles roles) {
         return new OidcSettings(
                 URI.create(provider.issuer()),
-                new OidcSettings.Client(StandInProvider.CLIENT, StandInProvider.SECRET),
+                new OidcSettings.Client(FakeOidcProvider.CLIENT, FakeOidcProvider.SECRET),
                 URI.create("http://localhost" + CALLBACK),
                 "the stand-in",
                 accounts,
@@ -79,23 +79,23 @@ class OidcTest {
     }
 
     /** There and back as a browser does it. */
-    private Http.Answer signIn(Http browser) {
-        Http.Answer there = browser.get("/api/v1/session/oidc");
+    private TestHttpClient.Answer signIn(TestHttpClient browser) {
+        TestHttpClient.Answer there = browser.get("/api/v1/session/oidc");
         assertThat(there.status()).isEqualTo(302);
         return back(browser, provider.visit(location(there)), cookie(there));
     }
 
-    private static Http.Answer back(Http browser, String query, String cookie) {
+    private static TestHttpClient.Answer back(TestHttpClient browser, String query, String cookie) {
         return browser.send(
                 CALLBACK + "?" + query,
                 request -> request.header("Cookie", cookie).GET());
     }
 
-    private static URI location(Http.Answer answer) {
+    private static URI location(TestHttpClient.Answer answer) {
         return URI.create(answer.raw().headers().firstValue("Location").orElseThrow());
     }
 
-    private static String cookie(Http.Answer answer) {
+    private static String cookie(TestHttpClient.Answer answer) {
         return answer.raw().headers().allValues("Set-Cookie").stream()
                 .map(header -> header.split(";", 2)[0])
                 .filter(pair -> !pair.endsWith("="))
@@ -103,7 +103,7 @@ class OidcTest {
                 .orElse("none=none");
     }
 
-    private static boolean isIn(Http browser, Http.Answer back) {
+    private static boolean isIn(TestHttpClient browser, TestHttpClient.Answer back) {
         return browser.send(
                                 "/api/v1/drones",
                                 request ->
@@ -114,12 +114,12 @@ class OidcTest {
 
     @Test
     void asksTheProviderWithStateNonceAndChallenge() {
-        Http.Answer there = nobody.get("/api/v1/session/oidc");
+        TestHttpClient.Answer there = nobody.get("/api/v1/session/oidc");
 
         assertThat(location(there).toString())
                 .startsWith(provider.issuer() + "/authorize?")
                 .contains("response_type=code", "state=", "nonce=", "code_challenge_method=S256", "code_challenge=")
-                .doesNotContain(StandInProvider.SECRET);
+                .doesNotContain(FakeOidcProvider.SECRET);
         assertThat(there.raw().headers().firstValue("Set-Cookie").orElse(""))
                 .contains("dronemap-oidc=", "HttpOnly", "SameSite=Lax", "Path=/api/v1/session/oidc");
     }
@@ -127,11 +127,11 @@ class OidcTest {
     @Test
     void letsInWhoIsProvedWithTheRoleThatTheClaimGives() {
         provider.says(person("pilot-1", "others", "pilots", "office"));
-        Http.Answer back = signIn(nobody);
+        TestHttpClient.Answer back = signIn(nobody);
 
         assertThat(location(back)).hasToString("/");
         assertThat(back.raw().headers().allValues("Set-Cookie").toString()).contains("SameSite=Strict", "HttpOnly");
-        Http.Answer session = nobody.send(
+        TestHttpClient.Answer session = nobody.send(
                 "/api/v1/session",
                 request -> request.header("Cookie", cookie(back)).GET());
         assertThat(session.text("role")).isEqualTo("operator");
@@ -143,7 +143,7 @@ class OidcTest {
         provider.says(person("pilot-2", "pilots"));
         String before = name(signIn(nobody));
         provider.says(person("pilot-2", "office").andThen(claims -> claims.claim("preferred_username", "anna"))::apply);
-        Http.Answer back = signIn(nobody);
+        TestHttpClient.Answer back = signIn(nobody);
 
         assertThat(name(back)).isEqualTo(before);
         assertThat(nobody.send(
@@ -154,7 +154,7 @@ class OidcTest {
                 .isEqualTo("viewer");
     }
 
-    private String name(Http.Answer back) {
+    private String name(TestHttpClient.Answer back) {
         return nobody.send(
                         "/api/v1/session",
                         request -> request.header("Cookie", cookie(back)).GET())
@@ -171,7 +171,7 @@ class OidcTest {
     void neverTakesAnAccountByAName() {
         provider.says(claims ->
                 claims.subject("evil").claim("preferred_username", "admin").claim("groups", List.of("office")));
-        Http.Answer back = signIn(nobody);
+        TestHttpClient.Answer back = signIn(nobody);
 
         assertThat(name(back)).startsWith("admin~");
     }
@@ -179,12 +179,12 @@ class OidcTest {
     @Test
     void makesAnAccountThatWaits() {
         provider.says(person("new one"));
-        Http browser = new Http(careful, "");
-        Http.Answer back = signIn(browser);
+        TestHttpClient browser = new TestHttpClient(careful, "");
+        TestHttpClient.Answer back = signIn(browser);
 
         assertThat(location(back)).hasToString("/?signIn=closed");
         assertThat(isIn(browser, back)).isFalse();
-        assertThat(new Http(careful, careful.key(Role.ADMINISTRATOR))
+        assertThat(new TestHttpClient(careful, careful.key(Role.ADMINISTRATOR))
                         .get("/api/v1/users")
                         .raw()
                         .body())
@@ -225,12 +225,12 @@ class OidcTest {
     @Test
     void refusesACodeASecondTime() {
         provider.says(person("pilot-1", "office"));
-        Http.Answer there = nobody.get("/api/v1/session/oidc");
+        TestHttpClient.Answer there = nobody.get("/api/v1/session/oidc");
         String query = provider.visit(location(there));
         assertThat(isIn(nobody, back(nobody, query, cookie(there)))).isTrue();
 
         refused(back(nobody, query, cookie(there)));
-        Http.Answer again = nobody.get("/api/v1/session/oidc");
+        TestHttpClient.Answer again = nobody.get("/api/v1/session/oidc");
         String state = location(again).getRawQuery().replaceFirst(".*state=([^&]+).*", "$1");
         refused(back(nobody, query.replaceFirst("state=.*", "state=" + state), cookie(again)));
     }
@@ -251,20 +251,20 @@ class OidcTest {
         assertThat(whileAway.text("code")).isEqualTo("provider-unreachable");
     }
 
-    private void refused(Http.Answer back) {
+    private void refused(TestHttpClient.Answer back) {
         assertThat(back.status()).isEqualTo(302);
         assertThat(location(back)).hasToString("/?signIn=failed");
         AuditEntry record = house.records().get(house.records().size() - 1).entry();
         assertThat(record.operation()).isEqualTo("GET " + CALLBACK);
         assertThat(record.outcome()).isEqualTo(AuditOutcome.REFUSED);
         assertThat(back.raw().headers().allValues("Set-Cookie").toString()).doesNotContain("dronemap-session");
-        assertThat(back.raw().body()).doesNotContain(StandInProvider.SECRET);
+        assertThat(back.raw().body()).doesNotContain(FakeOidcProvider.SECRET);
     }
 
     @Test
     void tellsThePageOfTheProviderOnlyWhereThereIsOne() {
         assertThat(nobody.get("/api/v1/registrations").text("signInWith")).isEqualTo("the stand-in");
-        Http browser = new Http(SharedServer.get(), "");
+        TestHttpClient browser = new TestHttpClient(SharedServer.get(), "");
         assertThat(browser.get("/api/v1/registrations")
                         .json()
                         .path("signInWith")

@@ -18,9 +18,9 @@ import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.Tenant;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -35,9 +35,9 @@ class OnBoardFacesTest {
     private static final String CORNER = "{\"latitude\":47.39,\"longitude\":8.54}";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final Http operator = tenant.http(Role.OPERATOR);
+    private final TestHttpClient operator = tenant.http(Role.OPERATOR);
     private final ScriptedVehicle vehicle = tenant.vehicle();
     private final String path = "/api/v1/drones/" + vehicle.id();
 
@@ -61,18 +61,18 @@ class OnBoardFacesTest {
         return new Outcome.Succeeded();
     }
 
-    private Http.Answer put(String where, String body) {
+    private TestHttpClient.Answer put(String where, String body) {
         return operator.send(
                 path + where,
                 request -> request.header("Content-Type", "application/json")
                         .PUT(HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private Http.Answer delete(String where) {
+    private TestHttpClient.Answer delete(String where) {
         return operator.send(path + where, HttpRequest.Builder::DELETE);
     }
 
-    private void succeeds(Http.Answer given) {
+    private void succeeds(TestHttpClient.Answer given) {
         assertThat(given.status()).as(given.raw().body()).isBetween(200, 202);
         await().until(
                         () -> operator.get("/api/v1/commands/" + given.text("id"))
@@ -94,7 +94,7 @@ class OnBoardFacesTest {
         succeeds(put("/fence", zones));
         assertThat(operator.get(path + "/fence").raw().body()).isEqualTo(zones);
 
-        Http.Answer broken = put("/fence", "{\"zones\":[{\"type\":\"circle\",\"inside\":true}]}");
+        TestHttpClient.Answer broken = put("/fence", "{\"zones\":[{\"type\":\"circle\",\"inside\":true}]}");
         assertThat(broken.status()).isEqualTo(422);
         assertThat(broken.text("field")).isEqualTo("zones[0].center.latitude");
         succeeds(delete("/fence"));
@@ -104,10 +104,10 @@ class OnBoardFacesTest {
 
     @Test
     void aMemberOfAnotherKindOfZoneIsRefused() {
-        Http.Answer polygon = put(
+        TestHttpClient.Answer polygon = put(
                 "/fence",
                 "{\"zones\":[{\"type\":\"polygon\",\"inside\":true,\"corners\":[" + CORNER + "],\"radius\":50}]}");
-        Http.Answer circle = put(
+        TestHttpClient.Answer circle = put(
                 "/fence",
                 "{\"zones\":[{\"type\":\"circle\",\"inside\":true,\"corners\":[],\"center\":" + CORNER
                         + ",\"radius\":50}]}");
@@ -132,7 +132,7 @@ class OnBoardFacesTest {
     @ParameterizedTest
     @MethodSource("zonesOfNoKind")
     void aZoneOfNoKindIsRefused(String zone, String sentence) {
-        Http.Answer refused = put("/fence", "{\"zones\":[" + zone + "]}");
+        TestHttpClient.Answer refused = put("/fence", "{\"zones\":[" + zone + "]}");
 
         assertThat(refused.status()).isEqualTo(422);
         assertThat(refused.text("detail")).isEqualTo(sentence);
@@ -187,8 +187,8 @@ class OnBoardFacesTest {
         await().until(() ->
                 operator.get(path + "/parameters").json().path("total").asInt() == 2);
 
-        Http.Answer saved = operator.get(path + "/parameters/file?form=" + form);
-        Http.Answer compared = operator.send(
+        TestHttpClient.Answer saved = operator.get(path + "/parameters/file?form=" + form);
+        TestHttpClient.Answer compared = operator.send(
                 path + "/parameters/file?dryRun=true",
                 request -> request.header("Content-Type", "text/plain")
                         .POST(HttpRequest.BodyPublishers.ofString(saved.raw().body())));
@@ -208,7 +208,7 @@ class OnBoardFacesTest {
         await().until(() ->
                 operator.get(path + "/parameters").json().path("total").asInt() == 1);
 
-        Http.Answer saved = operator.get(path + "/parameters/file?form=poem");
+        TestHttpClient.Answer saved = operator.get(path + "/parameters/file?form=poem");
 
         assertThat(saved.status()).isEqualTo(422);
         assertThat(saved.text("allowed")).isEqualTo("list or table");
@@ -221,8 +221,8 @@ class OnBoardFacesTest {
         assertThat(operator.get(path + "/sensed/picture").status()).isEqualTo(204);
         assertThat(operator.get(path + "/sensed/map").status()).isEqualTo(204);
 
-        vehicle.says(new DroneEvent.PictureHeard(picture));
-        vehicle.says(new DroneEvent.MapHeard(new AreaMap(picture, 0, 0, 10, 10)));
+        vehicle.says(new DroneEvent.PictureReported(picture));
+        vehicle.says(new DroneEvent.MapReported(new AreaMap(picture, 0, 0, 10, 10)));
 
         for (String what : List.of("picture", "map")) {
             await().until(() -> operator.get(path + "/sensed/" + what).status(), status -> status == 200);
@@ -244,7 +244,7 @@ class OnBoardFacesTest {
     @ParameterizedTest
     @MethodSource("badCommandsForAll")
     void aBadCommandForAllIsSentToNobody(String body, String field) {
-        Http.Answer refused = operator.post("/api/v1/commands", body);
+        TestHttpClient.Answer refused = operator.post("/api/v1/commands", body);
 
         assertThat(refused.status()).isEqualTo(422);
         assertThat(refused.text("field")).isEqualTo(field);

@@ -15,10 +15,10 @@ import java.util.Map;
 import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.OperationCodec;
 import org.dronemap.core.operation.OperationKind;
-import org.dronemap.ws.house.Faces;
+import org.dronemap.ws.house.ExposedOperations;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.server.RunSide;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.server.OperationComponents;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -37,7 +37,7 @@ class OperationKindsTest {
             "missionRun", new Shown("GET /api/v1/runs/{id}", "getRun", "RunChanged"),
             "follow", new Shown("GET /api/v1/follows/{id}", "getFollow", "FollowChanged"));
 
-    private static TestHouse house;
+    private static TestServer house;
 
     private record Shown(String rest, String soap, String stream) {}
 
@@ -48,7 +48,7 @@ class OperationKindsTest {
 
     private static List<OperationKind<?, ?>> kinds() throws IllegalAccessException, InvocationTargetException {
         List<OperationKind<?, ?>> kinds = new ArrayList<>();
-        for (RecordComponent component : RunSide.class.getRecordComponents()) {
+        for (RecordComponent component : OperationComponents.class.getRecordComponents()) {
             if (component.getAccessor().invoke(house.runs()) instanceof OperationKind<?, ?> kind) {
                 kinds.add(kind);
             }
@@ -78,7 +78,7 @@ class OperationKindsTest {
     @Test
     void showsEachKindByEachFace() throws ReflectiveOperationException {
         assertThat(kinds().stream().map(OperationKind::name)).containsExactlyInAnyOrderElementsOf(SHOWN.keySet());
-        Faces faces = new Faces(house);
+        ExposedOperations faces = new ExposedOperations(house);
         assertThat(faces.rest())
                 .containsAll(SHOWN.values().stream().map(Shown::rest).toList());
         assertThat(faces.soap())

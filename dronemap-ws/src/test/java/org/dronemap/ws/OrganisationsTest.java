@@ -6,21 +6,21 @@ import java.net.http.HttpRequest;
 import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.OrganisationMember;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 
 /** What those who run the server do with its organisations. */
 class OrganisationsTest {
-    private final TestHouse house = SharedServer.get();
+    private final TestServer house = SharedServer.get();
     private final ScriptedVehicle one = vehicle();
     private final ScriptedVehicle two = vehicle();
-    private final Member root = house.member(OrganisationId.HOME, "root-" + house.number(), Role.ADMINISTRATOR);
-    private final Member ann = house.member(OrganisationId.HOME, "ann-" + house.number(), Role.OPERATOR);
+    private final OrganisationMember root = house.member(OrganisationId.HOME, "root-" + house.number(), Role.ADMINISTRATOR);
+    private final OrganisationMember ann = house.member(OrganisationId.HOME, "ann-" + house.number(), Role.OPERATOR);
 
     private ScriptedVehicle vehicle() {
         return ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
@@ -39,7 +39,7 @@ class OrganisationsTest {
                         "{\"label\":\"Bea\",\"role\":\"administrator\",\"organisation\":\"" + rescue + "\"}")
                 .text("code");
         String bea = "bea-" + house.number();
-        new Http(house, "")
+        new TestHttpClient(house, "")
                 .post(
                         "/api/v1/registrations",
                         "{\"name\":\"" + bea + "\",\"password\":\"a-long-password\",\"invitation\":\"" + code + "\"}");
@@ -67,7 +67,7 @@ class OrganisationsTest {
         String rescue = root.http()
                 .post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
                 .text("id");
-        Member bea = house.member(new OrganisationId(rescue), "bea-" + house.number(), Role.ADMINISTRATOR);
+        OrganisationMember bea = house.member(new OrganisationId(rescue), "bea-" + house.number(), Role.ADMINISTRATOR);
 
         for (String organisation : List.of(OrganisationId.HOME.value(), "nosuchorganisation")) {
             String body = "{\"label\":\"Eve\",\"role\":\"administrator\",\"organisation\":\"" + organisation + "\"}";
@@ -82,7 +82,7 @@ class OrganisationsTest {
         String rescue = root.http()
                 .post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
                 .text("id");
-        Member bea = house.member(new OrganisationId(rescue), "bea-" + house.number(), Role.SUPERVISOR);
+        OrganisationMember bea = house.member(new OrganisationId(rescue), "bea-" + house.number(), Role.SUPERVISOR);
         put("/api/v1/organisations/" + rescue + "/drones/" + two.id(), "");
         String theirs = zone(bea, "theirs");
         assertThat(mayGo(ann, one)).isTrue();
@@ -103,7 +103,7 @@ class OrganisationsTest {
         }
     }
 
-    private static String zone(Member by, String name) {
+    private static String zone(OrganisationMember by, String name) {
         return by.http()
                 .post(
                         "/api/v1/zones",
@@ -113,7 +113,7 @@ class OrganisationsTest {
     }
 
     /** Whether no zone speaks against it; the drone is disarmed, so it goes nowhere. */
-    private boolean mayGo(Member by, ScriptedVehicle drone) {
+    private boolean mayGo(OrganisationMember by, ScriptedVehicle drone) {
         String detail = by.http()
                 .post(
                         "/api/v1/drones/" + drone.id() + "/commands",
@@ -123,7 +123,7 @@ class OrganisationsTest {
         return !detail.contains("zone");
     }
 
-    private static List<String> drones(Member by) {
+    private static List<String> drones(OrganisationMember by) {
         return by.http().get("/api/v1/drones").json().path("drones").findValuesAsString("id");
     }
 

@@ -11,9 +11,9 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -22,14 +22,14 @@ class OwnOutletTest {
     private static final String PATH = "/api/v1/outlet/passphrase";
     private static final String PORTS = "/api/v1/outlet/ports";
 
-    private static TestHouse house;
+    private static TestServer house;
 
     @BeforeAll
     static void open() {
         house = SharedServer.get();
     }
 
-    private static Http.Answer set(Http who, String body) {
+    private static TestHttpClient.Answer set(TestHttpClient who, String body) {
         return who.send(
                 PATH,
                 request -> request.header("Content-Type", "application/json")
@@ -38,14 +38,14 @@ class OwnOutletTest {
 
     @Test
     void isMadeUpAndShownOnce() {
-        Http ann = new Http(house, house.key(Role.VIEWER));
+        TestHttpClient ann = new TestHttpClient(house, house.key(Role.VIEWER));
         assertThat(ann.get("/api/v1/outlet").json().path("passphraseSet").asBoolean(true))
                 .isFalse();
-        Http.Answer answer = set(ann, "{}");
+        TestHttpClient.Answer answer = set(ann, "{}");
         assertThat(answer.status()).isEqualTo(200);
         assertThat(answer.raw().headers().firstValue("Cache-Control")).hasValue("no-store");
         assertThat(answer.json().path("passphrase").asString("")).hasSizeGreaterThan(16);
-        Http.Answer own = ann.get("/api/v1/outlet");
+        TestHttpClient.Answer own = ann.get("/api/v1/outlet");
         assertThat(own.json().path("passphraseSet").asBoolean(false)).isTrue();
         assertThat(own.raw().body())
                 .doesNotContain(answer.json().path("passphrase").asString(""));
@@ -53,16 +53,16 @@ class OwnOutletTest {
 
     @Test
     void isLongEnoughAndNobodyElses() {
-        Http ann = new Http(house, house.key(Role.VIEWER));
+        TestHttpClient ann = new TestHttpClient(house, house.key(Role.VIEWER));
         for (String bad : new String[] {"fifteen letters", " sixteen letters", "sixteen letters\\u00e4"}) {
-            Http.Answer answer = set(ann, "{\"passphrase\":\"" + bad + "\"}");
+            TestHttpClient.Answer answer = set(ann, "{\"passphrase\":\"" + bad + "\"}");
             assertThat(answer.status()).isEqualTo(422);
             assertThat(answer.json().path("field").asString("")).isEqualTo("passphrase");
         }
         String good = "{\"passphrase\":\"sixteen letters!\"}";
         assertThat(set(ann, good).status()).isEqualTo(200);
         assertThat(set(ann, good).status()).isEqualTo(200);
-        assertThat(set(new Http(house, house.key(Role.VIEWER)), good).status()).isEqualTo(409);
+        assertThat(set(new TestHttpClient(house, house.key(Role.VIEWER)), good).status()).isEqualTo(409);
     }
 
     @Test
@@ -74,25 +74,25 @@ class OwnOutletTest {
             new KeyRights(Role.OPERATOR, one, null),
             new KeyRights(Role.OPERATOR, KeyScope.ALL, Instant.parse("2100-01-01T00:00:00Z"))
         }) {
-            assertThat(set(new Http(house, house.key(rights)), "{}").status()).isEqualTo(403);
+            assertThat(set(new TestHttpClient(house, house.key(rights)), "{}").status()).isEqualTo(403);
         }
-        assertThat(set(new Http(house, house.key(Role.OPERATOR)), "{}").status())
+        assertThat(set(new TestHttpClient(house, house.key(Role.OPERATOR)), "{}").status())
                 .isEqualTo(200);
     }
 
-    private static Http.Answer open(Http who, String body) {
+    private static TestHttpClient.Answer open(TestHttpClient who, String body) {
         return who.post(PORTS, body);
     }
 
-    private static Http.Answer close(Http who, String id) {
+    private static TestHttpClient.Answer close(TestHttpClient who, String id) {
         return who.send(PORTS + "/" + id, HttpRequest.Builder::DELETE);
     }
 
     @Test
     void aPersonalPortIsOfItsUserAloneAndClosedByAdministratorsToo() {
-        Http ann = new Http(house, house.key(Role.VIEWER));
-        Http bob = new Http(house, house.key(Role.OPERATOR));
-        Http.Answer answer = open(ann, "{\"address\":\"192.0.2.77/24\",\"hours\":2}");
+        TestHttpClient ann = new TestHttpClient(house, house.key(Role.VIEWER));
+        TestHttpClient bob = new TestHttpClient(house, house.key(Role.OPERATOR));
+        TestHttpClient.Answer answer = open(ann, "{\"address\":\"192.0.2.77/24\",\"hours\":2}");
         assertThat(answer.status()).isEqualTo(201);
         assertThat(answer.json().path("address").asString("")).isEqualTo("192.0.2.0/24");
         Instant since = Instant.parse(answer.json().path("since").asString(""));
@@ -107,24 +107,24 @@ class OwnOutletTest {
         assertThat(close(ann, id).status()).isEqualTo(404);
         String second =
                 open(ann, "{\"address\":\"192.0.2.7\"}").json().path("id").asString("");
-        assertThat(close(new Http(house, house.key(Role.ADMINISTRATOR)), second).status())
+        assertThat(close(new TestHttpClient(house, house.key(Role.ADMINISTRATOR)), second).status())
                 .isEqualTo(204);
     }
 
     @Test
     void aPersonalPortWantsASmallRangeAndAFewHours() {
-        Http ann = new Http(house, house.key(Role.VIEWER));
+        TestHttpClient ann = new TestHttpClient(house, house.key(Role.VIEWER));
         for (String address : new String[] {"", "localhost", "192.0.0.0/16", "0.0.0.0/0"}) {
-            Http.Answer answer = open(ann, "{\"address\":\"" + address + "\"}");
+            TestHttpClient.Answer answer = open(ann, "{\"address\":\"" + address + "\"}");
             assertThat(answer.status()).isEqualTo(422);
             assertThat(answer.json().path("field").asString("")).isEqualTo("address");
         }
         assertThat(open(ann, "{}").status()).isEqualTo(422);
-        Http.Answer long25 = open(ann, "{\"address\":\"192.0.2.7\",\"hours\":25}");
+        TestHttpClient.Answer long25 = open(ann, "{\"address\":\"192.0.2.7\",\"hours\":25}");
         assertThat(long25.status()).isEqualTo(422);
         assertThat(long25.json().path("field").asString("")).isEqualTo("hours");
         KeyScope one = new KeyScope(Set.of(new DroneId("drone-1")), Set.of(Permission.values()));
-        Http bounded = new Http(house, house.key(new KeyRights(Role.OPERATOR, one, null)));
+        TestHttpClient bounded = new TestHttpClient(house, house.key(new KeyRights(Role.OPERATOR, one, null)));
         assertThat(open(bounded, "{\"address\":\"192.0.2.7\"}").status()).isEqualTo(403);
     }
 }

@@ -11,10 +11,10 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.core.parameter.ParameterValue;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -24,11 +24,11 @@ class ParametersTest {
             new Parameter("RTL_ALT", ParameterType.INT16, 1500), new Parameter("RATE_P", ParameterType.REAL32, 0.1f));
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle vehicle;
-    private Http operator;
+    private TestHttpClient operator;
     private String path;
 
     @BeforeEach
@@ -43,14 +43,14 @@ class ParametersTest {
         await().until(() -> operator.get(path).json().path("total").asInt() == 2);
     }
 
-    private Http.Answer put(String name, String body) {
+    private TestHttpClient.Answer put(String name, String body) {
         return operator.send(
                 path + "/" + name + "?wait=10",
                 builder -> builder.header("Content-Type", "application/json")
                         .PUT(HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private Http.Answer file(String query, String text) {
+    private TestHttpClient.Answer file(String query, String text) {
         return operator.send(
                 path + "/file" + query,
                 builder ->
@@ -82,9 +82,9 @@ class ParametersTest {
     void refusesWhatTheParameterCannotHold() {
         read();
 
-        Http.Answer tooLarge = put("RTL_ALT", "{\"value\":40000}");
-        Http.Answer unknown = put("NOBODY", "{\"value\":1}");
-        Http.Answer line = file("", "RTL_ALT,1\nRATE_P=2");
+        TestHttpClient.Answer tooLarge = put("RTL_ALT", "{\"value\":40000}");
+        TestHttpClient.Answer unknown = put("NOBODY", "{\"value\":1}");
+        TestHttpClient.Answer line = file("", "RTL_ALT,1\nRATE_P=2");
 
         assertThat(tooLarge.status()).isEqualTo(422);
         assertThat(tooLarge.text("allowed")).isEqualTo("a whole number from -32768 to 32767");
@@ -98,7 +98,7 @@ class ParametersTest {
         read();
         String text = "RTL_ALT,1600\nRATE_P,0.1\nOTHER,3\n";
 
-        Http.Answer dry = file("?dryRun=true", text);
+        TestHttpClient.Answer dry = file("?dryRun=true", text);
         assertThat(dry.json().path("different").size()).isEqualTo(1);
         assertThat(dry.json().path("same").asInt()).isEqualTo(1);
         assertThat(dry.json().path("unknown").get(0).asString()).isEqualTo("OTHER");
@@ -113,7 +113,7 @@ class ParametersTest {
     @Test
     void letsAViewerLookButNotChange() {
         read();
-        Http viewer = tenant.http(Role.VIEWER);
+        TestHttpClient viewer = tenant.http(Role.VIEWER);
 
         assertThat(viewer.get(path + "?search=rtl").json().path("parameters").size())
                 .isEqualTo(1);

@@ -6,10 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.dronemap.ws.house.Faces;
+import org.dronemap.ws.house.ExposedOperations;
 import org.dronemap.ws.house.RawClient;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** No route is reached by an address that is written in another way than the one that requests are judged by. */
 class PlainAddressTest {
-    private static TestHouse house;
+    private static TestServer house;
 
     @BeforeAll
     static void open() {
@@ -58,7 +58,7 @@ class PlainAddressTest {
 
     @Test
     void noRouteIsReachedOnAnotherWay() {
-        Faces faces = new Faces(house);
+        ExposedOperations faces = new ExposedOperations(house);
         Set<String> routes = new TreeSet<>(faces.rest());
         faces.services().forEach(service -> routes.add("POST " + service));
         routes.add("GET /api/openapi.json");

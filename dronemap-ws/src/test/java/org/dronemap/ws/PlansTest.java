@@ -15,14 +15,14 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.ImmediateCopter;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -36,23 +36,23 @@ class PlansTest {
     private static final int WAYPOINTS = 6;
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private String key;
-    private Http operator;
-    private WillingCopter falcon;
-    private WillingCopter heron;
+    private TestHttpClient operator;
+    private ImmediateCopter falcon;
+    private ImmediateCopter heron;
 
     @BeforeEach
     void open() {
         key = tenant.key(Role.OPERATOR);
-        operator = new Http(house, key);
+        operator = new TestHttpClient(house, key);
         falcon = copter("Falcon", LONGITUDE);
         heron = copter("Heron", LONGITUDE + 0.0008);
     }
 
-    private WillingCopter copter(String name, double longitude) {
+    private ImmediateCopter copter(String name, double longitude) {
         return tenant.copter(name, new Geodetic(LATITUDE, longitude)).wellHeard(house.cloud());
     }
 
@@ -72,7 +72,7 @@ class PlansTest {
     }
 
     private String ask(String members) {
-        Http.Answer answer = operator.post(PATH, "{" + drones() + "," + members + "}");
+        TestHttpClient.Answer answer = operator.post(PATH, "{" + drones() + "," + members + "}");
         assertThat(answer.status()).as(answer.raw().body()).isEqualTo(202);
         String id = answer.text("id");
         assertThat(answer.raw().headers().firstValue("Location")).hasValue(PATH + "/" + id);
@@ -84,13 +84,13 @@ class PlansTest {
     }
 
     private JsonNode await(String id, String state) {
-        return Waiting.until(
+        return ConditionWait.until(
                 "the plan is " + state,
                 () -> Optional.of(operator.get(PATH + "/" + id).json())
                         .filter(plan -> plan.path("state").asString("").equals(state)));
     }
 
-    private static List<MissionItem.Waypoint> flown(WillingCopter copter) {
+    private static List<MissionItem.Waypoint> flown(ImmediateCopter copter) {
         return copter.performed().stream()
                 .filter(Command.UploadMission.class::isInstance)
                 .map(Command.UploadMission.class::cast)
@@ -100,7 +100,7 @@ class PlansTest {
                 .toList();
     }
 
-    private static List<String> kinds(WillingCopter copter) {
+    private static List<String> kinds(ImmediateCopter copter) {
         return copter.performed().stream()
                 .map(command -> command.getClass().getSimpleName())
                 .toList();
@@ -130,7 +130,7 @@ class PlansTest {
         assertThat(plan.path("progress").path("gap").asDouble()).isBetween(0.0, 1.0);
         assertThat(plan.path("improvements").size()).isPositive();
 
-        Http.Answer accepted = operator.post(PATH + "/" + id + "/accept?wait=20", "{}");
+        TestHttpClient.Answer accepted = operator.post(PATH + "/" + id + "/accept?wait=20", "{}");
         assertThat(accepted.status()).as(accepted.raw().body()).isEqualTo(200);
         assertThat(stages(accepted.json())).containsExactly("uploaded", "uploaded");
         assertThat(kinds(falcon)).containsExactly("UploadMission");
@@ -150,7 +150,7 @@ class PlansTest {
         String id = ask(waypoints(WAYPOINTS) + ",\"seconds\":0.1");
         finished(id);
 
-        Http.Answer accepted = operator.post(PATH + "/" + id + "/accept?wait=30", "{\"start\":true}");
+        TestHttpClient.Answer accepted = operator.post(PATH + "/" + id + "/accept?wait=30", "{\"start\":true}");
         assertThat(stages(accepted.json())).as(accepted.raw().body()).containsExactly("started", "started");
         assertThat(kinds(falcon)).containsExactly("UploadMission", "SetCloudLoss", "Arm", "StartMission");
         assertThat(kinds(heron)).containsExactly("UploadMission", "SetCloudLoss", "Arm", "StartMission");
@@ -161,8 +161,8 @@ class PlansTest {
 
     @Test
     void startNobodyElseOnceTheStartIsStopped() {
-        WillingCopter kestrel = copter("Kestrel", LONGITUDE + 0.00004);
-        Http.Answer asked = operator.post(
+        ImmediateCopter kestrel = copter("Kestrel", LONGITUDE + 0.00004);
+        TestHttpClient.Answer asked = operator.post(
                 PATH,
                 "{\"drones\":[\"" + falcon.id() + "\",\"" + kestrel.id() + "\"],\"seconds\":0.1,"
                         + "\"objective\":{\"kind\":\"earliestEnd\",\"everyDrone\":true},\"waypoints\":["
@@ -171,14 +171,14 @@ class PlansTest {
         String id = asked.text("id");
         finished(id);
         operator.post(PATH + "/" + id + "/accept", "{\"start\":true}");
-        Waiting.until(
+        ConditionWait.until(
                 "one waits while the other one flies",
                 () -> Optional.of(stages(operator.get(PATH + "/" + id).json()))
                         .filter(stages -> stages.contains("waiting") && stages.contains("started")));
         assertThat(delete(operator, id)).isEqualTo(409);
 
         assertThat(operator.post(PATH + "/" + id + "/stop", "").status()).isEqualTo(200);
-        JsonNode plan = Waiting.until(
+        JsonNode plan = ConditionWait.until(
                 "nothing is under way",
                 () -> Optional.of(operator.get(PATH + "/" + id).json())
                         .filter(one -> !one.path("launch").path("underWay").asBoolean(true)));
@@ -195,7 +195,7 @@ class PlansTest {
         String id = ask(waypoints(WAYPOINTS) + ",\"seconds\":0.1");
         finished(id);
 
-        Http.Answer accepted = operator.post(PATH + "/" + id + "/accept?wait=30", "{\"start\":true}");
+        TestHttpClient.Answer accepted = operator.post(PATH + "/" + id + "/accept?wait=30", "{\"start\":true}");
         assertThat(stages(accepted.json())).containsExactlyInAnyOrder("heldBack", "failed");
         assertThat(accepted.raw().body()).contains("It does not want to.");
         assertThat(kinds(falcon)).containsExactly("UploadMission");
@@ -203,13 +203,13 @@ class PlansTest {
 
     @Test
     void leadRoundTheZonesThatBindTheDrones() {
-        Http supervisor = tenant.http(Role.SUPERVISOR);
+        TestHttpClient supervisor = tenant.http(Role.SUPERVISOR);
         String zone = "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[" + LONGITUDE + ","
                 + (LATITUDE + 0.001) + "]},\"properties\":{\"name\":\"Crane\",\"kind\":\"exclusion\",\"radius\":40}}";
         assertThat(supervisor.post("/api/v1/zones", zone).status()).isEqualTo(201);
         String places = "\"waypoints\":[" + waypoint(LATITUDE + 0.002, LONGITUDE) + ","
                 + waypoint(LATITUDE + 0.001, LONGITUDE) + "]";
-        Http.Answer asked =
+        TestHttpClient.Answer asked =
                 operator.post(PATH, "{\"drones\":[\"" + falcon.id() + "\"],\"seconds\":0.1," + places + "}");
         JsonNode plan = finished(asked.text("id")).path("result");
 
@@ -218,14 +218,14 @@ class PlansTest {
         assertThat(plan.path("unserved").path(0).path("place").path("latitude").asDouble())
                 .isEqualTo(LATITUDE + 0.001);
         assertThat(plan.path("tours").path(0).path("distance").asDouble()).isGreaterThan(2 * 0.002 * 111_000 + 5);
-        Http.Answer accepted = operator.post(PATH + "/" + asked.text("id") + "/accept?wait=20", "{}");
+        TestHttpClient.Answer accepted = operator.post(PATH + "/" + asked.text("id") + "/accept?wait=20", "{}");
         assertThat(stages(accepted.json())).as(accepted.raw().body()).containsExactly("uploaded");
     }
 
     @Test
     void sayWhichFactOfWhichDroneIsMissing() {
         ScriptedVehicle stranger = tenant.vehicle();
-        Http.Answer answer = operator.post(PATH, "{\"drones\":[\"" + stranger.id() + "\"]," + waypoints(1) + "}");
+        TestHttpClient.Answer answer = operator.post(PATH, "{\"drones\":[\"" + stranger.id() + "\"]," + waypoints(1) + "}");
 
         assertThat(answer.status()).isEqualTo(409);
         assertThat(answer.text("detail")).isEqualTo("Where the home of “" + stranger.name() + "” is, is not known.");
@@ -254,7 +254,7 @@ class PlansTest {
     }
 
     private String field(String body) {
-        Http.Answer answer = operator.post(PATH, body);
+        TestHttpClient.Answer answer = operator.post(PATH, body);
         assertThat(answer.status()).as(answer.raw().body()).isEqualTo(422);
         return answer.text("field");
     }
@@ -263,10 +263,10 @@ class PlansTest {
     void belongToWhoAskedForThem() {
         String id = ask(waypoints(1) + ",\"seconds\":0.1");
         finished(id);
-        Http other = tenant.http(Role.ADMINISTRATOR);
+        TestHttpClient other = tenant.http(Role.ADMINISTRATOR);
 
-        Http.Answer foreign = other.get(PATH + "/" + id);
-        Http.Answer absent = other.get(PATH + "/absentabsentabse");
+        TestHttpClient.Answer foreign = other.get(PATH + "/" + id);
+        TestHttpClient.Answer absent = other.get(PATH + "/absentabsentabse");
         assertThat(foreign.status()).isEqualTo(404);
         assertThat(foreign.raw().body().replace(id, "absentabsentabse"))
                 .isEqualTo(absent.raw().body());
@@ -274,32 +274,32 @@ class PlansTest {
         assertThat(delete(other, id)).isEqualTo(404);
         assertThat(other.get(PATH).json().path("plans").size()).isZero();
         assertThat(operator.get(PATH).json().path("plans").size()).isEqualTo(1);
-        Http viewer = tenant.http(Role.VIEWER);
+        TestHttpClient viewer = tenant.http(Role.VIEWER);
         assertThat(viewer.post(PATH, "{}").status()).isEqualTo(403);
-        Http.Answer absentDrone = operator.post(PATH, "{\"drones\":[\"nosuchdrone\"]," + waypoints(1) + "}");
+        TestHttpClient.Answer absentDrone = operator.post(PATH, "{\"drones\":[\"nosuchdrone\"]," + waypoints(1) + "}");
         assertThat(absentDrone.text("detail")).isEqualTo("There is no drone nosuchdrone.");
     }
 
     @Test
     void areStartedOnlyByOperators() {
-        Http planner = tenant.http(Role.PLANNER);
+        TestHttpClient planner = tenant.http(Role.PLANNER);
         String id = planner.post(PATH, "{" + drones() + "," + waypoints(2) + ",\"seconds\":0.1}")
                 .text("id");
-        Waiting.until(
+        ConditionWait.until(
                 "the plan is finished",
                 () -> Optional.of(planner.get(PATH + "/" + id))
                         .filter(one -> one.text("state").equals("finished")));
 
         assertThat(planner.post(PATH + "/" + id + "/accept", "{\"start\":true}").status())
                 .isEqualTo(403);
-        Http.Answer accepted = planner.post(PATH + "/" + id + "/accept?wait=20", "");
+        TestHttpClient.Answer accepted = planner.post(PATH + "/" + id + "/accept?wait=20", "");
         assertThat(stages(accepted.json())).containsOnly("uploaded");
     }
 
     @Test
     void areCancelledAndForgottenAndAreNotTooManyAtOnce() {
         List<String> ids = List.of(searching(), searching(), searching());
-        Http.Answer tooMany = operator.post(PATH, "{" + drones() + "," + waypoints(40) + ",\"seconds\":60}");
+        TestHttpClient.Answer tooMany = operator.post(PATH, "{" + drones() + "," + waypoints(40) + ",\"seconds\":60}");
         assertThat(tooMany.status()).isEqualTo(409);
         assertThat(tooMany.text("detail")).startsWith("You have 3 plans under way already");
         assertThat(notFinished(ids.get(0))).isEqualTo("plan-not-finished");
@@ -316,7 +316,7 @@ class PlansTest {
 
     /** The code that it is told by. */
     private String notFinished(String id) {
-        Http.Answer refused = operator.post(PATH + "/" + id + "/accept", "{}");
+        TestHttpClient.Answer refused = operator.post(PATH + "/" + id + "/accept", "{}");
         assertThat(refused.text("detail")).isEqualTo("The plan is not finished.");
         return refused.text("code");
     }
@@ -325,7 +325,7 @@ class PlansTest {
         return ask(waypoints(40) + ",\"seconds\":60");
     }
 
-    private static int delete(Http http, String id) {
+    private static int delete(TestHttpClient http, String id) {
         return http.send(PATH + "/" + id, HttpRequest.Builder::DELETE).status();
     }
 
@@ -340,7 +340,7 @@ class PlansTest {
         String plan = soap.call(
                         "makePlan", "drones", List.of(falcon.id(), heron.id()), "waypoints", visits, "seconds", 0.1)
                 .text("id");
-        Waiting.until(
+        ConditionWait.until(
                 "the plan is finished",
                 () -> Optional.of(operator.get(PATH + "/" + plan))
                         .filter(seen -> seen.text("state").equals("finished")));
@@ -362,8 +362,8 @@ class PlansTest {
 
     @Test
     void areToldOnTheStreamToWhoAskedForThem() {
-        try (StreamListener mine = StreamListener.withKey(house, key);
-                StreamListener others = StreamListener.withKey(house, tenant.key(Role.ADMINISTRATOR))) {
+        try (RecordingStreamClient mine = RecordingStreamClient.withKey(house, key);
+                RecordingStreamClient others = RecordingStreamClient.withKey(house, tenant.key(Role.ADMINISTRATOR))) {
             mine.await(message -> message.path("type").asString().equals("drones"));
             others.await(message -> message.path("type").asString().equals("drones"));
             String id = ask(waypoints(12) + ",\"seconds\":1");

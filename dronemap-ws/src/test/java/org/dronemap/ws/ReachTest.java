@@ -8,12 +8,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Estate;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.RightsTable;
+import org.dronemap.ws.house.OrganisationFixture;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.ResourceScopeTable.Whose;
 import org.dronemap.ws.house.RightsTable.Caller;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.WhoseTable.Whose;
+import org.dronemap.ws.house.RightsTable;
+import org.dronemap.ws.house.TestHttpClient;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 
@@ -62,7 +62,7 @@ class ReachTest extends ReachTrial {
         for (String operation : faces.rest()) {
             if (whose.of(operation).filter(Whose.SERVER::equals).isPresent()) {
                 for (Role role : Role.values()) {
-                    Http.Answer answer = rest(theirs.get(role), operation, ABSENT);
+                    TestHttpClient.Answer answer = rest(theirs.get(role), operation, ABSENT);
                     if (answer.status() != 403) {
                         wrong.add(operation + " for their " + role + ": " + answer.status());
                     }
@@ -149,8 +149,8 @@ class ReachTest extends ReachTrial {
     @Test
     void answersForeignAsAbsentThroughTheStream() {
         for (Role role : Set.of(Role.VIEWER, Role.OPERATOR, Role.SUPERVISOR, Role.ADMINISTRATOR)) {
-            try (StreamListener stream =
-                    StreamListener.withKey(house, ours.get(role).key())) {
+            try (RecordingStreamClient stream =
+                    RecordingStreamClient.withKey(house, ours.get(role).key())) {
                 for (String about : List.of(
                         "\"command\",\"command\":{\"type\":\"land\"}",
                         "\"control\",\"action\":\"take\"",
@@ -170,7 +170,7 @@ class ReachTest extends ReachTrial {
 
     @Test
     void answersForeignAsAbsentWhereBodiesNameThings() {
-        Http root = own.administrator().http();
+        TestHttpClient root = own.administrator().http();
         String drone = own.drone().id();
         Map<String, String> bodies = new HashMap<>();
         bodies.put(
@@ -195,8 +195,8 @@ class ReachTest extends ReachTrial {
         bodies.forEach((what, body) -> {
             String[] words = what.split(" ");
             String thing = foreign.thing(words[2]).orElseThrow();
-            Http.Answer there = root.post(words[1], String.format(body, thing));
-            Http.Answer absent = root.post(words[1], String.format(body, ABSENT));
+            TestHttpClient.Answer there = root.post(words[1], String.format(body, thing));
+            TestHttpClient.Answer absent = root.post(words[1], String.format(body, ABSENT));
             if (there.status() == 201 || !isSame(there, thing, absent)) {
                 wrong.add(
                         what + ": " + there.raw().body() + " / " + absent.raw().body());
@@ -207,15 +207,15 @@ class ReachTest extends ReachTrial {
 
     @Test
     void tellsEachOrganisationOnTheStreamOfItsOwnThingsOnly() {
-        try (StreamListener ourStream =
-                        StreamListener.withKey(house, ours.get(Role.VIEWER).key());
-                StreamListener theirStream =
-                        StreamListener.withKey(house, theirs.get(Role.VIEWER).key())) {
-            for (StreamListener stream : List.of(ourStream, theirStream)) {
+        try (RecordingStreamClient ourStream =
+                        RecordingStreamClient.withKey(house, ours.get(Role.VIEWER).key());
+                RecordingStreamClient theirStream =
+                        RecordingStreamClient.withKey(house, theirs.get(Role.VIEWER).key())) {
+            for (RecordingStreamClient stream : List.of(ourStream, theirStream)) {
                 stream.await(message -> isType(message, "drones"));
             }
-            for (Estate estate : List.of(own, foreign)) {
-                Http http = estate.administrator().http();
+            for (OrganisationFixture estate : List.of(own, foreign)) {
+                TestHttpClient http = estate.administrator().http();
                 http.post("/api/v1/drones/" + estate.drone().id() + "/commands", "{\"type\":\"arm\"}");
                 http.post("/api/v1/drones/" + estate.drone().id() + "/control/take", "");
                 put(http, "/api/v1/zones/" + estate.thing("zones").orElseThrow(), "{}");
@@ -227,7 +227,7 @@ class ReachTest extends ReachTrial {
         }
     }
 
-    private static void heardOnly(StreamListener stream, Estate mine, Estate other) {
+    private static void heardOnly(RecordingStreamClient stream, OrganisationFixture mine, OrganisationFixture other) {
         for (String type : List.of("drone", "command", "control", "zone")) {
             stream.await(message -> isType(message, type));
         }
@@ -238,7 +238,7 @@ class ReachTest extends ReachTrial {
                 .doesNotContain(other.drone().id(), other.word() + "-");
     }
 
-    private static String said(StreamListener stream, String about, String drone) {
+    private static String said(RecordingStreamClient stream, String about, String drone) {
         String id = drone + about.hashCode();
         stream.send("{\"requestId\":\"" + id + "\",\"drone\":\"" + drone + "\",\"type\":" + about + "}");
         return stream.await(message -> message.path("requestId").asString("").equals(id))

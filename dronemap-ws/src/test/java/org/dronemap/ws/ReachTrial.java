@@ -12,14 +12,14 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
-import org.dronemap.ws.house.Estate;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ExposedOperations;
+import org.dronemap.ws.house.OrganisationFixture;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.ResourceScopeTable;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.WhoseTable;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.TestInstance;
@@ -32,34 +32,34 @@ import org.junit.jupiter.api.TestInstance;
 abstract class ReachTrial {
     static final String ABSENT = "absent-thing";
     private static final String GIVEN = " /api/v1/organisations/{id}/drones/{drone}";
-    final Map<Role, Member> ours = new EnumMap<>(Role.class);
-    final Map<Role, Member> theirs = new EnumMap<>(Role.class);
+    final Map<Role, OrganisationMember> ours = new EnumMap<>(Role.class);
+    final Map<Role, OrganisationMember> theirs = new EnumMap<>(Role.class);
     final List<String> wrong = new ArrayList<>();
-    TestHouse house;
-    Faces faces;
-    WhoseTable whose;
-    Estate own;
+    TestServer house;
+    ExposedOperations faces;
+    ResourceScopeTable whose;
+    OrganisationFixture own;
     /** Another one of our own. */
     ScriptedVehicle spare;
 
-    Estate foreign;
+    OrganisationFixture foreign;
     private String foreignId;
 
     @BeforeAll
     void open() {
         house = SharedServer.get();
-        faces = new Faces(house);
-        whose = new WhoseTable();
+        faces = new ExposedOperations(house);
+        whose = new ResourceScopeTable();
         ScriptedVehicle ourDrone = vehicle();
         ScriptedVehicle theirDrone = vehicle();
         spare = vehicle();
-        Http root = new Http(house, house.key(Role.ADMINISTRATOR));
+        TestHttpClient root = new TestHttpClient(house, house.key(Role.ADMINISTRATOR));
         foreignId = root.post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
                 .text("id");
         String given = "/api/v1/organisations/" + foreignId + "/drones/" + theirDrone.id();
         assertThat(put(root, given, "").status()).isEqualTo(200);
-        own = new Estate(house, "our" + house.number(), OrganisationId.HOME, ourDrone);
-        foreign = new Estate(house, "their" + house.number(), new OrganisationId(foreignId), theirDrone);
+        own = new OrganisationFixture(house, "our" + house.number(), OrganisationId.HOME, ourDrone);
+        foreign = new OrganisationFixture(house, "their" + house.number(), new OrganisationId(foreignId), theirDrone);
         for (Role role : Role.values()) {
             ours.put(role, own.member(role.name(), role));
             theirs.put(role, foreign.member(role.name(), role));
@@ -71,7 +71,7 @@ abstract class ReachTrial {
         wrong.clear();
     }
 
-    void judge(String cell, boolean promised, Http.Answer answer) {
+    void judge(String cell, boolean promised, TestHttpClient.Answer answer) {
         boolean closed = answer.status() == 401 || answer.status() == 403;
         if (closed == promised || answer.status() == 404 || answer.status() >= 500) {
             wrong.add(cell + ": " + answer.status() + " " + answer.raw().body());
@@ -79,32 +79,32 @@ abstract class ReachTrial {
     }
 
     /** The same answer as for what is not there. */
-    void alike(Member caller, String operation, String thing) {
-        Http.Answer there = rest(caller, operation, thing);
-        Http.Answer absent = rest(caller, operation, ABSENT);
+    void alike(OrganisationMember caller, String operation, String thing) {
+        TestHttpClient.Answer there = rest(caller, operation, thing);
+        TestHttpClient.Answer absent = rest(caller, operation, ABSENT);
         if (!isSame(there, thing, absent)) {
             wrong.add(operation + " for " + caller.name() + " tells " + thing + " from an absent one: "
                     + there.raw().body() + " / " + absent.raw().body());
         }
     }
 
-    static boolean isSame(Http.Answer there, String thing, Http.Answer absent) {
+    static boolean isSame(TestHttpClient.Answer there, String thing, TestHttpClient.Answer absent) {
         return there.status() == absent.status()
                 && there.raw().body().replace(thing, ABSENT).equals(absent.raw().body());
     }
 
-    void silent(String cell, Http.Answer answer, Estate other) {
+    void silent(String cell, TestHttpClient.Answer answer, OrganisationFixture other) {
         silent(cell, answer.raw().body(), other);
     }
 
-    void silent(String cell, String body, Estate other) {
+    void silent(String cell, String body, OrganisationFixture other) {
         if (body.contains(other.word() + "-")
                 || body.matches("(?s).*[\">]" + other.drone().id() + "[\"<].*")) {
             wrong.add(cell + ": " + body);
         }
     }
 
-    Http.Answer rest(Member caller, String operation, String thing) {
+    TestHttpClient.Answer rest(OrganisationMember caller, String operation, String thing) {
         return faces.rest(caller.http(), operation, values(operation, thing));
     }
 
@@ -119,7 +119,7 @@ abstract class ReachTrial {
     }
 
     /** The same call as {@link #rest} of the operation that it is there. */
-    String soap(Member caller, String operation, String thing) {
+    String soap(OrganisationMember caller, String operation, String thing) {
         return faces.soapAsRest(caller.http(), operation, values(faces.restOf(operation), thing))
                 .raw()
                 .body();
@@ -149,7 +149,7 @@ abstract class ReachTrial {
                 : own.thing(kind).orElseThrow();
     }
 
-    static Http.Answer put(Http http, String path, String body) {
+    static TestHttpClient.Answer put(TestHttpClient http, String path, String body) {
         return http.send(
                 path,
                 request -> request.header("Content-Type", "application/json")
@@ -164,14 +164,14 @@ abstract class ReachTrial {
 
     /** {@link #judge} of an answer of SOAP. */
     void judgeSoap(String cell, boolean promised, String answer) {
-        String wrongWith = Faces.wrong(answer);
+        String wrongWith = ExposedOperations.wrong(answer);
         boolean closed = wrongWith.matches("not-signed-in|forbidden");
         if (closed == promised || wrongWith.matches("unknown|internal") || answer.contains("Server</faultcode>")) {
             wrong.add(cell + ": " + answer);
         }
     }
 
-    void alikeInSoap(Member caller, String operation, String thing) {
+    void alikeInSoap(OrganisationMember caller, String operation, String thing) {
         String there = soap(caller, operation, thing);
         String absent = soap(caller, operation, ABSENT);
         if (!there.replace(thing, ABSENT).equals(absent)) {

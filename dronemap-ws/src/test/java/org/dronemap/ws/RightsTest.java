@@ -14,15 +14,15 @@ import java.util.regex.Pattern;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.RightsTable;
+import org.dronemap.ws.house.ExposedOperations;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.RightsTable.Caller;
+import org.dronemap.ws.house.RightsTable;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.StreamWords;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.StreamRequestSamples;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
@@ -36,11 +36,11 @@ class RightsTest {
     private static final Pattern ROLE_REFUSAL =
             Pattern.compile("Your role may .*|A planner may .*|Only an? .* may do this.*");
 
-    private final Map<Caller, Http> callers = new EnumMap<>(Caller.class);
+    private final Map<Caller, TestHttpClient> callers = new EnumMap<>(Caller.class);
     private final Map<Caller, String> keys = new EnumMap<>(Caller.class);
-    private TestHouse house;
+    private TestServer house;
     private ScriptedVehicle vehicle;
-    private Faces faces;
+    private ExposedOperations faces;
 
     @BeforeAll
     void open() {
@@ -49,9 +49,9 @@ class RightsTest {
         vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT16, 1500))));
         for (Caller caller : Caller.values()) {
             keys.put(caller, caller.key(house));
-            callers.put(caller, new Http(house, keys.get(caller)));
+            callers.put(caller, new TestHttpClient(house, keys.get(caller)));
         }
-        faces = new Faces(house);
+        faces = new ExposedOperations(house);
     }
 
     @Test
@@ -87,7 +87,7 @@ class RightsTest {
                 Map<String, String> bad = new LinkedHashMap<>();
                 faces.elements(operation).forEach(element -> bad.put(element.name(), "nosuchthing"));
                 bad.put("nosuchelement", "x");
-                String wrong = Faces.wrong(faces.soap(callers.get(caller), operation, bad));
+                String wrong = ExposedOperations.wrong(faces.soap(callers.get(caller), operation, bad));
                 if (!wrong.equals(caller == Caller.NOBODY ? "not-signed-in" : "forbidden")) {
                     differences.add(operation + " for " + caller + ": " + wrong);
                 }
@@ -123,7 +123,7 @@ class RightsTest {
 
     /** Of things that do not exist: whoever may is told so, whoever may not is told that instead. */
     private boolean mayCall(String operation, Caller caller) {
-        Http.Answer answer = faces.rest(callers.get(caller), operation, Map.of());
+        TestHttpClient.Answer answer = faces.rest(callers.get(caller), operation, Map.of());
         assertThat(answer.status()).as(operation + " for " + caller).isNotIn(400, 405, 415, 500);
         return answer.status() != 401 && answer.status() != 403;
     }
@@ -156,7 +156,7 @@ class RightsTest {
     private boolean mayCallSoap(String operation, Caller caller) {
         String answer =
                 faces.soapAsRest(callers.get(caller), operation, Map.of()).raw().body();
-        String wrong = Faces.wrong(answer);
+        String wrong = ExposedOperations.wrong(answer);
         assertThat(!wrong.isEmpty() || answer.contains(operation + "Response"))
                 .as(operation + " for " + caller + ": " + answer)
                 .isTrue();
@@ -166,7 +166,7 @@ class RightsTest {
 
     /** As the stream itself names them to who says something else. */
     private Set<String> streamOperations() {
-        try (StreamListener stream = StreamListener.withKey(house, keys.get(Caller.VIEWER))) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, keys.get(Caller.VIEWER))) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             stream.send("{\"type\":\"nosuchtype\"}");
             return words(stream.await(message -> message.path("type").asString().equals("error"))
@@ -182,14 +182,14 @@ class RightsTest {
         }
         Map<String, String> headers =
                 caller == Caller.NOBODY ? Map.of() : Map.of("Authorization", "Bearer " + keys.get(caller));
-        try (StreamListener stream = StreamListener.with(house, "", headers)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.with(house, "", headers)) {
             boolean inside = caller.compareTo(Caller.VIEWER) >= 0;
             if (inside) {
                 stream.await(message -> message.path("type").asString().equals("drones"));
             }
             // A reporter is shown out before saying anything.
             if (inside || caller == Caller.NOBODY) {
-                stream.send(StreamWords.about("nosuchdrone", type));
+                stream.send(StreamRequestSamples.about("nosuchdrone", type));
             }
             if (inside) {
                 // What has no answer of its own is followed by what has.
@@ -204,7 +204,7 @@ class RightsTest {
 
     /** Anybody may try a key. */
     private boolean isHeardOut(Caller caller) {
-        try (StreamListener stream = StreamListener.with(house, "", Map.of())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.with(house, "", Map.of())) {
             stream.send("{\"type\":\"authenticate\",\"key\":\"" + keys.get(caller) + "\"}");
             String answer = stream.await(message -> true).toString();
             return !answer.contains("Send {");
@@ -218,7 +218,7 @@ class RightsTest {
     }
 
     private boolean mayCommand(String type, Caller caller) {
-        Http.Answer answer = callers.get(caller)
+        TestHttpClient.Answer answer = callers.get(caller)
                 .post(
                         "/api/v1/drones/" + vehicle.id() + "/commands",
                         faces.commands().least(type).toString());

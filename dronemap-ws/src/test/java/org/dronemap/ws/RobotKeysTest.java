@@ -7,10 +7,10 @@ import java.net.http.HttpRequest;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -18,22 +18,22 @@ import org.junit.jupiter.api.Test;
 class RobotKeysTest {
     private static final String PATH = "/api/v1/robot-keys";
 
-    private static TestHouse house;
-    private static Http administrator;
+    private static TestServer house;
+    private static TestHttpClient administrator;
 
     @BeforeAll
     static void open() {
         house = SharedServer.get();
-        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        administrator = new TestHttpClient(house, house.key(Role.ADMINISTRATOR));
     }
 
-    private static int delete(Http http, String id) {
+    private static int delete(TestHttpClient http, String id) {
         return http.send(PATH + "/" + id, HttpRequest.Builder::DELETE).status();
     }
 
     @Test
     void showsAKeyOnceAndKeepsItsHashOnly() {
-        Http.Answer made = administrator.post(PATH, "{\"label\":\"Burger\",\"systemId\":7,\"owner\":\"26\"}");
+        TestHttpClient.Answer made = administrator.post(PATH, "{\"label\":\"Burger\",\"systemId\":7,\"owner\":\"26\"}");
         assertThat(made.status()).isEqualTo(201);
         String key = made.text("key");
         assertThat(key).startsWith("rk-").hasSizeBetween(40, 64);
@@ -55,9 +55,9 @@ class RobotKeysTest {
 
     @Test
     void aKeyThatIsReplacedOrRevokedIsVoidAndItsLinksEnd() {
-        Http.Answer first = administrator.post(PATH, "{\"label\":\"Turtle\",\"systemId\":8}");
+        TestHttpClient.Answer first = administrator.post(PATH, "{\"label\":\"Turtle\",\"systemId\":8}");
         String id = first.text("id");
-        Http.Answer second = administrator.post(PATH, "{\"drone\":\"" + id + "\"}");
+        TestHttpClient.Answer second = administrator.post(PATH, "{\"drone\":\"" + id + "\"}");
         assertThat(second.text("id")).isEqualTo(id);
         assertThat(second.text("label")).isEqualTo("Turtle");
         assertThat(house.robotKeys().find(first.text("key"))).isEmpty();
@@ -84,7 +84,7 @@ class RobotKeysTest {
             assertThat(administrator.post(PATH, body).status()).as(body).isEqualTo(422);
         }
         assertThat(administrator.post(PATH, "{\"drone\":\"nobody\"}").status()).isEqualTo(404);
-        Http supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        TestHttpClient supervisor = new TestHttpClient(house, house.key(Role.SUPERVISOR));
         assertThat(supervisor.get(PATH).status()).isEqualTo(403);
         assertThat(supervisor.post(PATH, "{\"label\":\"x\",\"systemId\":7}").status())
                 .isEqualTo(403);
@@ -125,7 +125,7 @@ class RobotKeysTest {
                 .post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
                 .text("id");
         OrganisationId theirs = new OrganisationId(organisation);
-        Http root = house.member(theirs, "their-root", Role.ADMINISTRATOR).http();
+        TestHttpClient root = house.member(theirs, "their-root", Role.ADMINISTRATOR).http();
 
         String own = root.post(PATH, "{\"label\":\"Rescuer\",\"systemId\":7}").text("id");
         String given = administrator

@@ -14,20 +14,20 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.lease.Lease;
 import org.dronemap.core.lease.LeaseEvent;
-import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.JournalReplay;
 import org.dronemap.core.operation.OperationId;
-import org.dronemap.core.operation.Replay;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.ImmediateCopter;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -40,23 +40,23 @@ class RunsTest {
     private static final double LONGITUDE = 8.5456;
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private String key;
-    private Http operator;
-    private WillingCopter falcon;
-    private WillingCopter heron;
+    private TestHttpClient operator;
+    private ImmediateCopter falcon;
+    private ImmediateCopter heron;
 
     @BeforeEach
     void open() {
         key = tenant.key(Role.OPERATOR);
-        operator = new Http(house, key);
+        operator = new TestHttpClient(house, key);
         falcon = copter("Falcon", LONGITUDE);
         heron = copter("Heron", LONGITUDE + 0.0008);
     }
 
-    private WillingCopter copter(String name, double longitude) {
+    private ImmediateCopter copter(String name, double longitude) {
         return tenant.copter(name, new Geodetic(LATITUDE, longitude)).wellHeard(house.cloud());
     }
 
@@ -70,12 +70,12 @@ class RunsTest {
         for (int i = 0; i < 4; i++) {
             waypoints.add(waypoint(i));
         }
-        Http.Answer asked = operator.post(
+        TestHttpClient.Answer asked = operator.post(
                 "/api/v1/plans",
                 "{\"drones\":[\"" + falcon.id() + "\",\"" + heron.id() + "\"],\"seconds\":0.1,\"waypoints\":["
                         + String.join(",", waypoints) + "]}");
         String id = asked.text("id");
-        Waiting.until(
+        ConditionWait.until(
                 "the plan is finished",
                 () -> Optional.of(operator.get("/api/v1/plans/" + id))
                         .filter(plan -> plan.text("state").equals("finished")));
@@ -83,7 +83,7 @@ class RunsTest {
     }
 
     private String start(String members) {
-        Http.Answer started = operator.post(PATH, "{\"plan\":\"" + planned() + "\"" + members + "}");
+        TestHttpClient.Answer started = operator.post(PATH, "{\"plan\":\"" + planned() + "\"" + members + "}");
         assertThat(started.status()).as(started.raw().body()).isEqualTo(201);
         String id = started.text("id");
         assertThat(started.raw().headers().firstValue("Location")).hasValue(PATH + "/" + id);
@@ -94,20 +94,20 @@ class RunsTest {
         return operator.get(PATH + "/" + id).json();
     }
 
-    private boolean isHeldByARun(WillingCopter copter) {
-        Tenure tenure =
+    private boolean isHeldByARun(ImmediateCopter copter) {
+        Lease tenure =
                 house.cloud().controls().control(new DroneId(copter.id())).tenure();
         return tenure != null && tenure.holder().words().startsWith("The mission run");
     }
 
-    private static Http.Answer patch(Http http, String path, String body) {
+    private static TestHttpClient.Answer patch(TestHttpClient http, String path, String body) {
         return http.send(
                 path,
                 request -> request.header("Content-Type", "application/json")
                         .method("PATCH", HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private static String detail(Http.Answer answer) {
+    private static String detail(TestHttpClient.Answer answer) {
         return answer.status() + " " + answer.text("field") + " " + answer.text("detail");
     }
 
@@ -136,7 +136,7 @@ class RunsTest {
                         .status())
                 .isEqualTo(200);
 
-        Http.Answer started = operator.post(PATH, "{\"plan\":\"" + plan + "\"}");
+        TestHttpClient.Answer started = operator.post(PATH, "{\"plan\":\"" + plan + "\"}");
 
         assertThat(started.status()).as(started.raw().body()).isEqualTo(201);
         assertThat(isHeldByARun(falcon)).isTrue();
@@ -149,7 +149,7 @@ class RunsTest {
         assertThat(detail(operator.post(run + "/drones/" + taken.value() + "/resume", "")))
                 .startsWith("409 ");
         house.cloud().controls().apply(taken, new LeaseEvent.PilotActed("changed the mode to LOITER"));
-        Waiting.until(
+        ConditionWait.until(
                 "the pilot has it",
                 () -> Optional.of(stage(run, taken)).filter(List.of("left", "suspended")::contains));
         assertThat(isHeldByARun(falcon)).isFalse();
@@ -158,7 +158,7 @@ class RunsTest {
                         .status())
                 .isEqualTo(200);
 
-        Waiting.until(
+        ConditionWait.until(
                 "the run has it again", () -> Optional.of(isHeldByARun(falcon)).filter(Boolean::booleanValue));
     }
 
@@ -174,10 +174,10 @@ class RunsTest {
     @Test
     void doNotBeginWhileSomebodyElseHasOneOfTheDrones() {
         String plan = planned();
-        Http another = tenant.http(Role.OPERATOR);
+        TestHttpClient another = tenant.http(Role.OPERATOR);
         another.post("/api/v1/drones/" + heron.id() + "/control/take", "");
 
-        Http.Answer refused = operator.post(PATH, "{\"plan\":\"" + plan + "\"}");
+        TestHttpClient.Answer refused = operator.post(PATH, "{\"plan\":\"" + plan + "\"}");
 
         assertThat(detail(refused)).startsWith("409 ").contains("has had control of it since");
         assertThat(refused.text("code")).isEqualTo("control-held");
@@ -221,7 +221,7 @@ class RunsTest {
         String zone = "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[" + LONGITUDE + ","
                 + (LATITUDE + 0.003) + "]},\"properties\":{\"name\":\"Crane\",\"radius\":20}}";
         tenant.http(Role.SUPERVISOR).post("/api/v1/zones", zone);
-        Waiting.until(
+        ConditionWait.until(
                 "the run has heard of it",
                 () -> Optional.of(run(id).toString())
                         .filter(run -> run.contains("added the no-fly zone “Crane”, which drones keep to")));
@@ -232,8 +232,8 @@ class RunsTest {
     void areThereForTheirOrganisationAlone() {
         String id = start("");
         OrganisationId others = new OrganisationId("others");
-        Http supervisor = tenant.http(Role.SUPERVISOR);
-        Http stranger =
+        TestHttpClient supervisor = tenant.http(Role.SUPERVISOR);
+        TestHttpClient stranger =
                 house.member(others, tenant.unique("stranger"), Role.SUPERVISOR).http();
 
         assertThat(supervisor.get(PATH + "/" + id).status()).isEqualTo(200);
@@ -295,9 +295,9 @@ class RunsTest {
 
     @Test
     void areToldOnTheStreamToWhoMaySeeThem() {
-        Member stranger = house.member(new OrganisationId("others"), tenant.unique("stranger"), Role.SUPERVISOR);
-        try (StreamListener mine = StreamListener.withKey(house, key);
-                StreamListener theirs = StreamListener.withKey(house, stranger.key())) {
+        OrganisationMember stranger = house.member(new OrganisationId("others"), tenant.unique("stranger"), Role.SUPERVISOR);
+        try (RecordingStreamClient mine = RecordingStreamClient.withKey(house, key);
+                RecordingStreamClient theirs = RecordingStreamClient.withKey(house, stranger.key())) {
             mine.await(message -> isOf(message, "drones"));
             theirs.await(message -> isOf(message, "drones"));
 
@@ -305,7 +305,7 @@ class RunsTest {
 
             JsonNode told = mine.await(message -> isOf(message, "run")).path("run");
             assertThat(told.path("id").asString()).isEqualTo(id);
-            try (StreamListener later = StreamListener.withKey(house, key)) {
+            try (RecordingStreamClient later = RecordingStreamClient.withKey(house, key)) {
                 assertThat(later.await(message -> isOf(message, "run"))
                                 .path("run")
                                 .path("id")
@@ -324,15 +324,15 @@ class RunsTest {
         return message.path("type").asString().equals(type);
     }
 
-    private static List<String> kinds(WillingCopter copter) {
+    private static List<String> kinds(ImmediateCopter copter) {
         return copter.performed().stream()
                 .map(command -> command.getClass().getSimpleName())
                 .toList();
     }
 
     /** Its whole mission, once it was started, and down. */
-    private static void fly(WillingCopter copter) {
-        Waiting.until("it is started", () -> Optional.of(kinds(copter)).filter(all -> all.contains("StartMission")));
+    private static void fly(ImmediateCopter copter) {
+        ConditionWait.until("it is started", () -> Optional.of(kinds(copter)).filter(all -> all.contains("StartMission")));
         int items = copter.performed().stream()
                 .filter(Command.UploadMission.class::isInstance)
                 .map(Command.UploadMission.class::cast)
@@ -348,7 +348,7 @@ class RunsTest {
     }
 
     private JsonNode over(String id) {
-        return Waiting.until(
+        return ConditionWait.until(
                 "the run is over",
                 () -> Optional.of(run(id))
                         .filter(run -> run.path("state").asString().equals("over")));
@@ -389,9 +389,9 @@ class RunsTest {
         String changed = last.decision().substring(0, last.decision().length() - 3) + other;
         journal.set(journal.size() - 1, new JournalEntry(last.number(), last.at(), last.input(), changed));
 
-        Replay<RunState, RunInput> replay = new Replay<>(house.runs().kind());
+        JournalReplay<RunState, RunInput> replay = new JournalReplay<>(house.runs().kind());
         replay.take(journal);
 
-        assertThat(replay.difference()).contains(new Replay.Difference(last.number(), changed, last.decision()));
+        assertThat(replay.difference()).contains(new JournalReplay.Difference(last.number(), changed, last.decision()));
     }
 }

@@ -9,10 +9,10 @@ import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
@@ -25,7 +25,7 @@ class SameProblemTest {
     private static final String COMMAND = "command";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
     private final ScriptedVehicle vehicle = tenant.vehicle();
 
@@ -98,7 +98,7 @@ class SameProblemTest {
     @Test
     void isToldOfWhatTheGateRefuses() {
         String key = tenant.key(Role.OPERATOR);
-        Http http = new Http(tenant.server(), key);
+        TestHttpClient http = new TestHttpClient(tenant.server(), key);
         String command = "{\"type\":\"setMode\",\"mode\":\"SPIRAL\"}";
 
         JsonNode rest = http.post("/api/v1/drones/" + vehicle.id() + "/commands", command)
@@ -118,34 +118,34 @@ class SameProblemTest {
 
     @Test
     void isToldOfControlThatAnotherUserHas() {
-        Http holder = tenant.http(Role.OPERATOR);
+        TestHttpClient holder = tenant.http(Role.OPERATOR);
         assertThat(holder.post("/api/v1/drones/" + vehicle.id() + "/control/take", "{}")
                         .status())
                 .isEqualTo(200);
         String key = tenant.key(Role.OPERATOR);
 
-        Told rest = overRest(new Http(tenant.server(), key), vehicle.id(), "{\"type\":\"arm\"}");
+        Told rest = overRest(new TestHttpClient(tenant.server(), key), vehicle.id(), "{\"type\":\"arm\"}");
 
         assertThat(rest.code()).isEqualTo("control-held");
         assertThat(rest.parameters()).containsOnlyKeys("drone", "holder", "heldSince");
         assertThat(onTheStream(key, vehicle.id(), "{\"type\":\"arm\"}")).isEqualTo(rest);
-        assertThat(answer(new Http(tenant.server(), key), vehicle.id(), "<w:arm>%s</w:arm>"))
+        assertThat(answer(new TestHttpClient(tenant.server(), key), vehicle.id(), "<w:arm>%s</w:arm>"))
                 .contains("<code>control-held</code>");
     }
 
     private Told toldByAll(Role role, String drone, String command, String operation) {
         String key = tenant.key(role);
-        Told rest = overRest(new Http(tenant.server(), key), drone, command);
-        assertThat(overSoap(new Http(tenant.server(), key), drone, operation)).isEqualTo(rest);
+        Told rest = overRest(new TestHttpClient(tenant.server(), key), drone, command);
+        assertThat(overSoap(new TestHttpClient(tenant.server(), key), drone, operation)).isEqualTo(rest);
         assertThat(onTheStream(key, drone, command)).isEqualTo(rest);
         return rest;
     }
 
-    private static Told overRest(Http http, String drone, String command) {
+    private static Told overRest(TestHttpClient http, String drone, String command) {
         return told(http.post("/api/v1/drones/" + drone + "/commands", command).json());
     }
 
-    private static String answer(Http http, String drone, String operation) {
+    private static String answer(TestHttpClient http, String drone, String operation) {
         String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
                 + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body>"
                 + operation.formatted("<droneId>" + drone + "</droneId>") + "</s:Body></s:Envelope>";
@@ -157,7 +157,7 @@ class SameProblemTest {
                 .body();
     }
 
-    private static Told overSoap(Http http, String drone, String operation) {
+    private static Told overSoap(TestHttpClient http, String drone, String operation) {
         String fault = answer(http, drone, operation);
         Map<String, String> parameters = new TreeMap<>();
         PARAMETER.matcher(fault).results().forEach(found -> put(parameters, found));
@@ -177,7 +177,7 @@ class SameProblemTest {
     }
 
     private Told onTheStream(String key, String drone, String command) {
-        try (StreamListener stream = StreamListener.withKey(tenant.server(), key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(tenant.server(), key)) {
             stream.await(message -> message.path("type").asString("").equals("hello"));
             stream.send("{\"type\":\"command\",\"requestId\":\"r1\",\"drone\":\"" + drone + "\",\"command\":" + command
                     + "}");

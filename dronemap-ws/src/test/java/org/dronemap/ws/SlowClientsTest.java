@@ -9,14 +9,14 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.awaitility.Awaitility;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.budget.Rates;
+import org.dronemap.ws.budget.BudgetRates;
 import org.dronemap.ws.guard.ClientLimits;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.RawClient;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.settings.ServerSettings;
 import org.dronemap.ws.wiring.StreamPort;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -34,18 +34,18 @@ class SlowClientsTest {
     private static final String UPGRADE = "GET /stream HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\n"
             + "Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n";
 
-    private TestHouse house;
+    private TestServer house;
     private ScriptedVehicle vehicle;
     private String key;
-    private Http other;
+    private TestHttpClient other;
 
     @BeforeAll
     void open(@TempDir Path data) {
         ClientLimits limits = new ClientLimits(CONNECTIONS, REQUESTS, Duration.ofSeconds(1));
-        house = new TestHouse(data, TestHouse.Choices.protectedBy(new Settings.Protection(limits, Rates.UNBOUNDED)));
+        house = new TestServer(data, TestServer.Options.protectedBy(new ServerSettings.Protection(limits, BudgetRates.UNBOUNDED)));
         vehicle = ScriptedVehicle.connect(house.cloud(), 15_700);
         key = house.key(Role.OPERATOR);
-        other = new Http(house, key);
+        other = new TestHttpClient(house, key);
     }
 
     @AfterAll
@@ -118,7 +118,7 @@ class SlowClientsTest {
                     .atMost(LONG_ENOUGH)
                     .pollInterval(Duration.ofMillis(100))
                     .until(() -> stillThere(slow), List::isEmpty);
-            try (StreamListener listener = StreamListener.withKey(house, key)) {
+            try (RecordingStreamClient listener = RecordingStreamClient.withKey(house, key)) {
                 listener.await(message -> message.path("type").asString().equals("drones"));
             }
         } finally {
@@ -187,7 +187,7 @@ class SlowClientsTest {
                 .atMost(LONG_ENOUGH)
                 .ignoreExceptions()
                 .until(() -> {
-                    try (StreamListener listener = StreamListener.withKey(house, key)) {
+                    try (RecordingStreamClient listener = RecordingStreamClient.withKey(house, key)) {
                         listener.await(
                                 message -> message.path("type").asString().equals("drones"));
                         return true;
@@ -202,7 +202,7 @@ class SlowClientsTest {
                 CLIENTS,
                 "POST /api/v1/session HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
                         + "Content-Length: 60000\r\n\r\n{");
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             stream.send("{\"type\":\"command\",\"requestId\":\"r\",\"drone\":\"" + vehicle.id()
                     + "\",\"command\":{\"type\":\"setMode\",\"mode\":\"GUIDED\"}}");

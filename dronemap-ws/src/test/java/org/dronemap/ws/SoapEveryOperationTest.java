@@ -11,13 +11,13 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ExposedOperations;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.SoapOperations;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -35,20 +35,20 @@ class SoapEveryOperationTest {
     private static final Map<String, String> TYPE_OF = Map.of("takeoff", "takeOff", "goto", "goTo");
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
-    private final Faces faces = new Faces(house);
+    private final TestServer house = tenant.server();
+    private final ExposedOperations faces = new ExposedOperations(house);
     private final SoapOperations operations = new SoapOperations(house);
     private String key;
-    private Http administrator;
+    private TestHttpClient administrator;
     private SoapClient soap;
     private JsonNode description;
 
     @BeforeAll
     void open() {
         key = tenant.key(Role.ADMINISTRATOR);
-        administrator = new Http(house, key);
+        administrator = new TestHttpClient(house, key);
         soap = SoapClient.withKey(house, key);
         description = administrator.get("/api/openapi.json").json();
     }
@@ -82,11 +82,11 @@ class SoapEveryOperationTest {
 
     @Test
     void turnsAStrangerAwayAsRestDoes() {
-        Http nobody = new Http(house, "");
+        TestHttpClient nobody = new TestHttpClient(house, "");
         List<String> wrong = new ArrayList<>();
         for (String operation : faces.soap()) {
             String bySoap = faces.soapAsRest(nobody, operation, Map.of()).raw().body();
-            Http.Answer byRest = faces.rest(nobody, faces.restOf(operation), Map.of());
+            TestHttpClient.Answer byRest = faces.rest(nobody, faces.restOf(operation), Map.of());
             boolean same = byRest.status() < 400
                     ? bySoap.contains(operation + "Response")
                     : bySoap.contains("<status>" + byRest.status() + "</status>")
@@ -113,8 +113,8 @@ class SoapEveryOperationTest {
                             .append(">1</")
                             .append(element.name())
                             .append(">"));
-            Http.Answer eleven = version(SOAP_11, operation, elements.toString());
-            Http.Answer twelve = version(SOAP_12, operation, elements.toString());
+            TestHttpClient.Answer eleven = version(SOAP_11, operation, elements.toString());
+            TestHttpClient.Answer twelve = version(SOAP_12, operation, elements.toString());
             String sentence = sentence(eleven);
             if (!eleven.raw().body().contains("<code>member-unknown</code>")
                     || !sentence.equals(
@@ -122,7 +122,7 @@ class SoapEveryOperationTest {
                 wrong.add(operation + ": " + eleven.raw().body());
             }
             if (hasBody(rest)) {
-                Http.Answer byRest = byRest(rest, operation);
+                TestHttpClient.Answer byRest = byRest(rest, operation);
                 compared++;
                 String code = byRest.text("code");
                 boolean sameCode = eleven.raw().body().contains("<code>" + code + "</code>");
@@ -160,7 +160,7 @@ class SoapEveryOperationTest {
                 .has("$ref");
     }
 
-    private Http.Answer byRest(String rest, String operation) {
+    private TestHttpClient.Answer byRest(String rest, String operation) {
         String[] words = rest.split(" ");
         String type = rest.equals(COMMANDS) ? "\"type\":\"" + TYPE_OF.getOrDefault(operation, operation) + "\"," : "";
         return administrator.send(
@@ -169,7 +169,7 @@ class SoapEveryOperationTest {
                         .method(words[0], HttpRequest.BodyPublishers.ofString("{" + type + "\"nosuchmember\":\"x\"}")));
     }
 
-    private Http.Answer version(String version, String operation, String elements) {
+    private TestHttpClient.Answer version(String version, String operation, String elements) {
         String envelope = SoapClient.envelope("", "<w:" + operation + ">" + elements + "</w:" + operation + ">")
                 .replace(SOAP_11, version);
         return administrator.send(
@@ -178,7 +178,7 @@ class SoapEveryOperationTest {
                         .POST(HttpRequest.BodyPublishers.ofString(envelope)));
     }
 
-    private static String sentence(Http.Answer answer) {
+    private static String sentence(TestHttpClient.Answer answer) {
         return answer.raw()
                 .body()
                 .replaceFirst("(?s).*<status>\\d+</status><detail>(.*?)</detail>.*", "$1")
@@ -193,10 +193,10 @@ class SoapEveryOperationTest {
         ScriptedVehicle vehicle = tenant.vehicle();
         String label = "\"label\":\"a key\"";
         for (String body : List.of("{" + label + "}", "{" + label + ",\"drones\":null}")) {
-            Http.Answer made = administrator.post("/api/v1/access-keys", body);
+            TestHttpClient.Answer made = administrator.post("/api/v1/access-keys", body);
             assertThat(made.json().path("drones").isNull()).as(body).isTrue();
         }
-        Http.Answer none = administrator.post("/api/v1/access-keys", "{" + label + ",\"drones\":[]}");
+        TestHttpClient.Answer none = administrator.post("/api/v1/access-keys", "{" + label + ",\"drones\":[]}");
 
         assertThat(soap.call("makeAccessKey", "label", "a key").texts("drones")).isEmpty();
         assertThat(soap.call("makeAccessKey", "label", "a key", "drones", SoapClient.NIL)
@@ -213,14 +213,14 @@ class SoapEveryOperationTest {
         String name = tenant.member("ann", Role.OPERATOR).name();
         String grant = "\"user\":\"" + name + "\",\"operations\":[\"view\"]";
         for (String drones : List.of("", ",\"drones\":[]", ",\"drones\":null")) {
-            Http.Answer byRest = administrator.post("/api/v1/grants", "{" + grant + drones + "}");
+            TestHttpClient.Answer byRest = administrator.post("/api/v1/grants", "{" + grant + drones + "}");
             Object value = drones.isEmpty() ? null : drones.endsWith("null") ? SoapClient.NIL : List.of();
             asRest(byRest, "drones", "addGrant", "user", name, "operations", List.of("view"), "drones", value);
         }
     }
 
     /** The same sentence, or the same list. */
-    private void asRest(Http.Answer byRest, String list, String operation, Object... namesAndValues) {
+    private void asRest(TestHttpClient.Answer byRest, String list, String operation, Object... namesAndValues) {
         if (byRest.status() >= 400) {
             SoapClient.Refused refused =
                     catchThrowableOfType(SoapClient.Refused.class, () -> soap.call(operation, namesAndValues));
@@ -262,11 +262,11 @@ class SoapEveryOperationTest {
     void doesNothingForACallThatIsNotWhatTheSchemaSays(String elements) {
         ScriptedVehicle vehicle = tenant.vehicle();
 
-        Http.Answer answer = version(SOAP_11, "takeoff", elements.replace("ID", vehicle.id()));
+        TestHttpClient.Answer answer = version(SOAP_11, "takeoff", elements.replace("ID", vehicle.id()));
 
         assertThat(answer.status()).isEqualTo(500);
         assertThat(answer.raw().body()).containsPattern("<faultcode>\\w+:Client</faultcode>");
-        assertThat(Faces.wrong(answer.raw().body())).isIn("invalid-value", "malformed");
+        assertThat(ExposedOperations.wrong(answer.raw().body())).isIn("invalid-value", "malformed");
         assertThat(vehicle.performed()).isEmpty();
     }
 
@@ -274,7 +274,7 @@ class SoapEveryOperationTest {
     void refusesXmlThatIsTooDeepInBothVersions() {
         String deep = "<droneId>" + "<a>".repeat(100) + "</a>".repeat(100) + "</droneId>";
         for (String version : List.of(SOAP_11, SOAP_12)) {
-            Http.Answer answer = version(version, "getDrone", deep);
+            TestHttpClient.Answer answer = version(version, "getDrone", deep);
 
             assertThat(answer.raw().body())
                     .contains(version, "This XML has more elements, or deeper ones, than are allowed here.");

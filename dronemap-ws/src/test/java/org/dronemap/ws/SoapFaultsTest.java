@@ -6,12 +6,12 @@ import java.net.http.HttpRequest;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ExposedOperations;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -27,11 +27,11 @@ class SoapFaultsTest {
     private static final String OF_THE_CALLER = "<faultcode>\\w+:Client</faultcode>";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle vehicle;
-    private Http operator;
+    private TestHttpClient operator;
 
     @BeforeAll
     void open() {
@@ -39,7 +39,7 @@ class SoapFaultsTest {
         operator = tenant.http(Role.OPERATOR);
     }
 
-    private static Http.Answer call(Http caller, String operation) {
+    private static TestHttpClient.Answer call(TestHttpClient caller, String operation) {
         return caller.send(
                 CONTROLLER,
                 request -> request.header("Content-Type", "text/xml")
@@ -47,7 +47,7 @@ class SoapFaultsTest {
     }
 
     private String fault(String operation) {
-        Http.Answer answer = call(operator, operation);
+        TestHttpClient.Answer answer = call(operator, operation);
         assertThat(answer.status()).isEqualTo(500);
         return answer.raw().body();
     }
@@ -56,7 +56,7 @@ class SoapFaultsTest {
     void isTheCallersForABadValueAStrangerAndAnUnknownDrone() {
         String badValue = fault("<w:goto><droneId>" + vehicle.id()
                 + "</droneId><latitude>95</latitude><longitude>8</longitude><altitude>20</altitude></w:goto>");
-        String stranger = call(new Http(house, ""), "<w:getDronesList/>").raw().body();
+        String stranger = call(new TestHttpClient(house, ""), "<w:getDronesList/>").raw().body();
         String unknown = fault("<w:land><droneId>nosuchdrone</droneId></w:land>");
 
         assertThat(badValue)
@@ -143,9 +143,9 @@ class SoapFaultsTest {
 
     @Test
     void isNeverTheServersForACallWithoutElements() {
-        Faces faces = new Faces(house);
+        ExposedOperations faces = new ExposedOperations(house);
         for (String operation : faces.soap()) {
-            Http.Answer answer = faces.call(operator, operation, "");
+            TestHttpClient.Answer answer = faces.call(operator, operation, "");
             if (answer.status() == 500) {
                 assertThat(answer.raw().body())
                         .as(operation)
@@ -182,7 +182,7 @@ class SoapFaultsTest {
         String envelope = SoapClient.envelope(
                 "<w:accessKey>" + tenant.key(Role.VIEWER) + "</w:accessKey>",
                 "<w:getDrone><droneId>" + vehicle.id() + "</droneId></w:getDrone>");
-        Http.Answer answer = new Http(house, "")
+        TestHttpClient.Answer answer = new TestHttpClient(house, "")
                 .send(
                         CONTROLLER,
                         request -> request.header("Content-Type", "text/xml")

@@ -9,20 +9,20 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.command.Setpoint.Frame;
 import org.dronemap.core.command.Setpoint.Velocity;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -36,19 +36,19 @@ class SteeringTest {
     private static final String TURN = "\"velocity\":{\"turn\":10}";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle vehicle;
-    private Member root;
-    private Member ann;
+    private OrganisationMember root;
+    private OrganisationMember ann;
 
     @BeforeEach
     void open() {
         vehicle = tenant.vehicle();
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
-        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
-        Waiting.until(
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", true));
+        vehicle.says(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
+        ConditionWait.until(
                 "it flies", () -> state().filter(drone -> drone.airborne() && Boolean.TRUE.equals(drone.armed())));
         root = tenant.member("root", Role.ADMINISTRATOR);
         ann = tenant.member("ann", Role.OPERATOR);
@@ -60,7 +60,7 @@ class SteeringTest {
 
     @Test
     void steersAndStandsWhenHandsAreTakenOff() {
-        try (StreamListener stream = entered(tenant.key(Role.OPERATOR))) {
+        try (RecordingStreamClient stream = entered(tenant.key(Role.OPERATOR))) {
             steer(stream, "\"velocity\":{\"frame\":\"vehicle\",\"forward\":2,\"right\":-1,\"down\":0.5,\"turn\":20}");
             awaitSaid(said -> said.contains(new Velocity(Frame.VEHICLE, 2, -1, 0.5, new Facing.Turning(20))));
             stream.send("{\"type\":\"letGo\",\"drone\":\"" + vehicle.id() + "\"}");
@@ -74,8 +74,8 @@ class SteeringTest {
 
     @Test
     void standsWhenTheConnectionEndsLongBeforeSetpointsExpire() {
-        try (StreamListener others = entered(tenant.key(Role.VIEWER))) {
-            try (StreamListener stream = entered(tenant.key(Role.OPERATOR))) {
+        try (RecordingStreamClient others = entered(tenant.key(Role.VIEWER))) {
+            try (RecordingStreamClient stream = entered(tenant.key(Role.OPERATOR))) {
                 steer(stream, TURN);
                 awaitSaid(said -> said.contains(ROUND));
             }
@@ -88,7 +88,7 @@ class SteeringTest {
     @Test
     void whoIsDisabledInTheMiddleOfATurnSteersNoMoreAndHasNoControl() {
         for (int times = 0; times < 5; times++) {
-            try (StreamListener stream = entered(ann.key())) {
+            try (RecordingStreamClient stream = entered(ann.key())) {
                 steer(stream, TURN);
                 awaitSaid(said -> said.contains(ROUND));
                 CompletableFuture<Integer> disabled = CompletableFuture.supplyAsync(() -> state("disabled"));
@@ -116,7 +116,7 @@ class SteeringTest {
                         "{\"user\":\"" + ann.name() + "\",\"drones\":[\"" + vehicle.id()
                                 + "\"],\"operations\":[\"command\"]}")
                 .text("id");
-        try (StreamListener stream = entered(ann.key())) {
+        try (RecordingStreamClient stream = entered(ann.key())) {
             steer(stream, TURN);
             awaitSaid(said -> said.contains(ROUND));
             call("DELETE", "/api/v1/grants/" + grant, "");
@@ -129,7 +129,7 @@ class SteeringTest {
         }
     }
 
-    private void steerUntilClosed(StreamListener stream) {
+    private void steerUntilClosed(RecordingStreamClient stream) {
         while (true) {
             try {
                 steer(stream, TURN);
@@ -154,9 +154,9 @@ class SteeringTest {
 
     @Test
     void isToldOnceASecondWhyNothingIsSteered() {
-        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
-        Waiting.until("it has landed", () -> state().filter(drone -> !drone.airborne()));
-        try (StreamListener stream = entered(tenant.key(Role.OPERATOR))) {
+        vehicle.says(new DroneEvent.PhaseReported(FlightPhase.ON_GROUND));
+        ConditionWait.until("it has landed", () -> state().filter(drone -> !drone.airborne()));
+        try (RecordingStreamClient stream = entered(tenant.key(Role.OPERATOR))) {
             long began = System.nanoTime();
             for (int times = 0; times < 20; times++) {
                 steer(stream, TURN);
@@ -172,7 +172,7 @@ class SteeringTest {
             assertThat(errors).hasSizeBetween(1, 2 + seconds);
             assertThat(errors.get(0).path("problem").path("detail").asString()).isEqualTo("Take off first.");
             assertThat(vehicle.setpoints()).isEmpty();
-            Waiting.until(
+            ConditionWait.until(
                     "it is written down once", () -> Optional.of(records()).filter(count -> count == 1));
         }
     }
@@ -186,7 +186,7 @@ class SteeringTest {
 
     @Test
     void takesNoSpeedThatIsNoneAndNoStickThatIsOne() {
-        try (StreamListener stream = entered(tenant.key(Role.OPERATOR))) {
+        try (RecordingStreamClient stream = entered(tenant.key(Role.OPERATOR))) {
             for (String wrong : List.of(
                     "\"epoch\":1",
                     "\"velocity\":{},\"sticks\":{}",
@@ -196,7 +196,7 @@ class SteeringTest {
                     "\"sticks\":{\"up\":1.5}")) {
                 int before = errors(stream);
                 steer(stream, wrong);
-                Waiting.until(wrong, () -> Optional.of(errors(stream)).filter(count -> count > before));
+                ConditionWait.until(wrong, () -> Optional.of(errors(stream)).filter(count -> count > before));
             }
             steer(stream, "\"sticks\":{\"forward\":0.5,\"turn\":-1}");
             awaitSaid(said -> said.contains(new Setpoint.Sticks(0.5, 0, 0, -1)));
@@ -205,7 +205,7 @@ class SteeringTest {
 
     @Test
     void anEpochThatIsOverSteersNothing() {
-        try (StreamListener stream = entered(tenant.key(Role.OPERATOR))) {
+        try (RecordingStreamClient stream = entered(tenant.key(Role.OPERATOR))) {
             steer(stream, TURN + ",\"epoch\":1");
             JsonNode error =
                     stream.await(message -> message.path("type").asString().equals("error"));
@@ -214,7 +214,7 @@ class SteeringTest {
         }
     }
 
-    private static int errors(StreamListener stream) {
+    private static int errors(RecordingStreamClient stream) {
         return (int) stream.heard().stream()
                 .filter(message -> message.path("type").asString().equals("error"))
                 .count();
@@ -227,18 +227,18 @@ class SteeringTest {
         return turn ? command.path("outcome").path("result").asString("") : "";
     }
 
-    private StreamListener entered(String key) {
-        StreamListener stream = StreamListener.withKey(house, key);
+    private RecordingStreamClient entered(String key) {
+        RecordingStreamClient stream = RecordingStreamClient.withKey(house, key);
         stream.await(message -> message.path("type").asString().equals("drones"));
         return stream;
     }
 
-    private void steer(StreamListener stream, String how) {
+    private void steer(RecordingStreamClient stream, String how) {
         stream.send("{\"type\":\"steer\",\"drone\":\"" + vehicle.id() + "\"," + how + "}");
     }
 
     private void awaitSaid(Predicate<List<Setpoint>> wanted) {
-        Waiting.until(
+        ConditionWait.until(
                 "the vehicle is told", () -> Optional.of(vehicle.setpoints()).filter(wanted));
     }
 }

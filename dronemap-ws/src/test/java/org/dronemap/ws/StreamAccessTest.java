@@ -7,10 +7,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.StreamWords;
-import org.dronemap.ws.house.Tenant;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.StreamRequestSamples;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,11 +29,11 @@ class StreamAccessTest {
             control("takeOver"), "POST /api/v1/drones/nosuchdrone/control/take-over",
             control("heartbeat"), "POST /api/v1/drones/nosuchdrone/control/heartbeat",
             control("release"), "DELETE /api/v1/drones/nosuchdrone/control",
-            StreamWords.about("nosuchdrone", "command"), "POST /api/v1/drones/nosuchdrone/commands",
-            StreamWords.about("nosuchdrone", "positions"), "POST /api/v1/follows/nosuchfollow/positions");
+            StreamRequestSamples.about("nosuchdrone", "command"), "POST /api/v1/drones/nosuchdrone/commands",
+            StreamRequestSamples.about("nosuchdrone", "positions"), "POST /api/v1/follows/nosuchfollow/positions");
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
     private static String control(String action) {
         return "{\"type\":\"control\",\"drone\":\"nosuchdrone\",\"action\":\"" + action + "\"}";
@@ -52,16 +52,16 @@ class StreamAccessTest {
             names = {"VIEWER", "PLANNER", "OPERATOR", "SUPERVISOR", "ADMINISTRATOR"})
     void isJudgedAsByRest(Role role) {
         String key = tenant.key(role);
-        Http rest = new Http(tenant.server(), key);
+        TestHttpClient rest = new TestHttpClient(tenant.server(), key);
         List<String> differences = new ArrayList<>();
-        try (StreamListener stream = StreamListener.withKey(tenant.server(), key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(tenant.server(), key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             SAME.forEach((said, operation) -> {
                 stream.send(said.replaceFirst("\\{", "{\"requestId\":\"" + operation + "\","));
                 JsonNode problem = stream.await(message ->
                                 message.path("requestId").asString("").equals(operation))
                         .path("problem");
-                Http.Answer answer = answer(rest, operation, body(said));
+                TestHttpClient.Answer answer = answer(rest, operation, body(said));
                 if (answer.status() != problem.path("status").asInt()
                         || !answer.text("detail").equals(problem.path("detail").asString())) {
                     differences.add(operation + ": " + answer.status() + ", but on the stream " + problem);
@@ -72,14 +72,14 @@ class StreamAccessTest {
         assertThat(differences).isEmpty();
     }
 
-    private static Http.Answer answer(Http rest, String operation, String body) {
+    private static TestHttpClient.Answer answer(TestHttpClient rest, String operation, String body) {
         String[] words = operation.split(" ");
         return words[0].equals("DELETE") ? rest.send(words[1], HttpRequest.Builder::DELETE) : rest.post(words[1], body);
     }
 
     @Test
     void anActionThatThereIsNotIsNamed() {
-        try (StreamListener stream = StreamListener.withKey(tenant.server(), tenant.key(Role.OPERATOR))) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(tenant.server(), tenant.key(Role.OPERATOR))) {
             stream.send(control("steal"));
             JsonNode problem = stream.await(
                             message -> message.path("type").asString().equals("error"))

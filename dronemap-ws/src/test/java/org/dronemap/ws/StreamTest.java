@@ -20,12 +20,12 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.dronemap.ws.stream.StreamFace;
 import org.dronemap.ws.wiring.StreamPort;
 import org.junit.jupiter.api.AutoClose;
@@ -35,9 +35,9 @@ import tools.jackson.databind.JsonNode;
 
 class StreamTest {
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle vehicle;
     private String key;
 
@@ -49,7 +49,7 @@ class StreamTest {
 
     @Test
     void greetsAndListsAllDronesFirst() {
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             JsonNode list = stream.await(message -> isType(message, "drones"));
 
             assertThat(stream.heard().get(0).path("type").asString()).isEqualTo("hello");
@@ -60,10 +60,10 @@ class StreamTest {
 
     @Test
     void sendsTheNewestStateAndNotEveryOne() {
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.await(message -> isType(message, "drones"));
             for (int percent = 1; percent <= 100; percent++) {
-                vehicle.says(new DroneEvent.BatteryHeard(new Battery(percent, null, null)));
+                vehicle.says(new DroneEvent.BatteryReported(new Battery(percent, null, null)));
             }
 
             stream.await(message -> percent(message) == 100);
@@ -77,7 +77,7 @@ class StreamTest {
 
     @Test
     void refusesARateThatNobodyCanDraw() {
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.await(message -> isType(message, "drones"));
             stream.send("{\"type\":\"subscribe\",\"rate\":51,\"requestId\":\"r\"}");
             JsonNode answer = stream.await(message -> isType(message, "error"));
@@ -88,7 +88,7 @@ class StreamTest {
 
     @Test
     void refusesToFollowADroneThatIsNone() {
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.await(message -> isType(message, "drones"));
             stream.send("{\"type\":\"subscribe\",\"drones\":[null],\"requestId\":\"r\"}");
             JsonNode answer = stream.await(message -> isType(message, "error"));
@@ -98,10 +98,10 @@ class StreamTest {
 
     @Test
     void takesATicketOnce() {
-        String ticket = new Http(house, key).post("/api/v1/stream-tickets", "").text("ticket");
+        String ticket = new TestHttpClient(house, key).post("/api/v1/stream-tickets", "").text("ticket");
 
-        try (StreamListener first = StreamListener.with(house, "?ticket=" + ticket, Map.of());
-                StreamListener second = StreamListener.with(house, "?ticket=" + ticket, Map.of())) {
+        try (RecordingStreamClient first = RecordingStreamClient.with(house, "?ticket=" + ticket, Map.of());
+                RecordingStreamClient second = RecordingStreamClient.with(house, "?ticket=" + ticket, Map.of())) {
             first.await(message -> isType(message, "drones"));
             assertThat(second.awaitClose()).contains("ticket was used already");
         }
@@ -109,7 +109,7 @@ class StreamTest {
 
     @Test
     void takesAKeyAsFirstMessage() {
-        try (StreamListener stream = StreamListener.with(house, "", Map.of())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.with(house, "", Map.of())) {
             stream.send("{\"type\":\"authenticate\",\"key\":\"" + key + "\"}");
 
             assertThat(stream.await(message -> isType(message, "hello"))
@@ -121,7 +121,7 @@ class StreamTest {
 
     @Test
     void turnsAPageOfAnotherSiteAway() {
-        try (StreamListener stream = StreamListener.with(
+        try (RecordingStreamClient stream = RecordingStreamClient.with(
                 house, "", Map.of("Authorization", "Bearer " + key, "Origin", "https://evil.example"))) {
             assertThat(stream.awaitClose()).contains("only pages of its own host");
         }
@@ -129,7 +129,7 @@ class StreamTest {
 
     @Test
     void commandsAndTellsEveryPhase() {
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.send("{\"type\":\"command\",\"requestId\":\"r1\",\"drone\":\"" + vehicle.id()
                     + "\",\"command\":{\"type\":\"arm\"}}");
             String id = stream.await(message -> isType(message, "commandAccepted"))
@@ -167,17 +167,17 @@ class StreamTest {
                 null,
                 null,
                 null);
-        Waiting.until("those of earlier tests have left", () -> clients() == 0 ? Optional.of(true) : Optional.empty());
+        ConditionWait.until("those of earlier tests have left", () -> clients() == 0 ? Optional.of(true) : Optional.empty());
         try (Socket deaf = new Socket();
-                StreamListener other = StreamListener.withKey(house, key)) {
+                RecordingStreamClient other = RecordingStreamClient.withKey(house, key)) {
             deaf.setReceiveBufferSize(1024);
             deaf.connect(new InetSocketAddress(
                     "127.0.0.1", house.bean(StreamPort.class).number()));
             upgrade(deaf);
             other.await(message -> isType(message, "drones"));
-            Waiting.until("both are there", () -> clients() == 2 ? Optional.of(true) : Optional.empty());
+            ConditionWait.until("both are there", () -> clients() == 2 ? Optional.of(true) : Optional.empty());
 
-            Waiting.until("the deaf one is closed", () -> {
+            ConditionWait.until("the deaf one is closed", () -> {
                 for (int count = 0; count < 50; count++) {
                     face.news().commandChanged(large);
                 }
@@ -191,7 +191,7 @@ class StreamTest {
 
     @Test
     void whoIsNotSignedInMaySayAFewKilobytesAtATime() {
-        try (StreamListener stream = StreamListener.with(house, "", Map.of())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.with(house, "", Map.of())) {
             stream.sendInPieces("a".repeat(9_000), 1_000);
 
             assertThat(stream.awaitClose()).contains("8192 bytes");
@@ -202,7 +202,7 @@ class StreamTest {
     void aMessageMayHave256KilobytesInPiecesToo() {
         String ping = "{\"type\":\"ping\"}";
         String largest = ping + " ".repeat(256 * 1024 - ping.length());
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.await(message -> isType(message, "drones"));
             stream.sendInPieces(largest, 1_000);
             stream.await(message -> isType(message, "pong"));

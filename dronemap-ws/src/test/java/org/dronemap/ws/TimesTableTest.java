@@ -10,7 +10,7 @@ import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.lease.LeaseRules;
-import org.dronemap.core.safety.Times;
+import org.dronemap.core.safety.SafetyTimes;
 import org.junit.jupiter.api.Test;
 
 /** The table of times says what the code does, and each time is over before the next one counts. */
@@ -40,10 +40,10 @@ class TimesTableTest {
         assertThat(said("it is *lost*")).isEqualTo(Watchdog.DEFAULT.lostAfter());
         assertThat(said("it comes home by itself"))
                 .isEqualTo(said("a vehicle comes home by itself"))
-                .isEqualTo(Times.VEHICLE_RETURNS)
+                .isEqualTo(SafetyTimes.VEHICLE_RETURNS)
                 .isEqualTo(Duration.ofSeconds(CloudManager.Rules.USUAL_LOSS_SECONDS));
         assertThat(said("what lies ahead of it is given to others"))
-                .isEqualTo(Watchdog.DEFAULT.lostAfter().plus(Times.CORRIDOR_FREED));
+                .isEqualTo(Watchdog.DEFAULT.lostAfter().plus(SafetyTimes.CORRIDOR_FREED));
         assertThat(said("who took control is lost, and the drone holds")).isEqualTo(CONTROL.silence());
         assertThat(said("control that came with a command ends")).isEqualTo(CONTROL.idle());
         assertThat(said("from there: it is brought home")).isEqualTo(CONTROL.untilReturn());

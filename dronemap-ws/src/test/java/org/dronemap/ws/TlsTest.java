@@ -18,12 +18,12 @@ import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLSocket;
 import org.awaitility.Awaitility;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.OwnCertificate;
 import org.dronemap.ws.house.RawClient;
+import org.dronemap.ws.house.SelfSignedCertificate;
 import org.dronemap.ws.house.ServerLog;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.settings.Settings;
-import org.dronemap.ws.user.Registration;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.settings.ServerSettings;
+import org.dronemap.ws.user.RegistrationPolicy;
 import org.dronemap.ws.wiring.StreamPort;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -39,18 +39,18 @@ class TlsTest {
     @TempDir
     private static Path data;
 
-    private OwnCertificate certificate;
-    private TestHouse house;
+    private SelfSignedCertificate certificate;
+    private TestServer house;
     private String key;
 
     @BeforeAll
     void open() throws IOException {
         Path tls = Files.createDirectory(data.resolve("tls"));
-        certificate = OwnCertificate.make(tls);
-        house = new TestHouse(
+        certificate = SelfSignedCertificate.make(tls);
+        house = new TestServer(
                 data,
-                new TestHouse.Choices(
-                        false, Registration.APPROVAL, Settings.Protection.DEFAULT, OwnCertificate.files(tls), null));
+                new TestServer.Options(
+                        false, RegistrationPolicy.APPROVAL, ServerSettings.Protection.DEFAULT, SelfSignedCertificate.files(tls), null));
         key = house.key(Role.VIEWER);
     }
 
@@ -132,7 +132,7 @@ class TlsTest {
     void usesARenewedCertificateWithoutARestart() throws Exception {
         X509Certificate before = shown(house.httpPort());
         assertThat(before).isEqualTo(certificate.certificate());
-        certificate = OwnCertificate.make(data.resolve("tls"));
+        certificate = SelfSignedCertificate.make(data.resolve("tls"));
 
         for (int port : new int[] {house.httpPort(), streamPort()}) {
             Awaitility.await("port " + port)

@@ -6,10 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.house.ImmediateCopter;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,11 +22,11 @@ class ToursTest {
     private static final double LONGITUDE = 8.5456;
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
-    private Http planner;
-    private WillingCopter falcon;
+    private final TestServer house = tenant.server();
+    private TestHttpClient planner;
+    private ImmediateCopter falcon;
 
     @BeforeEach
     void open() {
@@ -39,11 +39,11 @@ class ToursTest {
         return "{\"latitude\":" + (LATITUDE + steps * 0.001) + ",\"longitude\":" + LONGITUDE + ",\"altitude\":30}";
     }
 
-    private Http.Answer ask(String members) {
+    private TestHttpClient.Answer ask(String members) {
         return planner.post(PATH, "{\"drone\":\"" + falcon.id() + "\",\"seconds\":0.1," + members + "}");
     }
 
-    private static List<Integer> order(Http.Answer answer) {
+    private static List<Integer> order(TestHttpClient.Answer answer) {
         assertThat(answer.status()).as(answer.raw().body()).isEqualTo(200);
         List<Integer> order = new ArrayList<>();
         answer.json().path("order").forEach(number -> order.add(number.asInt()));
@@ -52,7 +52,7 @@ class ToursTest {
 
     @Test
     void keepTheLastWaypointWhereTheDroneStaysThere() {
-        Http.Answer answer = ask("\"ending\":\"hold\",\"waypoints\":[" + north(3) + "," + north(1) + "," + north(2)
+        TestHttpClient.Answer answer = ask("\"ending\":\"hold\",\"waypoints\":[" + north(3) + "," + north(1) + "," + north(2)
                 + "," + north(4) + "]");
 
         assertThat(order(answer)).containsExactly(1, 2, 0, 3);
@@ -83,7 +83,7 @@ class ToursTest {
         assertThat(tenant.http(Role.SUPERVISOR).post("/api/v1/zones", zone).status())
                 .isEqualTo(201);
 
-        Http.Answer answer = ask("\"waypoints\":[" + north(1) + "," + north(3) + "," + north(2) + "]");
+        TestHttpClient.Answer answer = ask("\"waypoints\":[" + north(1) + "," + north(3) + "," + north(2) + "]");
         assertThat(order(answer)).last().isEqualTo(0);
         JsonNode left = answer.json().path("unserved").path(0);
         assertThat(left.path("why").asString("")).contains("the no-fly zone “Crane”");

@@ -9,10 +9,10 @@ import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.TestInstance;
@@ -30,14 +30,14 @@ class UnderWayTest {
                     + "{\"name\":\"Lake\",\"kind\":\"exclusion\",\"radius\":50,\"drone\":\"%s\"}}";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private Http http;
+    private TestHttpClient http;
     private ScriptedVehicle quick;
 
     /** An operation below the version, of the drone that is ID, with a body. */
     private record Asked(String method, String path, String body) {
-        Http.Answer of(Http who, ScriptedVehicle vehicle, String query) {
+        TestHttpClient.Answer of(TestHttpClient who, ScriptedVehicle vehicle, String query) {
             return who.send(
                     "/api/v1/" + path.replace("ID", vehicle.id()) + query,
                     request -> request.header("Content-Type", "application/json")
@@ -94,7 +94,7 @@ class UnderWayTest {
     @ParameterizedTest
     @MethodSource("begun")
     void whereNobodyCanWaitItIsAlwaysUnderWay(Asked asked) {
-        int status = Waiting.until(
+        int status = ConditionWait.until(
                 "the one before has ended",
                 () -> Optional.of(asked.of(http, quick, "").status()).filter(one -> one != 409));
 

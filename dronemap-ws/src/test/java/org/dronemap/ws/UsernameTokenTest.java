@@ -6,10 +6,10 @@ import java.net.http.HttpRequest;
 import java.time.Duration;
 import java.time.Instant;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -28,9 +28,9 @@ class UsernameTokenTest {
     private static final String OWN = "a word of my own";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private final String bob = tenant.unique("bob");
     private int nonces;
 
@@ -38,7 +38,7 @@ class UsernameTokenTest {
     void open() {
         SoapClient.withKey(house, tenant.key(Role.ADMINISTRATOR))
                 .call("addUser", "name", bob, "role", "operator", "password", FIRST);
-        SoapClient.withHeader(house, Http.basic(bob, FIRST)).call("changePassword", "current", FIRST, "next", OWN);
+        SoapClient.withHeader(house, TestHttpClient.basic(bob, FIRST)).call("changePassword", "current", FIRST, "next", OWN);
     }
 
     private String call(String token) {
@@ -48,7 +48,7 @@ class UsernameTokenTest {
     private String call(String token, String body) {
         String header = "<sec:Security xmlns:sec=\"" + SECURITY + "\" xmlns:made=\"" + MADE
                 + "\" s:mustUnderstand=\"1\"><sec:UsernameToken>" + token + "</sec:UsernameToken></sec:Security>";
-        return new Http(house, "")
+        return new TestHttpClient(house, "")
                 .send(
                         "/services/MAVLinkControllerService",
                         request -> request.header("Content-Type", "text/xml")
@@ -81,7 +81,7 @@ class UsernameTokenTest {
 
     @Test
     void refusesAWrongPasswordAsRestDoes() {
-        String rest = new Http(house, "")
+        String rest = new TestHttpClient(house, "")
                 .post("/api/v1/session", "{\"name\":\"" + bob + "\",\"password\":\"another one\"}")
                 .text("detail");
 

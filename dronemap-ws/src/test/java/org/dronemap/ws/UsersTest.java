@@ -7,11 +7,11 @@ import java.net.http.HttpRequest;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,17 +22,17 @@ class UsersTest {
     private static final String OWN = "a word of my own";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private final String bob = tenant.unique("bob");
-    private Http administrator;
-    private Http nobody;
+    private TestHttpClient administrator;
+    private TestHttpClient nobody;
 
     @BeforeEach
     void open() {
         administrator = tenant.http(Role.ADMINISTRATOR);
-        nobody = new Http(house, "");
+        nobody = new TestHttpClient(house, "");
     }
 
     @Test
@@ -40,12 +40,12 @@ class UsersTest {
         add(bob, "operator");
         String cookie = cookie(signIn(bob, FIRST));
 
-        Http.Answer closed = with(cookie, "GET", "/api/v1/drones", "");
+        TestHttpClient.Answer closed = with(cookie, "GET", "/api/v1/drones", "");
 
         assertThat(closed.status()).isEqualTo(403);
         assertThat(closed.text("detail")).startsWith("Somebody else has seen your password");
         assertThatThrownBy(() ->
-                        SoapClient.withHeader(house, Http.basic(bob, FIRST)).call("getDronesList"))
+                        SoapClient.withHeader(house, TestHttpClient.basic(bob, FIRST)).call("getDronesList"))
                 .hasMessageStartingWith("Somebody else has seen your password");
         assertThat(takeOwnPassword(cookie).status()).isEqualTo(204);
         assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(200);
@@ -56,8 +56,8 @@ class UsersTest {
         String cookie = join(bob, "operator");
         String key = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
                 .text("key");
-        try (StreamListener byKey = StreamListener.withKey(house, key);
-                StreamListener byTicket = ticketed(cookie)) {
+        try (RecordingStreamClient byKey = RecordingStreamClient.withKey(house, key);
+                RecordingStreamClient byTicket = ticketed(cookie)) {
             byKey.await(message -> message.path("type").asString().equals("drones"));
             byTicket.await(message -> message.path("type").asString().equals("drones"));
 
@@ -67,10 +67,10 @@ class UsersTest {
             assertThat(byTicket.awaitClose()).startsWith("This session has ended");
         }
         assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(401);
-        assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(401);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status()).isEqualTo(401);
         assertThatThrownBy(() -> SoapClient.withKey(house, key).call("getDronesList"))
                 .hasMessageContaining("not valid");
-        Http.Answer again = signIn(bob, OWN);
+        TestHttpClient.Answer again = signIn(bob, OWN);
         assertThat(again.status()).isEqualTo(403);
         assertThat(again.text("detail")).isEqualTo("Your account has been disabled; ask an administrator.");
         assertThat(signIn(bob, "a wrong password").status()).isEqualTo(401);
@@ -78,7 +78,7 @@ class UsersTest {
         change(bob, "{\"state\":\"active\"}");
 
         assertThat(signIn(bob, OWN).status()).isEqualTo(200);
-        assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(200);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status()).isEqualTo(200);
     }
 
     @Test
@@ -86,16 +86,16 @@ class UsersTest {
         String cookie = join(bob, "administrator");
         String key = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
                 .text("key");
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
 
             change(bob, "{\"role\":\"viewer\"}");
 
             assertThat(stream.awaitClose()).isEqualTo("Your role was changed; connect again.");
         }
-        assertThat(new Http(house, key).get("/api/v1/users").status()).isEqualTo(403);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/users").status()).isEqualTo(403);
         assertThat(with(cookie, "GET", "/api/v1/session", "").text("role")).isEqualTo("viewer");
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             assertThat(stream.await(message -> message.path("type").asString().equals("hello"))
                             .path("role")
                             .asString())
@@ -106,10 +106,10 @@ class UsersTest {
     @Test
     void endsSessionsAndTheirStreamsWhenAPasswordIsReset() {
         String cookie = join(bob, "operator");
-        try (StreamListener stream = ticketed(cookie)) {
+        try (RecordingStreamClient stream = ticketed(cookie)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
 
-            Http.Answer reset = administrator.post("/api/v1/users/" + bob + "/password", "");
+            TestHttpClient.Answer reset = administrator.post("/api/v1/users/" + bob + "/password", "");
 
             assertThat(stream.awaitClose()).startsWith("This session has ended");
             assertThat(signIn(bob, OWN).status()).isEqualTo(401);
@@ -127,7 +127,7 @@ class UsersTest {
         String other = cookie(signIn(bob, OWN));
         String key = with(one, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
                 .text("key");
-        try (StreamListener stream = ticketed(other)) {
+        try (RecordingStreamClient stream = ticketed(other)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
 
             assertThat(with(one, "POST", "/api/v1/session/sign-out-everywhere", "")
@@ -142,15 +142,15 @@ class UsersTest {
         assertThat(administrator.post("/api/v1/users/" + bob + "/sign-out", "").status())
                 .isEqualTo(204);
         assertThat(with(third, "GET", "/api/v1/session", "").status()).isEqualTo(401);
-        assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(200);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status()).isEqualTo(200);
     }
 
     @Test
     void silencesAStreamWhoseKeyIsRemoved() {
         String cookie = join(bob, "operator");
-        Http.Answer made = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}");
-        try (StreamListener byKey = StreamListener.withKey(house, made.text("key"));
-                StreamListener byTicket = ticketed(cookie)) {
+        TestHttpClient.Answer made = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}");
+        try (RecordingStreamClient byKey = RecordingStreamClient.withKey(house, made.text("key"));
+                RecordingStreamClient byTicket = ticketed(cookie)) {
             byKey.await(message -> message.path("type").asString().equals("drones"));
             byTicket.await(message -> message.path("type").asString().equals("drones"));
 
@@ -165,7 +165,7 @@ class UsersTest {
     @Test
     void letsAnAdministratorSeeAndRemoveTheKeysOfAUser() {
         String cookie = join(bob, "operator");
-        Http.Answer made = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}");
+        TestHttpClient.Answer made = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}");
         String path = "/api/v1/users/" + bob + "/access-keys";
 
         String listed = administrator.get(path).raw().body();
@@ -176,7 +176,7 @@ class UsersTest {
                         .status())
                 .isEqualTo(204);
 
-        assertThat(new Http(house, made.text("key")).get("/api/v1/drones").status())
+        assertThat(new TestHttpClient(house, made.text("key")).get("/api/v1/drones").status())
                 .isEqualTo(401);
         assertThat(administrator
                         .send(path + "/" + made.text("id"), HttpRequest.Builder::DELETE)
@@ -191,10 +191,10 @@ class UsersTest {
         String key = tenant.key(Role.REPORTER);
         String sentence = "Your role may send reports, not see drones; ask an administrator for the viewer role.";
 
-        assertThat(new Http(house, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
         assertThatThrownBy(() -> SoapClient.withKey(house, key).call("getDronesList"))
                 .hasMessage(sentence);
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             assertThat(stream.awaitClose()).isEqualTo(sentence);
             assertThat(stream.heard())
                     .noneMatch(message -> message.path("type").asString().equals("drones"));
@@ -206,7 +206,7 @@ class UsersTest {
         String root = tenant.unique("root");
         String own = join(root, "administrator");
 
-        Http.Answer answer = with(own, "PATCH", "/api/v1/users/" + root, "{\"role\":\"viewer\"}");
+        TestHttpClient.Answer answer = with(own, "PATCH", "/api/v1/users/" + root, "{\"role\":\"viewer\"}");
 
         assertThat(answer.status()).isEqualTo(409);
         assertThat(answer.text("detail")).isEqualTo("You cannot do this to yourself; ask another administrator.");
@@ -251,9 +251,9 @@ class UsersTest {
         for (String limits : List.of("\"role\":\"viewer\"", "\"operations\":[\"view\"]")) {
             String key = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"," + limits + "}")
                     .text("key");
-            Http limited = new Http(house, key);
+            TestHttpClient limited = new TestHttpClient(house, key);
 
-            Http.Answer changed = limited.post(
+            TestHttpClient.Answer changed = limited.post(
                     "/api/v1/session/password", "{\"current\":\"" + OWN + "\",\"next\":\"another password\"}");
             assertThat(changed.status()).isEqualTo(403);
             assertThat(changed.text("detail")).startsWith("A limited access key changes no password");
@@ -272,29 +272,29 @@ class UsersTest {
     }
 
     private void add(String name, String role) {
-        Http.Answer added = administrator.post(
+        TestHttpClient.Answer added = administrator.post(
                 "/api/v1/users",
                 "{\"name\":\"" + name + "\",\"role\":\"" + role + "\",\"password\":\"" + FIRST + "\"}");
         assertThat(added.status()).isEqualTo(201);
     }
 
-    private Http.Answer takeOwnPassword(String cookie) {
+    private TestHttpClient.Answer takeOwnPassword(String cookie) {
         return with(
                 cookie, "POST", "/api/v1/session/password", "{\"current\":\"" + FIRST + "\",\"next\":\"" + OWN + "\"}");
     }
 
-    private Http.Answer change(String name, String body) {
+    private TestHttpClient.Answer change(String name, String body) {
         return administrator.send(
                 "/api/v1/users/" + name,
                 request -> request.header("Content-Type", "application/json")
                         .method("PATCH", HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private Http.Answer signIn(String name, String password) {
+    private TestHttpClient.Answer signIn(String name, String password) {
         return nobody.post("/api/v1/session", "{\"name\":\"" + name + "\",\"password\":\"" + password + "\"}");
     }
 
-    private Http.Answer with(String cookie, String method, String path, String body) {
+    private TestHttpClient.Answer with(String cookie, String method, String path, String body) {
         return nobody.send(
                 path,
                 request -> request.header("Cookie", cookie)
@@ -303,12 +303,12 @@ class UsersTest {
                         .method(method, HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private StreamListener ticketed(String cookie) {
+    private RecordingStreamClient ticketed(String cookie) {
         String ticket = with(cookie, "POST", "/api/v1/stream-tickets", "").text("ticket");
-        return StreamListener.with(house, "?ticket=" + ticket, Map.of());
+        return RecordingStreamClient.with(house, "?ticket=" + ticket, Map.of());
     }
 
-    private static String cookie(Http.Answer session) {
+    private static String cookie(TestHttpClient.Answer session) {
         return session.raw().headers().firstValue("Set-Cookie").orElse("").split(";", 2)[0];
     }
 }

@@ -16,12 +16,12 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.ImmediateCopter;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -33,11 +33,11 @@ class VirtualDronesTest {
             + "\"altitude\":20},{\"type\":\"waypoint\",\"latitude\":47.399,\"longitude\":8.5456,\"altitude\":20}]";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
-    private Http operator;
-    private Http supervisor;
+    private final TestServer house = tenant.server();
+    private TestHttpClient operator;
+    private TestHttpClient supervisor;
 
     @BeforeEach
     void open() {
@@ -45,11 +45,11 @@ class VirtualDronesTest {
         supervisor = tenant.http(Role.SUPERVISOR);
     }
 
-    private WillingCopter falcon() {
+    private ImmediateCopter falcon() {
         return tenant.copter("Falcon", new Geodetic(47.3977, 8.5456));
     }
 
-    private void offer(WillingCopter copter) {
+    private void offer(ImmediateCopter copter) {
         assertThat(put(supervisor, "/api/v1/warehouse/" + copter.id(), "{}").status())
                 .isEqualTo(200);
     }
@@ -69,7 +69,7 @@ class VirtualDronesTest {
         assertThat(waiting.path("state").asString()).isEqualTo("queued");
         assertThat(waiting.path("queue").toString()).isEqualTo("{\"position\":2,\"length\":2}");
 
-        WillingCopter falcon = falcon();
+        ImmediateCopter falcon = falcon();
         offer(falcon);
         JsonNode flying = await(operator, first, "flying");
         assertThat(flying.path("run").path("drone").path("name").asString()).isEqualTo("Falcon");
@@ -81,7 +81,7 @@ class VirtualDronesTest {
 
         falcon.reaches(0);
         falcon.reaches(1);
-        Waiting.until("a waypoint is flown", () -> flown(first) == 1 ? Optional.of(true) : Optional.empty());
+        ConditionWait.until("a waypoint is flown", () -> flown(first) == 1 ? Optional.of(true) : Optional.empty());
         falcon.reaches(2);
         await(operator, first, "returning");
         falcon.isOnGround();
@@ -91,7 +91,7 @@ class VirtualDronesTest {
 
     @Test
     void areToldBeforeADroneThatWouldFlyForThemIsPutIntoTheWarehouse() {
-        WillingCopter falcon = falcon();
+        ImmediateCopter falcon = falcon();
         String before = "/api/v1/warehouse/" + falcon.id() + "/prospects";
         assertThat(supervisor.get(before).json().path("waiting").isEmpty()).isTrue();
         start(operator, make(operator, "Roofs"));
@@ -105,7 +105,7 @@ class VirtualDronesTest {
         assertThat(first.path("why").isNull()).isTrue();
         assertThat(first.path("code").isNull()).isTrue();
         falcon.hasLeft(15);
-        Waiting.until(
+        ConditionWait.until(
                 "its battery is known to be low",
                 () -> Optional.of(supervisor.get(before).json().path("waiting").path(0))
                         .filter(one -> one.path("code").asString().equals("battery-too-low")));
@@ -116,13 +116,13 @@ class VirtualDronesTest {
 
     @Test
     void tellByACodeWhyADroneOfTheWarehouseCannotServe() {
-        WillingCopter falcon = falcon();
+        ImmediateCopter falcon = falcon();
         falcon.hasLeft(15);
         offer(falcon);
         String id = make(operator, "Roofs");
         start(operator, id);
 
-        JsonNode unfit = Waiting.until(
+        JsonNode unfit = ConditionWait.until(
                 "why it cannot serve is told",
                 () -> Optional.of(run(operator, id).path("unfit").path(0)).filter(one -> one.has("code")));
         assertThat(unfit.path("drone").path("id").asString()).isEqualTo(falcon.id());
@@ -132,19 +132,19 @@ class VirtualDronesTest {
 
     @Test
     void handTheRestOfAMissionToAnotherDrone() {
-        WillingCopter falcon = falcon();
+        ImmediateCopter falcon = falcon();
         offer(falcon);
         String id = make(operator, "Survey");
         start(operator, id);
         await(operator, id, "flying");
         falcon.reaches(0);
         falcon.reaches(1);
-        Waiting.until("a waypoint is flown", () -> flown(id) == 1 ? Optional.of(true) : Optional.empty());
+        ConditionWait.until("a waypoint is flown", () -> flown(id) == 1 ? Optional.of(true) : Optional.empty());
         falcon.isOnGround();
         await(operator, id, "queued");
         assertThat(run(operator, id).path("unfit").toString()).doesNotContain("null");
 
-        WillingCopter heron = tenant.copter("Heron", new Geodetic(47.3990, 8.5470));
+        ImmediateCopter heron = tenant.copter("Heron", new Geodetic(47.3990, 8.5470));
         offer(heron);
         await(operator, id, "flying");
         Command first = heron.performed().get(0);
@@ -156,7 +156,7 @@ class VirtualDronesTest {
 
     @Test
     void waitForTheirUserWhenASupervisorCallsTheDroneBack() {
-        WillingCopter falcon = falcon();
+        ImmediateCopter falcon = falcon();
         offer(falcon);
         String id = make(operator, "Survey");
         start(operator, id);
@@ -177,7 +177,7 @@ class VirtualDronesTest {
 
     @Test
     void stopOnTheirUsersWordAndBringTheDroneHome() {
-        WillingCopter falcon = falcon();
+        ImmediateCopter falcon = falcon();
         offer(falcon);
         String id = make(operator, "Survey");
         start(operator, id);
@@ -185,7 +185,7 @@ class VirtualDronesTest {
 
         assertThat(delete(operator, PATH + "/" + id).status()).isEqualTo(409);
         assertThat(operator.post(PATH + "/" + id + "/stop", "{}").status()).isEqualTo(202);
-        Waiting.until(
+        ConditionWait.until(
                 "it is called home",
                 () -> falcon.performed().stream()
                         .filter(Command.ReturnToLaunch.class::isInstance)
@@ -198,7 +198,7 @@ class VirtualDronesTest {
 
     @Test
     void belongToWhoMadeThem() {
-        Http other = tenant.http(Role.OPERATOR);
+        TestHttpClient other = tenant.http(Role.OPERATOR);
         String id = make(operator, "Mine");
 
         assertThat(other.get(PATH + "/" + id).status()).isEqualTo(404);
@@ -206,7 +206,7 @@ class VirtualDronesTest {
         assertThat(other.get(PATH).json().path("virtualDrones").size()).isZero();
         assertThat(supervisor.get(PATH + "/" + id).status()).isEqualTo(200);
         assertThat(start(supervisor, id).status()).isEqualTo(403);
-        Http narrow = new Http(
+        TestHttpClient narrow = new TestHttpClient(
                 house,
                 tenant.key(new KeyRights(
                         Role.OPERATOR,
@@ -237,7 +237,7 @@ class VirtualDronesTest {
                         .text("detail"))
                 .startsWith("Item 1: a take-off comes first");
         String empty = operator.post(PATH, "{\"name\":\"A\"}").text("id");
-        Http.Answer unplanned = start(operator, empty);
+        TestHttpClient.Answer unplanned = start(operator, empty);
         assertThat(unplanned.text("detail")).isEqualTo("Plan its mission first.");
         assertThat(unplanned.text("code")).isEqualTo("virtual-drone-without-mission");
         assertThat(unplanned.json().path("parameters").path("id").asString()).isEqualTo(empty);
@@ -248,7 +248,7 @@ class VirtualDronesTest {
 
     @Test
     void flyTheSameWayThroughSoap() {
-        WillingCopter falcon = falcon();
+        ImmediateCopter falcon = falcon();
         offer(falcon);
         SoapClient soap = SoapClient.withKey(house, tenant.key(Role.OPERATOR));
         List<Map<String, Object>> way = List.of(waypoint(47.398), waypoint(47.399));
@@ -266,7 +266,7 @@ class VirtualDronesTest {
                 .hasMessageContaining("onCloudLoss");
 
         soap.call("startVirtualDrone", "virtualDroneId", id, "onCloudLoss", "rtl");
-        Waiting.until(
+        ConditionWait.until(
                 "it flies",
                 () -> Optional.of(through(soap, id))
                         .filter(now -> now.text("run.state").equals("flying")));
@@ -277,7 +277,7 @@ class VirtualDronesTest {
                 .hasMessageContaining("It does not wait");
         soap.call("stopVirtualDrone", "virtualDroneId", id);
         falcon.isOnGround();
-        Waiting.until(
+        ConditionWait.until(
                 "it is stopped",
                 () -> Optional.of(through(soap, id))
                         .filter(now -> now.text("run.state").equals("stopped")));
@@ -295,9 +295,9 @@ class VirtualDronesTest {
 
     @Test
     void keepThoseOutWhoSeeOnlyWhatWasGrantedUntilVirtualDronesAre() {
-        Http holder = tenant.http(Role.OPERATOR);
+        TestHttpClient holder = tenant.http(Role.OPERATOR);
         String name = holder.get("/api/v1/session").text("name");
-        Http administrator = tenant.http(Role.ADMINISTRATOR);
+        TestHttpClient administrator = tenant.http(Role.ADMINISTRATOR);
         String only = "/api/v1/users/" + name + "/only-granted";
         assertThat(put(administrator, only, "{\"onlyGranted\":true}").status()).isEqualTo(204);
         assertThat(holder.post(PATH, "{\"name\":\"A\"}").status()).isEqualTo(403);
@@ -312,17 +312,17 @@ class VirtualDronesTest {
                 .startsWith("A drone was chosen: no other one could serve.");
     }
 
-    private String make(Http who, String name) {
-        Http.Answer made = who.post(PATH, "{\"name\":\"" + name + "\"," + MISSION + "}");
+    private String make(TestHttpClient who, String name) {
+        TestHttpClient.Answer made = who.post(PATH, "{\"name\":\"" + name + "\"," + MISSION + "}");
         assertThat(made.status()).as(made.raw().body()).isEqualTo(201);
         return made.text("id");
     }
 
-    private static Http.Answer start(Http who, String id) {
+    private static TestHttpClient.Answer start(TestHttpClient who, String id) {
         return who.post(PATH + "/" + id + "/start", "{}");
     }
 
-    private static JsonNode run(Http who, String id) {
+    private static JsonNode run(TestHttpClient who, String id) {
         return who.get(PATH + "/" + id).json().path("run");
     }
 
@@ -330,26 +330,26 @@ class VirtualDronesTest {
         return flownBy(operator, id);
     }
 
-    private static int flownBy(Http who, String id) {
+    private static int flownBy(TestHttpClient who, String id) {
         return run(who, id).path("flown").asInt();
     }
 
-    private static JsonNode await(Http who, String id, String state) {
-        return Waiting.until(
+    private static JsonNode await(TestHttpClient who, String id, String state) {
+        return ConditionWait.until(
                 "it is " + state,
                 () -> Optional.of(who.get(PATH + "/" + id).json())
                         .filter(drone ->
                                 drone.path("run").path("state").asString("").equals(state)));
     }
 
-    private static Http.Answer put(Http who, String path, String body) {
+    private static TestHttpClient.Answer put(TestHttpClient who, String path, String body) {
         return who.send(
                 path,
                 request -> request.header("Content-Type", "application/json")
                         .PUT(HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private static Http.Answer delete(Http who, String path) {
+    private static TestHttpClient.Answer delete(TestHttpClient who, String path) {
         return who.send(path, HttpRequest.Builder::DELETE);
     }
 }

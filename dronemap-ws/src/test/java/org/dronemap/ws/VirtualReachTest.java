@@ -11,12 +11,12 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.Member;
-import org.dronemap.ws.house.RightsTable;
+import org.dronemap.ws.house.OrganisationMember;
+import org.dronemap.ws.house.RecordingStreamClient;
+import org.dronemap.ws.house.ResourceScopeTable.Whose;
 import org.dronemap.ws.house.RightsTable.Caller;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.WhoseTable.Whose;
+import org.dronemap.ws.house.RightsTable;
+import org.dronemap.ws.house.TestHttpClient;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -33,7 +33,7 @@ class VirtualReachTest extends ReachTrial {
     void opensOnesOwnAsTheRoleMay() {
         int cells = 0;
         for (Role role : Role.values()) {
-            Member member = own.member("virtually-" + house.number(), Role.ADMINISTRATOR);
+            OrganisationMember member = own.member("virtually-" + house.number(), Role.ADMINISTRATOR);
             Map<String, String> things = oneForEach(member);
             demote(member, role);
             for (String operation : ofOneVirtual()) {
@@ -101,7 +101,7 @@ class VirtualReachTest extends ReachTrial {
         int cells = 0;
         for (Role role : List.of(Role.VIEWER, Role.PLANNER, Role.OPERATOR, Role.SUPERVISOR, Role.ADMINISTRATOR)) {
             for (Permission permission : Permission.values()) {
-                Member member = own.member("virtually-" + house.number(), Role.ADMINISTRATOR);
+                OrganisationMember member = own.member("virtually-" + house.number(), Role.ADMINISTRATOR);
                 Map<String, String> things = oneForEach(member);
                 demote(member, role);
                 grantVirtual(member, permission);
@@ -122,7 +122,7 @@ class VirtualReachTest extends ReachTrial {
         assertThat(cells).isGreaterThan(1_000);
     }
 
-    private int realOnesAreAbsent(Member member) {
+    private int realOnesAreAbsent(OrganisationMember member) {
         int cells = 0;
         for (String operation : faces.rest()) {
             boolean ofDrone = whose.of(operation).filter(Whose.DRONE::equals).isPresent();
@@ -140,7 +140,7 @@ class VirtualReachTest extends ReachTrial {
             }
         }
         silent("GET /api/v1/drones for " + member.name(), member.http().get("/api/v1/drones"));
-        try (StreamListener stream = StreamListener.withKey(house, member.key())) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, member.key())) {
             stream.await(message -> message.path("type").asString().equals("drones"));
             assertThat(stream.heard().toString())
                     .doesNotContain("\"" + own.drone().id() + "\"");
@@ -148,7 +148,7 @@ class VirtualReachTest extends ReachTrial {
         return cells + 2;
     }
 
-    private void silent(String cell, Http.Answer answer) {
+    private void silent(String cell, TestHttpClient.Answer answer) {
         if (answer.raw().body().contains("\"" + own.drone().id() + "\"")) {
             wrong.add(cell + ": " + answer.raw().body());
         }
@@ -161,7 +161,7 @@ class VirtualReachTest extends ReachTrial {
     }
 
     /** Some operations end what they are about. */
-    private Map<String, String> oneForEach(Member member) {
+    private Map<String, String> oneForEach(OrganisationMember member) {
         Map<String, String> things = new LinkedHashMap<>();
         for (String operation : ofOneVirtual()) {
             String id = member.http().post(VIRTUAL, "{\"name\":\"A survey\"}").text("id");
@@ -172,9 +172,9 @@ class VirtualReachTest extends ReachTrial {
     }
 
     /** Whoever may make none may still have some from better days. */
-    private void demote(Member member, Role role) {
+    private void demote(OrganisationMember member, Role role) {
         String body = "{\"role\":\"" + role.name().toLowerCase(Locale.ROOT) + "\"}";
-        Http.Answer answer = own.administrator()
+        TestHttpClient.Answer answer = own.administrator()
                 .http()
                 .send(
                         "/api/v1/users/" + member.name(),
@@ -183,8 +183,8 @@ class VirtualReachTest extends ReachTrial {
         assertThat(answer.status()).as(answer.raw().body()).isBetween(200, 204);
     }
 
-    private void grantVirtual(Member member, Permission permission) {
-        Http root = own.administrator().http();
+    private void grantVirtual(OrganisationMember member, Permission permission) {
+        TestHttpClient root = own.administrator().http();
         assertThat(put(root, "/api/v1/users/" + member.name() + "/only-granted", "{\"onlyGranted\":true}")
                         .status())
                 .isEqualTo(204);

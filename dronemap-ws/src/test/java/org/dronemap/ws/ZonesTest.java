@@ -19,12 +19,12 @@ import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -39,12 +39,12 @@ class ZonesTest {
     private static final String HERE = "[[[8.544,47.397],[8.547,47.397],[8.547,47.399],[8.544,47.399],[8.544,47.397]]]";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private ScriptedVehicle vehicle;
-    private Http supervisor;
-    private Http operator;
+    private TestHttpClient supervisor;
+    private TestHttpClient operator;
 
     @BeforeEach
     void open() {
@@ -55,7 +55,7 @@ class ZonesTest {
 
     @Test
     void keepsAZoneAndGivesItBack() {
-        Http.Answer added = supervisor.post(
+        TestHttpClient.Answer added = supervisor.post(
                 ZONES,
                 feature(
                         NORTH,
@@ -66,10 +66,10 @@ class ZonesTest {
         assertThat(added.json().path("properties").path("until").asString()).isEqualTo("2098-12-31T23:00:00Z");
         assertThat(added.json().path("properties").path("kind").asString()).isEqualTo("exclusion");
         assertThat(added.json().path("properties").path("onBreach").asString()).isEqualTo("hold");
-        Http viewer = tenant.http(Role.VIEWER);
+        TestHttpClient viewer = tenant.http(Role.VIEWER);
         assertThat(viewer.get(ZONES).json().path("features").get(0)).isEqualTo(added.json());
         // What was read can be written again.
-        Http.Answer again = put(added.text("id"), added.json().toString().replace("School", "Hospital"));
+        TestHttpClient.Answer again = put(added.text("id"), added.json().toString().replace("School", "Hospital"));
         assertThat(again.json().path("properties").path("name").asString()).isEqualTo("Hospital");
         assertThat(delete(added.text("id")).status()).isEqualTo(204);
         assertThat(delete(added.text("id")).status()).isEqualTo(404);
@@ -79,7 +79,7 @@ class ZonesTest {
     @Test
     void makesTheZonesThatAVehicleCanKeepItsOwnFence() {
         String path = "/api/v1/drones/" + vehicle.id() + "/fence/zones";
-        Http planner = tenant.http(Role.PLANNER);
+        TestHttpClient planner = tenant.http(Role.PLANNER);
         HttpRequest.BodyPublisher nothing = HttpRequest.BodyPublishers.noBody();
         assertThat(planner.send(path, request -> request.PUT(nothing)).text("detail"))
                 .startsWith("No zone without floor and ceiling binds this drone now");
@@ -87,7 +87,7 @@ class ZonesTest {
         supervisor.post(ZONES, feature(NORTH, "\"name\":\"Low\",\"ceiling\":80"));
         supervisor.post(ZONES, feature(NORTH, "\"name\":\"Later\",\"from\":\"2098-01-01T00:00:00Z\""));
 
-        Http.Answer sent = planner.send(path, request -> request.PUT(nothing));
+        TestHttpClient.Answer sent = planner.send(path, request -> request.PUT(nothing));
 
         assertThat(sent.json().path("warnings").size()).isEqualTo(1);
         assertThat(sent.json().path("warnings").get(0).asString()).contains("“Low”");
@@ -153,11 +153,11 @@ class ZonesTest {
     @Test
     void saysWhereAFileOfAnotherProgramHasNothing() {
         for (String coordinates : List.of("[null]", "[[null]]", "[[[8.5,null]]]", "null")) {
-            Http.Answer answer = supervisor.post(ZONES + "/import", feature(coordinates, "\"name\":\"A\""));
+            TestHttpClient.Answer answer = supervisor.post(ZONES + "/import", feature(coordinates, "\"name\":\"A\""));
             assertThat(answer.status()).as(coordinates).isEqualTo(422);
             assertThat(answer.text("field")).startsWith("geometry.coordinates");
         }
-        Http.Answer several = supervisor.post(
+        TestHttpClient.Answer several = supervisor.post(
                 ZONES + "/import", feature("[null]", "\"name\":\"A\"").replace("Polygon", "MultiPolygon"));
         assertThat(several.text("field")).isEqualTo("geometry.coordinates");
     }
@@ -196,8 +196,8 @@ class ZonesTest {
                 + "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Polygon\",\"coordinates\":" + NORTH
                 + "},\"properties\":null}]}";
 
-        Http.Answer taken = supervisor.post(ZONES + "/import", foreign);
-        Http.Answer broken = supervisor.post(ZONES + "/import", foreign.replace("\"Polygon\"", "\"LineString\""));
+        TestHttpClient.Answer taken = supervisor.post(ZONES + "/import", foreign);
+        TestHttpClient.Answer broken = supervisor.post(ZONES + "/import", foreign.replace("\"Polygon\"", "\"LineString\""));
 
         assertThat(taken.status()).isEqualTo(201);
         assertThat(taken.json()
@@ -217,10 +217,10 @@ class ZonesTest {
                 + "8.5,47,0 8.6,47,0 8.6,47.1,0\n8.5,47,0</coordinates></LinearRing></outerBoundaryIs></Polygon>"
                 + "</Placemark><Placemark><Point><coordinates>8,47</coordinates></Point></Placemark></Document></kml>";
 
-        Http.Answer taken = supervisor.post(ZONES + "/import", kml);
-        Http.Answer evil = supervisor.post(
+        TestHttpClient.Answer taken = supervisor.post(ZONES + "/import", kml);
+        TestHttpClient.Answer evil = supervisor.post(
                 ZONES + "/import", "<!DOCTYPE kml [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><kml>&x;</kml>");
-        Http.Answer empty = supervisor.post(ZONES + "/import", "<kml/>");
+        TestHttpClient.Answer empty = supervisor.post(ZONES + "/import", "<kml/>");
 
         assertThat(taken.status()).isEqualTo(201);
         assertThat(taken.json()
@@ -239,7 +239,7 @@ class ZonesTest {
         supervisor.post(ZONES, feature(NORTH, "\"name\":\"School\""));
         fly();
 
-        Http.Answer refused = operator.post(
+        TestHttpClient.Answer refused = operator.post(
                 "/api/v1/drones/" + vehicle.id() + "/commands",
                 "{\"type\":\"goTo\",\"latitude\":47.404,\"longitude\":8.5456,\"altitude\":20}");
 
@@ -272,7 +272,7 @@ class ZonesTest {
 
     @Test
     void tellsEverybodyWhoListens() {
-        try (StreamListener stream = StreamListener.withKey(house, tenant.key(Role.VIEWER))) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, tenant.key(Role.VIEWER))) {
             stream.await(message -> isType(message, "drones"));
             String id = supervisor
                     .post(ZONES, feature(NORTH, "\"name\":\"School\""))
@@ -297,12 +297,12 @@ class ZonesTest {
         String id = supervisor.post(ZONES, feature(NORTH, own)).text("id");
         KeyScope another = new KeyScope(Set.of(new DroneId("another-1")), EnumSet.allOf(Permission.class));
         String key = tenant.key(new KeyRights(Role.OPERATOR, another, null));
-        Http blind = new Http(house, key);
+        TestHttpClient blind = new TestHttpClient(house, key);
 
         assertThat(blind.get(ZONES).json().path("features").size()).isZero();
         assertThat(blind.get(ZONES + "/" + id).status()).isEqualTo(404);
         assertThat(operator.get(ZONES).json().path("features").size()).isEqualTo(1);
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {
             stream.await(message -> isType(message, "drones"));
             supervisor.post(ZONES, feature(HERE, own));
             supervisor.post(ZONES, feature(NORTH, "\"name\":\"Everybody's\""));
@@ -317,15 +317,15 @@ class ZonesTest {
     }
 
     private void fly() {
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
-        vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3977, 8.5456), 508.0, 20.0)));
-        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", true));
+        vehicle.says(new DroneEvent.PositionReported(new Position(new Geodetic(47.3977, 8.5456), 508.0, 20.0)));
+        vehicle.says(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
         await().until(() ->
                 "inAir".equals(operator.get("/api/v1/drones/" + vehicle.id()).text("flight")));
     }
 
     private void assertWrong(String body, String field, String words) {
-        Http.Answer answer = supervisor.post(ZONES, body);
+        TestHttpClient.Answer answer = supervisor.post(ZONES, body);
         assertThat(answer.status()).as(body).isEqualTo(422);
         assertThat(answer.text("field")).isEqualTo(field);
         assertThat(answer.text("detail")).contains(words);
@@ -336,14 +336,14 @@ class ZonesTest {
                 + "},\"properties\":{" + properties + "}}";
     }
 
-    private Http.Answer put(String id, String body) {
+    private TestHttpClient.Answer put(String id, String body) {
         return supervisor.send(
                 ZONES + "/" + id,
                 builder -> builder.header("Content-Type", "application/json")
                         .PUT(HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    private Http.Answer delete(String id) {
+    private TestHttpClient.Answer delete(String id) {
         return supervisor.send(ZONES + "/" + id, HttpRequest.Builder::DELETE);
     }
 }

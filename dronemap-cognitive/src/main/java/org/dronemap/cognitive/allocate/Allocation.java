@@ -2,7 +2,7 @@ package org.dronemap.cognitive.allocate;
 
 import java.util.Arrays;
 import java.util.List;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationProblem;
 
 /** The result of a search: each drone's waypoints in order. Those in no tour are unserved. Immutable. */
 public final class Allocation {
@@ -20,15 +20,15 @@ public final class Allocation {
         this.iterations = iterations;
     }
 
-    static Allocation of(Instance instance, Costs costs, List<Round> rounds) {
-        return of(instance, costs, rounds.stream().map(Round::order).toArray(int[][]::new), 0);
+    static Allocation of(AllocationProblem instance, LegCosts costs, List<BaselineTour> rounds) {
+        return of(instance, costs, rounds.stream().map(BaselineTour::order).toArray(int[][]::new), 0);
     }
 
     /** Judges tours anew. */
-    static Allocation of(Instance instance, Costs costs, int[][] orders, long iterations) {
-        Tours tours = new Tours(instance, costs);
+    static Allocation of(AllocationProblem instance, LegCosts costs, int[][] orders, long iterations) {
+        TourLists tours = new TourLists(instance, costs);
         tours.set(orders);
-        Bag absent = tours.absent();
+        IndexSet absent = tours.absent();
         int[] unserved = new int[absent.size()];
         for (int i = 0; i < unserved.length; i++) {
             unserved[i] = absent.get(i);

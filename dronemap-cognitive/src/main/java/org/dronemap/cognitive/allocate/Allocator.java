@@ -2,27 +2,27 @@ package org.dronemap.cognitive.allocate;
 
 import java.util.BitSet;
 import java.util.function.Consumer;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationProblem;
 
 /**
  * Allocates waypoints to drones and orders them: ruin and recreate under simulated annealing, from a plan at hand or from
  * none. The best plan so far is there at any time. Safe for several threads: each search has its own state.
  */
 public final class Allocator {
-    private final Ground ground;
+    private final SearchContext ground;
 
-    public Allocator(Instance instance) {
-        ground = Ground.of(instance);
+    public Allocator(AllocationProblem instance) {
+        ground = SearchContext.of(instance);
     }
 
     /** A search from nothing; {@code improved} hears of every better plan, on this thread. */
-    public Allocation search(long seed, Budget budget, Consumer<Allocation> improved) {
-        return new Starts(ground).search(seed, budget, improved);
+    public Allocation search(long seed, SearchBudget budget, Consumer<Allocation> improved) {
+        return new MultiStartSearch(ground).search(seed, budget, improved);
     }
 
     /** A search that begins with tours at hand; what they cannot serve any more, and waypoints in none of them, are put in first. */
-    public Allocation improve(int[][] orders, long seed, Budget budget, Consumer<Allocation> improved) {
-        return new Walk(ground, seed, flyable(orders), 0, 0).run(budget, improved);
+    public Allocation improve(int[][] orders, long seed, SearchBudget budget, Consumer<Allocation> improved) {
+        return new AnnealingSearch(ground, seed, flyable(orders), 0, 0).run(budget, improved);
     }
 
     /**
@@ -32,7 +32,7 @@ public final class Allocator {
      * @param closed drones that get nothing more
      */
     public Allocation insert(int[][] orders, BitSet closed) {
-        Tours tours = ground.tours();
+        TourLists tours = ground.tours();
         tours.set(flyable(orders));
         new OrphanInsertion(tours, ground.worth(tours), ground.costs(), ground.instance(), ground.near())
                 .insertAll(closed);
@@ -40,7 +40,7 @@ public final class Allocator {
     }
 
     private int[][] flyable(int[][] orders) {
-        return new Mending(ground.instance(), ground.costs()).flyable(orders);
+        return new TourRepair(ground.instance(), ground.costs()).flyable(orders);
     }
 
     /** What a plan is compared by; less is better. */

@@ -9,16 +9,16 @@ final class ExactSearch {
     /** More ways to share out and to order than this are left to the annealed search. */
     private static final double MOST_PLANS = 300_000;
 
-    private final Tours tours;
-    private final Costs costs;
-    private final Worth worth;
+    private final TourLists tours;
+    private final LegCosts costs;
+    private final SearchCost worth;
     private final Deque<Integer>[] orders;
     private final boolean[] visited;
     private final int[][] best;
     private double bestExact;
 
     @SuppressWarnings({"unchecked", "rawtypes"})
-    private ExactSearch(Tours tours, Costs costs, Worth worth) {
+    private ExactSearch(TourLists tours, LegCosts costs, SearchCost worth) {
         this.tours = tours;
         this.costs = costs;
         this.worth = worth;
@@ -29,7 +29,7 @@ final class ExactSearch {
         bestExact = worth.exact();
     }
 
-    static boolean suits(Tours tours) {
+    static boolean suits(TourLists tours) {
         double plans = 1;
         for (int waypoint = 0; waypoint < tours.waypoints && plans <= MOST_PLANS; waypoint++) {
             plans *= tours.drones + waypoint;
@@ -38,19 +38,19 @@ final class ExactSearch {
     }
 
     /** The best plan of all; the tours at hand are what it has to be better than. */
-    static int[][] best(Tours tours, Costs costs, Worth worth) {
+    static int[][] best(TourLists tours, LegCosts costs, SearchCost worth) {
         ExactSearch search = new ExactSearch(tours, costs, worth);
-        search.extend(0, new Flight(costs, 0), tours.start(0), new Worth.Tally(0, 0, 0));
+        search.extend(0, new TourEvaluation(costs, 0), tours.start(0), new SearchCost.Totals(0, 0, 0));
         return search.best;
     }
 
-    private void extend(int r, Flight flight, int at, Worth.Tally before) {
+    private void extend(int r, TourEvaluation flight, int at, SearchCost.Totals before) {
         close(r, flight, at, before);
         for (int waypoint = 0; waypoint < tours.waypoints; waypoint++) {
             if (visited[waypoint] || !costs.allows(waypoint, r)) {
                 continue;
             }
-            Flight further = flight.copy();
+            TourEvaluation further = flight.copy();
             further.fly(at, waypoint);
             if (further.late()
                     || !Double.isFinite(further.seconds())
@@ -66,19 +66,19 @@ final class ExactSearch {
     }
 
     /** Flies home, and goes on with the next drone. */
-    private void close(int r, Flight flight, int at, Worth.Tally before) {
+    private void close(int r, TourEvaluation flight, int at, SearchCost.Totals before) {
         boolean empty = orders[r].isEmpty();
-        Flight home = flight.copy();
+        TourEvaluation home = flight.copy();
         home.fly(at, tours.end(r));
-        if (!empty && (!Double.isFinite(home.seconds()) || !Room.withinRange(costs, r, home.joules()))) {
+        if (!empty && (!Double.isFinite(home.seconds()) || !InsertionFeasibility.withinRange(costs, r, home.joules()))) {
             return;
         }
-        Worth.Tally tally = empty ? without(r, home, before) : before.with(home.seconds(), home.sum());
+        SearchCost.Totals tally = empty ? without(r, home, before) : before.with(home.seconds(), home.sum());
         if (isDear(tally)) {
             return;
         }
         if (r + 1 < tours.drones) {
-            extend(r + 1, new Flight(costs, r + 1), tours.start(r + 1), tally);
+            extend(r + 1, new TourEvaluation(costs, r + 1), tours.start(r + 1), tally);
             return;
         }
         double exact = worth.exact(tally);
@@ -93,12 +93,12 @@ final class ExactSearch {
     }
 
     /** A drone that is given nothing may have to fly all the same. */
-    private Worth.Tally without(int r, Flight home, Worth.Tally before) {
-        Worth.Tally flown = costs.mustFly(r) ? before.with(home.seconds(), home.sum()) : before;
+    private SearchCost.Totals without(int r, TourEvaluation home, SearchCost.Totals before) {
+        SearchCost.Totals flown = costs.mustFly(r) ? before.with(home.seconds(), home.sum()) : before;
         return costs.busy(r) ? flown : flown.withIdle();
     }
 
-    private boolean isDear(Worth.Tally tally) {
+    private boolean isDear(SearchCost.Totals tally) {
         return worth.exact(tally) >= bestExact;
     }
 }

@@ -1,14 +1,14 @@
 package org.dronemap.cognitive.allocate;
 
 import java.util.List;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationProblem;
 
 /** Waypoints as they were entered, cut into as many stretches of one length as there are drones. */
 public final class GivenOrder implements Baseline {
     @Override
-    public Allocation allocate(Instance instance) {
-        Costs costs = new Costs(instance);
-        List<Round> rounds = Round.all(instance, costs);
+    public Allocation allocate(AllocationProblem instance) {
+        LegCosts costs = new LegCosts(instance);
+        List<BaselineTour> rounds = BaselineTour.all(instance, costs);
         int drones = rounds.size();
         int waypoints = instance.visits().size();
         for (int waypoint = 0; waypoint < waypoints; waypoint++) {

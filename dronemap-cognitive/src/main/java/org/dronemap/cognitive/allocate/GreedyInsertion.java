@@ -15,22 +15,22 @@ final class GreedyInsertion {
     /** More that cannot be served are not all tried again each time. */
     private static final int MOST_TRIED = 64;
 
-    private final Tours tours;
-    private final Costs costs;
-    private final Choice choice;
-    private final Neighbours near;
+    private final TourLists tours;
+    private final LegCosts costs;
+    private final InsertionChoice choice;
+    private final NeighbourLists near;
     private final SplittableRandom random;
     private final int breadth;
     private final int[] order;
     private final double[] keys;
 
-    GreedyInsertion(Tours tours, Worth worth, Costs costs, Neighbours near, SplittableRandom random) {
+    GreedyInsertion(TourLists tours, SearchCost worth, LegCosts costs, NeighbourLists near, SplittableRandom random) {
         this.tours = tours;
         this.costs = costs;
         this.near = near;
         this.random = random;
-        choice = new Choice(tours, worth, costs);
-        breadth = Math.min(Neighbours.CLOSE, near.length());
+        choice = new InsertionChoice(tours, worth, costs);
+        breadth = Math.min(NeighbourLists.CLOSE, near.length());
         order = new int[tours.waypoints];
         keys = new double[tours.waypoints];
     }
@@ -45,7 +45,7 @@ final class GreedyInsertion {
     }
 
     private void insert(int most) {
-        Bag absent = tours.absent();
+        IndexSet absent = tours.absent();
         int count = Math.min(absent.size(), most);
         for (int i = 0; i < count; i++) {
             order[i] = absent.size() <= most ? absent.get(i) : absent.get(random.nextInt(absent.size()));
@@ -56,7 +56,7 @@ final class GreedyInsertion {
             shuffle(count);
         }
         for (int i = 0; i < count; i++) {
-            if (tours.drone(order[i]) == Tours.NONE) {
+            if (tours.drone(order[i]) == TourLists.NONE) {
                 insertOne(order[i]);
             }
         }
@@ -97,7 +97,7 @@ final class GreedyInsertion {
         for (int rank = 0; rank < breadth; rank++) {
             int other = near.get(waypoint, rank);
             int r = tours.drone(other);
-            if (r != Tours.NONE && costs.allows(waypoint, r) && !overlooked()) {
+            if (r != TourLists.NONE && costs.allows(waypoint, r) && !overlooked()) {
                 choice.beside(waypoint, r, other);
             }
         }
@@ -108,7 +108,7 @@ final class GreedyInsertion {
                 choice.atAnEnd(waypoint, r);
             }
         }
-        if (choice.after() != Tours.NONE) {
+        if (choice.after() != TourLists.NONE) {
             tours.insert(waypoint, choice.after());
         }
     }

@@ -1,8 +1,8 @@
 package org.dronemap.cognitive.allocate;
 
 import java.util.Arrays;
-import org.dronemap.cognitive.cost.Aim;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationObjective;
+import org.dronemap.cognitive.cost.AllocationProblem;
 
 /**
  * A lower bound on the cost of any plan that serves every waypoint (Held and Karp's 1-tree bound). All starts and ends
@@ -15,8 +15,8 @@ public final class LowerBound {
     /** Beyond this many waypoints only the way out and back is looked at: a tree costs their square each time. */
     private static final int MOST_WAYPOINTS = 4_000;
 
-    private final Instance instance;
-    private final Costs costs;
+    private final AllocationProblem instance;
+    private final LegCosts costs;
     private final int waypoints;
     private final int drones;
     private final double[] multipliers;
@@ -24,9 +24,9 @@ public final class LowerBound {
     private final double[] reach;
     private final int[] parent;
 
-    private LowerBound(Instance instance) {
+    private LowerBound(AllocationProblem instance) {
         this.instance = instance;
-        costs = new Costs(instance);
+        costs = new LegCosts(instance);
         waypoints = instance.visits().size();
         drones = instance.carriers().size();
         multipliers = new double[waypoints + 1];
@@ -36,15 +36,15 @@ public final class LowerBound {
     }
 
     /** In the unit of the aim, 0 where some waypoint cannot be reached; {@code rounds} of pushing up cost the square of the waypoints each. */
-    public static double of(Instance instance, int rounds) {
+    public static double of(AllocationProblem instance, int rounds) {
         LowerBound bound = new LowerBound(instance);
-        Aim aim = instance.aim();
+        AllocationObjective aim = instance.aim();
         double sum = 0;
         if (bound.waypoints > 1 && bound.waypoints <= MOST_WAYPOINTS) {
             sum = bound.sum(rounds);
         }
         double longest = bound.farthest();
-        if (aim.measure() == Aim.Measure.SECONDS) {
+        if (aim.measure() == AllocationObjective.Measure.SECONDS) {
             longest = Math.max(longest, sum / bound.drones);
         }
         double least = aim.longestWeight() * longest + aim.sumWeight() * sum;
@@ -57,7 +57,7 @@ public final class LowerBound {
             double nearest = Double.POSITIVE_INFINITY;
             for (int r = 0; r < drones; r++) {
                 if (costs.allows(waypoint, r)) {
-                    Flight flight = new Flight(costs, r);
+                    TourEvaluation flight = new TourEvaluation(costs, r);
                     flight.fly(instance.start(r), waypoint);
                     flight.fly(waypoint, instance.end(r));
                     nearest = Math.min(nearest, flight.seconds());

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.dronemap.cognitive.cost.Aim;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationObjective;
+import org.dronemap.cognitive.cost.AllocationProblem;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,21 +21,21 @@ public final class MoveAndImprove implements Baseline {
     private static final double LEAST_GAIN = 1e-9;
 
     @Override
-    public Allocation allocate(Instance instance) {
+    public Allocation allocate(AllocationProblem instance) {
         return new Market(instance).close();
     }
 
     private static final class Market {
-        private final Instance instance;
-        private final Costs costs;
-        private final Aim aim;
-        private final List<Round> rounds;
+        private final AllocationProblem instance;
+        private final LegCosts costs;
+        private final AllocationObjective aim;
+        private final List<BaselineTour> rounds;
 
-        Market(Instance instance) {
+        Market(AllocationProblem instance) {
             this.instance = instance;
             aim = instance.aim();
-            costs = new Costs(instance);
-            rounds = Round.all(instance, costs);
+            costs = new LegCosts(instance);
+            rounds = BaselineTour.all(instance, costs);
         }
 
         Allocation close() {
@@ -50,7 +50,7 @@ public final class MoveAndImprove implements Baseline {
             int waypoints = instance.visits().size();
             int share = (waypoints + rounds.size() - 1) / rounds.size();
             for (int r = 0; r < rounds.size(); r++) {
-                Round round = rounds.get(r);
+                BaselineTour round = rounds.get(r);
                 int drone = r;
                 IntStream.range(0, waypoints)
                         .filter(waypoint -> costs.allows(waypoint, drone))
@@ -62,8 +62,8 @@ public final class MoveAndImprove implements Baseline {
             }
         }
 
-        private static void place(Round round, int waypoint) {
-            Round.Gap gap = round.cheapest(waypoint);
+        private static void place(BaselineTour round, int waypoint) {
+            BaselineTour.InsertionPosition gap = round.cheapest(waypoint);
             if (gap != null) {
                 round.insert(waypoint, gap.position());
             }
@@ -79,7 +79,7 @@ public final class MoveAndImprove implements Baseline {
                         .skip(1)
                         .forEach(round -> round.remove(round.position(disputed)));
             }
-            rounds.forEach(Round::shorten);
+            rounds.forEach(BaselineTour::shorten);
             for (int waypoint = 0; waypoint < waypoints; waypoint++) {
                 if (claimants(waypoint).isEmpty()) {
                     auction(waypoint);
@@ -87,13 +87,13 @@ public final class MoveAndImprove implements Baseline {
             }
         }
 
-        private List<Round> claimants(int waypoint) {
+        private List<BaselineTour> claimants(int waypoint) {
             return rounds.stream()
                     .filter(round -> round.position(waypoint) >= 0)
                     .toList();
         }
 
-        private double price(Round claimant, int waypoint) {
+        private double price(BaselineTour claimant, int waypoint) {
             double saving = claimant.saving(claimant.position(waypoint));
             return aim.longestWeight() > 0 ? claimant.seconds() : saving;
         }
@@ -105,14 +105,14 @@ public final class MoveAndImprove implements Baseline {
             }
         }
 
-        private record Bid(Round buyer, Round.Gap gap) {}
+        private record Bid(BaselineTour buyer, BaselineTour.InsertionPosition gap) {}
 
         /** The lowest bid; windows and batteries are kept to. */
-        private @Nullable Bid best(int waypoint, @Nullable Round seller) {
+        private @Nullable Bid best(int waypoint, @Nullable BaselineTour seller) {
             Bid best = null;
             double least = Double.POSITIVE_INFINITY;
-            for (Round round : rounds) {
-                Round.Gap gap = round.equals(seller) ? null : round.cheapest(waypoint);
+            for (BaselineTour round : rounds) {
+                BaselineTour.InsertionPosition gap = round.equals(seller) ? null : round.cheapest(waypoint);
                 if (gap == null) {
                     continue;
                 }
@@ -127,10 +127,10 @@ public final class MoveAndImprove implements Baseline {
 
         /** Drones fly from waypoint to waypoint, the one with the shortest way behind it first, and trade at each stop. */
         private void fly() {
-            List<Round> flying = new ArrayList<>(rounds);
+            List<BaselineTour> flying = new ArrayList<>(rounds);
             while (!flying.isEmpty()) {
-                Round next = flying.stream()
-                        .min(Comparator.comparingInt(Round::flown))
+                BaselineTour next = flying.stream()
+                        .min(Comparator.comparingInt(BaselineTour::flown))
                         .orElseThrow();
                 if (next.hasFlownAll()) {
                     flying.remove(next);
@@ -141,7 +141,7 @@ public final class MoveAndImprove implements Baseline {
             }
         }
 
-        private void sell(Round seller) {
+        private void sell(BaselineTour seller) {
             List<Integer> dearest = IntStream.range(seller.flown(), seller.size())
                     .boxed()
                     .sorted(Comparator.comparingDouble(position -> -seller.saving(position)))
@@ -151,7 +151,7 @@ public final class MoveAndImprove implements Baseline {
             dearest.forEach(waypoint -> offer(seller, waypoint));
         }
 
-        private void offer(Round seller, int waypoint) {
+        private void offer(BaselineTour seller, int waypoint) {
             int position = seller.position(waypoint);
             boolean keeps = (aim.everyDrone() && seller.size() == 1) || !seller.spares(position);
             Bid bid = keeps ? null : best(waypoint, seller);

@@ -4,22 +4,22 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationProblem;
 
 /** A baseline: of all drones the one with the shortest tour flies on to the nearest waypoint that is left. */
 public final class NearestNeighbour implements Baseline {
     private static final int NONE = -1;
 
     @Override
-    public Allocation allocate(Instance instance) {
-        Costs costs = new Costs(instance);
-        List<Round> rounds = Round.all(instance, costs);
-        List<Round> flying = new ArrayList<>(rounds);
+    public Allocation allocate(AllocationProblem instance) {
+        LegCosts costs = new LegCosts(instance);
+        List<BaselineTour> rounds = BaselineTour.all(instance, costs);
+        List<BaselineTour> flying = new ArrayList<>(rounds);
         BitSet left = new BitSet();
         left.set(0, instance.visits().size());
         while (!left.isEmpty() && !flying.isEmpty()) {
-            Round shortest = flying.stream()
-                    .min(Comparator.comparingDouble(Round::seconds))
+            BaselineTour shortest = flying.stream()
+                    .min(Comparator.comparingDouble(BaselineTour::seconds))
                     .orElseThrow();
             int next = next(shortest, left);
             if (next == NONE) {
@@ -32,7 +32,7 @@ public final class NearestNeighbour implements Baseline {
     }
 
     /** Flies on to the nearest one that the drone can serve; those that it cannot are looked at once more in its next turn. */
-    private static int next(Round round, BitSet left) {
+    private static int next(BaselineTour round, BitSet left) {
         BitSet candidates = (BitSet) left.clone();
         while (!candidates.isEmpty()) {
             int nearest = NONE;

@@ -1,7 +1,7 @@
 package org.dronemap.cognitive.allocate;
 
 import java.util.BitSet;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationProblem;
 
 /**
  * Puts what is absent where it costs least of all places, the most important first, then the cheapest: for a few orphans
@@ -11,22 +11,22 @@ final class OrphanInsertion {
     /** In larger plans only places beside near neighbours are looked at, and the ends of tours, as long as there are some. */
     private static final int MOST_WAYPOINTS = 500;
 
-    private final Tours tours;
-    private final Worth worth;
-    private final Costs costs;
-    private final Instance instance;
-    private final Neighbours near;
-    private final Choice choice;
+    private final TourLists tours;
+    private final SearchCost worth;
+    private final LegCosts costs;
+    private final AllocationProblem instance;
+    private final NeighbourLists near;
+    private final InsertionChoice choice;
     private final double[] changes;
     private final int[] afters;
 
-    OrphanInsertion(Tours tours, Worth worth, Costs costs, Instance instance, Neighbours near) {
+    OrphanInsertion(TourLists tours, SearchCost worth, LegCosts costs, AllocationProblem instance, NeighbourLists near) {
         this.tours = tours;
         this.worth = worth;
         this.costs = costs;
         this.instance = instance;
         this.near = near;
-        choice = new Choice(tours, worth, costs);
+        choice = new InsertionChoice(tours, worth, costs);
         changes = new double[tours.waypoints];
         afters = new int[tours.waypoints];
     }
@@ -37,7 +37,7 @@ final class OrphanInsertion {
         for (int i = 0; i < tours.absent().size(); i++) {
             lookEverywhere(tours.absent().get(i), closed);
         }
-        for (int next = next(); next != Tours.NONE; next = next()) {
+        for (int next = next(); next != TourLists.NONE; next = next()) {
             int r = tours.drone(afters[next]);
             tours.insert(next, afters[next]);
             worth.rescale();
@@ -46,12 +46,12 @@ final class OrphanInsertion {
         }
     }
 
-    /** The one to be put in next, or {@link Tours#NONE} when there is no place for any. */
+    /** The one to be put in next, or {@link TourLists#NONE} when there is no place for any. */
     private int next() {
-        int best = Tours.NONE;
+        int best = TourLists.NONE;
         for (int i = 0; i < tours.absent().size(); i++) {
             int orphan = tours.absent().get(i);
-            if (afters[orphan] != Tours.NONE && (best == Tours.NONE || isBefore(orphan, best))) {
+            if (afters[orphan] != TourLists.NONE && (best == TourLists.NONE || isBefore(orphan, best))) {
                 best = orphan;
             }
         }
@@ -71,7 +71,7 @@ final class OrphanInsertion {
         if (tours.waypoints > MOST_WAYPOINTS) {
             lookNearby(orphan, closed);
         }
-        boolean found = choice.after() != Tours.NONE;
+        boolean found = choice.after() != TourLists.NONE;
         for (int r = 0; r < tours.drones && !found; r++) {
             if (isOpen(orphan, r, closed)) {
                 choice.everywhere(orphan, r);
@@ -84,7 +84,7 @@ final class OrphanInsertion {
     private void lookAgain(int changed, BitSet closed) {
         for (int i = 0; i < tours.absent().size(); i++) {
             int orphan = tours.absent().get(i);
-            if (afters[orphan] == Tours.NONE) {
+            if (afters[orphan] == TourLists.NONE) {
                 continue;
             }
             if (tours.drone(afters[orphan]) == changed) {
@@ -114,7 +114,7 @@ final class OrphanInsertion {
         for (int rank = 0; rank < near.length(); rank++) {
             int other = near.get(orphan, rank);
             int r = tours.drone(other);
-            if (r != Tours.NONE && isOpen(orphan, r, closed)) {
+            if (r != TourLists.NONE && isOpen(orphan, r, closed)) {
                 choice.beside(orphan, r, other);
             }
         }

@@ -15,15 +15,15 @@ final class StringRemoval {
     private static final double SPLIT = 0.5;
     private static final double KEEP_MORE = 0.5;
 
-    private final Tours tours;
-    private final Neighbours near;
+    private final TourLists tours;
+    private final NeighbourLists near;
     private final SplittableRandom random;
     private final boolean longFirst;
     private final int[] ruinedIn;
     private int turn;
 
     /** {@code longFirst}: long tours are what counts, and are ruined more often than short ones. */
-    StringRemoval(Tours tours, Neighbours near, SplittableRandom random, boolean longFirst) {
+    StringRemoval(TourLists tours, NeighbourLists near, SplittableRandom random, boolean longFirst) {
         this.tours = tours;
         this.near = near;
         this.random = random;
@@ -42,7 +42,7 @@ final class StringRemoval {
         for (int rank = -1; rank < near.length() && strings > 0; rank++) {
             int waypoint = rank < 0 ? seed : near.get(seed, rank);
             int r = tours.drone(waypoint);
-            if (r != Tours.NONE && (again || ruinedIn[r] != turn)) {
+            if (r != TourLists.NONE && (again || ruinedIn[r] != turn)) {
                 ruinedIn[r] = turn;
                 strings--;
                 removeString(waypoint, r, (int) (1 + random.nextDouble() * Math.min(longest, tours.size(r))));
@@ -59,7 +59,7 @@ final class StringRemoval {
         int other = random.nextInt(tours.waypoints);
         int r = tours.drone(one);
         int s = tours.drone(other);
-        boolean both = r != Tours.NONE && s != Tours.NONE;
+        boolean both = r != TourLists.NONE && s != TourLists.NONE;
         return both && tours.seconds(s) > tours.seconds(r) ? other : one;
     }
 

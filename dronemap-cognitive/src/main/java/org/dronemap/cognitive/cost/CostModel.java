@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Objective;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 
 /** A problem in numbers, and the way back from an order of waypoints to a plan. Safe for several threads. */
@@ -20,47 +20,47 @@ public final class CostModel {
     /** So many waypoints times drones are looked at one by one before the search, else as if no zone were in the way. */
     private static final int MOST_LOOKED_AT = 20_000;
 
-    private final Problem problem;
-    private final Instance instance;
+    private final PlanningProblem problem;
+    private final AllocationProblem instance;
     private final Feasibility feasibility;
     private final PlanWriter writer;
 
-    private CostModel(Problem problem, Instance instance, Feasibility feasibility, PlanWriter writer) {
+    private CostModel(PlanningProblem problem, AllocationProblem instance, Feasibility feasibility, PlanWriter writer) {
         this.problem = problem;
         this.instance = instance;
         this.feasibility = feasibility;
         this.writer = writer;
     }
 
-    public static CostModel of(Problem problem) {
-        Track track = new Track(problem);
-        Fleet fleet = Fleet.of(problem);
-        OpenLegs open = new OpenLegs(track, fleet.paces());
+    public static CostModel of(PlanningProblem problem) {
+        PlaceTable track = new PlaceTable(problem);
+        DroneTypes fleet = DroneTypes.of(problem);
+        DirectLegs open = new DirectLegs(track, fleet.paces());
         FencedLegs fenced = problem.barriers().isEmpty() ? null : fenced(problem, track, fleet, open);
         Legs legs = fenced == null ? open : fenced;
         Detours detours = fenced == null ? Detours.NONE : fenced;
         boolean small = (long) problem.waypoints().size() * problem.crafts().size() <= MOST_LOOKED_AT;
         double[] ranges = ranges(problem);
         Feasibility feasibility = new Feasibility(problem, fleet, small ? legs : open, detours, ranges);
-        Instance instance = new Instance(
+        AllocationProblem instance = new AllocationProblem(
                 legs, visits(problem, fleet, feasibility), carriers(problem, fleet, ranges), aim(problem.objective()));
-        WayWriter ways = new WayWriter(problem, track, fleet, detours);
+        TourLegWriter ways = new TourLegWriter(problem, track, fleet, detours);
         return new CostModel(problem, instance, feasibility, new PlanWriter(problem, fleet, ways));
     }
 
-    private static FencedLegs fenced(Problem problem, Track track, Fleet fleet, OpenLegs open) {
-        Map<Fleet.Region, Surroundings> known = new HashMap<>();
-        List<Surroundings> surroundings = fleet.regions().stream()
-                .map(region -> known.computeIfAbsent(region, fresh -> new Surroundings(fresh, track, problem.rules())))
+    private static FencedLegs fenced(PlanningProblem problem, PlaceTable track, DroneTypes fleet, DirectLegs open) {
+        Map<DroneTypes.BarrierSet, BarrierMap> known = new HashMap<>();
+        List<BarrierMap> surroundings = fleet.regions().stream()
+                .map(region -> known.computeIfAbsent(region, fresh -> new BarrierMap(fresh, track, problem.rules())))
                 .toList();
         return new FencedLegs(track, open, fleet.paces(), surroundings);
     }
 
-    public Problem problem() {
+    public PlanningProblem problem() {
         return problem;
     }
 
-    public Instance instance() {
+    public AllocationProblem instance() {
         return instance;
     }
 
@@ -79,7 +79,7 @@ public final class CostModel {
     }
 
     /** Hovering till it is ready takes from what it may draw. */
-    private static double[] ranges(Problem problem) {
+    private static double[] ranges(PlanningProblem problem) {
         return problem.crafts().stream()
                 .mapToDouble(craft -> {
                     double waiting = craft.start().airborne() ? craft.start().readySeconds() : 0;
@@ -89,9 +89,9 @@ public final class CostModel {
                 .toArray();
     }
 
-    private static List<Visit> visits(Problem problem, Fleet fleet, Feasibility feasibility) {
+    private static List<Visit> visits(PlanningProblem problem, DroneTypes fleet, Feasibility feasibility) {
         double hoverWatts = 0;
-        for (Pace pace : fleet.paces()) {
+        for (FlightModel pace : fleet.paces()) {
             hoverWatts = Math.max(hoverWatts, pace.hoverWatts());
         }
         List<Visit> visits = new ArrayList<>(problem.waypoints().size());
@@ -109,11 +109,11 @@ public final class CostModel {
         return visits;
     }
 
-    private static List<Carrier> carriers(Problem problem, Fleet fleet, double[] ranges) {
-        List<Carrier> carriers = new ArrayList<>(ranges.length);
+    private static List<AllocationDrone> carriers(PlanningProblem problem, DroneTypes fleet, double[] ranges) {
+        List<AllocationDrone> carriers = new ArrayList<>(ranges.length);
         for (int drone = 0; drone < ranges.length; drone++) {
             Craft craft = problem.crafts().get(drone);
-            carriers.add(new Carrier(
+            carriers.add(new AllocationDrone(
                     fleet.typeOf(drone),
                     craft.start().readySeconds(),
                     Math.max(0, ranges[drone]),
@@ -122,10 +122,10 @@ public final class CostModel {
         return carriers;
     }
 
-    private static Aim aim(Objective objective) {
-        return new Aim(
+    private static AllocationObjective aim(Objective objective) {
+        return new AllocationObjective(
                 objective.longestWeight(),
-                Aim.Measure.valueOf(objective.measure().name()),
+                AllocationObjective.Measure.valueOf(objective.measure().name()),
                 objective.sumWeight(),
                 objective.everyDrone());
     }

@@ -13,23 +13,23 @@ import org.jspecify.annotations.Nullable;
  * @param costs of each type that may fly it; null where the straight way is free
  */
 record Detour(
-        int from, int to, List<Geodetic> turns, @Nullable Costs costs) {
+        int from, int to, List<Geodetic> turns, @Nullable CostsByType costs) {
     /** Of each type, by its number. */
-    static final class Costs {
+    static final class CostsByType {
         final double meters;
         final double[] seconds;
         final double[] joules;
 
-        Costs(double meters, double[] seconds, double[] joules) {
+        CostsByType(double meters, double[] seconds, double[] joules) {
             this.meters = meters;
             this.seconds = seconds;
             this.joules = joules;
         }
 
-        static Costs unreachable(int types) {
+        static CostsByType unreachable(int types) {
             double[] never = new double[types];
             Arrays.fill(never, Double.POSITIVE_INFINITY);
-            return new Costs(Double.POSITIVE_INFINITY, never, never);
+            return new CostsByType(Double.POSITIVE_INFINITY, never, never);
         }
     }
 }

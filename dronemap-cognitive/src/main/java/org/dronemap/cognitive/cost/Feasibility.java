@@ -5,19 +5,19 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dronemap.cognitive.problem.Craft;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 
 /** Decides which drones could visit a waypoint as their only one, and says why none can. Never changes. */
 final class Feasibility {
-    private final Problem problem;
-    private final Fleet fleet;
+    private final PlanningProblem problem;
+    private final DroneTypes fleet;
     private final Legs legs;
     private final Detours detours;
     private final double[] ranges;
 
     /** {@code legs}: those of the problem, or where these take too long shorter ones. */
-    Feasibility(Problem problem, Fleet fleet, Legs legs, Detours detours, double[] ranges) {
+    Feasibility(PlanningProblem problem, DroneTypes fleet, Legs legs, Detours detours, double[] ranges) {
         this.problem = problem;
         this.fleet = fleet;
         this.legs = legs;
@@ -152,11 +152,11 @@ final class Feasibility {
                         .toList());
     }
 
-    private interface Test {
+    private interface DroneTest {
         boolean holds(int drone);
     }
 
-    private static void keep(BitSet drones, Test test) {
+    private static void keep(BitSet drones, DroneTest test) {
         for (int drone = drones.nextSetBit(0); drone >= 0; drone = drones.nextSetBit(drone + 1)) {
             if (!test.holds(drone)) {
                 drones.clear(drone);

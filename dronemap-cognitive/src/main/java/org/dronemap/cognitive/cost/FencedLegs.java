@@ -17,28 +17,28 @@ final class FencedLegs implements Legs, Detours {
     /** Whatever its ends. */
     private static final Detour STRAIGHT = new Detour(-1, -1, List.of(), null);
 
-    private final OpenLegs open;
+    private final DirectLegs open;
     private final int places;
     private final boolean all;
     private final int room;
-    private final Guide[] guides;
+    private final DetourFinder[] guides;
     /** Of each type; types in the same surroundings share one. */
     private final AtomicReferenceArray<Detour>[] kept;
 
     @SuppressWarnings({"unchecked", "rawtypes"})
-    FencedLegs(Track track, OpenLegs open, Pace[] paces, List<Surroundings> surroundings) {
+    FencedLegs(PlaceTable track, DirectLegs open, FlightModel[] paces, List<BarrierMap> surroundings) {
         this.open = open;
         this.places = track.places;
-        this.guides = new Guide[paces.length];
+        this.guides = new DetourFinder[paces.length];
         this.kept = new AtomicReferenceArray[paces.length];
-        IdentityHashMap<Surroundings, Integer> known = new IdentityHashMap<>();
+        IdentityHashMap<BarrierMap, Integer> known = new IdentityHashMap<>();
         int groups = (int) surroundings.stream().distinct().count();
         this.room = Integer.highestOneBit(KEPT / groups);
         this.all = (long) places * places <= room;
         int size = all ? places * places : room;
         for (int type = 0; type < paces.length; type++) {
             Integer same = known.putIfAbsent(surroundings.get(type), type);
-            guides[type] = same == null ? new Guide(track, paces, surroundings.get(type)) : guides[same];
+            guides[type] = same == null ? new DetourFinder(track, paces, surroundings.get(type)) : guides[same];
             kept[type] = same == null ? new AtomicReferenceArray<>(size) : kept[same];
         }
     }
@@ -87,19 +87,19 @@ final class FencedLegs implements Legs, Detours {
 
     @Override
     public double seconds(int type, int from, int to) {
-        Detour.Costs costs = find(type, from, to).costs();
+        Detour.CostsByType costs = find(type, from, to).costs();
         return costs == null ? open.seconds(type, from, to) : costs.seconds[type];
     }
 
     @Override
     public double meters(int type, int from, int to) {
-        Detour.Costs costs = find(type, from, to).costs();
+        Detour.CostsByType costs = find(type, from, to).costs();
         return costs == null ? open.meters(type, from, to) : costs.meters;
     }
 
     @Override
     public double joules(int type, int from, int to) {
-        Detour.Costs costs = find(type, from, to).costs();
+        Detour.CostsByType costs = find(type, from, to).costs();
         return costs == null ? open.joules(type, from, to) : costs.joules[type];
     }
 

@@ -7,19 +7,19 @@ import java.util.function.IntFunction;
 import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
-import org.dronemap.cognitive.plan.Unserved;
-import org.dronemap.cognitive.plan.Way;
+import org.dronemap.cognitive.plan.TourLeg;
+import org.dronemap.cognitive.plan.UnservedWaypoint;
 import org.dronemap.cognitive.problem.Craft;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 
 /** Turns an order of waypoints for each drone into times, heights and energy. Never changes. */
 final class PlanWriter {
-    private final Problem problem;
-    private final Fleet fleet;
-    private final WayWriter ways;
+    private final PlanningProblem problem;
+    private final DroneTypes fleet;
+    private final TourLegWriter ways;
 
-    PlanWriter(Problem problem, Fleet fleet, WayWriter ways) {
+    PlanWriter(PlanningProblem problem, DroneTypes fleet, TourLegWriter ways) {
         this.problem = problem;
         this.fleet = fleet;
         this.ways = ways;
@@ -43,9 +43,9 @@ final class PlanWriter {
                 tours.add(tour(drone, orders[drone]));
             }
         }
-        List<Unserved> unserved = new ArrayList<>();
+        List<UnservedWaypoint> unserved = new ArrayList<>();
         for (int i = served.nextClearBit(0); i < problem.waypoints().size(); i = served.nextClearBit(i + 1)) {
-            unserved.add(new Unserved(problem.waypoints().get(i).id(), why.apply(i)));
+            unserved.add(new UnservedWaypoint(problem.waypoints().get(i).id(), why.apply(i)));
         }
         return new Plan(tours, unserved);
     }
@@ -60,14 +60,14 @@ final class PlanWriter {
         int end = at + 1;
         for (int next : order) {
             Waypoint waypoint = problem.waypoints().get(next);
-            Way way = ways.write(drone, at, next, seconds);
+            TourLeg way = ways.write(drone, at, next, seconds);
             double begins = Math.max(way.arrivesSeconds(), waypoint.window().opensSeconds());
             seconds = begins + waypoint.task().serviceSeconds();
             joules += way.joules() + (seconds - way.arrivesSeconds()) * hoverWatts;
             stops.add(new Stop(waypoint.id(), way, begins, seconds, joules));
             at = next;
         }
-        Way last = ways.write(drone, at, end, seconds);
+        TourLeg last = ways.write(drone, at, end, seconds);
         return new Tour(craft.id(), stops, last, joules + last.joules());
     }
 }

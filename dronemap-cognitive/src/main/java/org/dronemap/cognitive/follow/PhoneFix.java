@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * A position that a phone reported, with its accuracy and, if known, its course.
  *
- * @param at by the cloud's clock, see {@link PhoneClock}
+ * @param at by the cloud's clock, see {@link PhoneClockOffset}
  * @param accuracyMeters the phone is within so much of the place in two cases of three, by its own word
  * @param course how it moves, which receivers measure apart from where they are; null: it does not say
  */

@@ -6,7 +6,7 @@ package org.dronemap.cognitive.follow;
  * @param distanceMeters on the ground, 0 to 200
  * @param altitudeAmslMeters its own height
  */
-public record StandOff(Side side, double distanceMeters, double altitudeAmslMeters) {
+public record StandOff(StandOffSide side, double distanceMeters, double altitudeAmslMeters) {
     private static final double FARTHEST = 200;
 
     public StandOff {

@@ -5,16 +5,16 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
-import org.dronemap.core.geo.Spot;
+import org.dronemap.core.geo.PlanePoint;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Says from a phone's fixes where it is, how it moves and where it will be. What a phone says of its accuracy tells little of how
- * its error changes: each {@link Hypothesis} of that counts as much as it foretold the fixes. Owned by one thread.
+ * its error changes: each {@link NoiseHypothesis} of that counts as much as it foretold the fixes. Owned by one thread.
  */
-public final class TargetFilter implements Followed {
+public final class TargetFilter implements TrackedTarget {
     /** The result of a fix for the filter. */
-    public enum Verdict {
+    public enum FixResult {
         TAKEN,
         /** It is older than one that was taken. */
         LATE,
@@ -38,14 +38,14 @@ public final class TargetFilter implements Followed {
 
     private static final double NANOS = 1e9;
 
-    private static final List<Hypothesis.Phone> PHONES = List.of(
-            new Hypothesis.Phone(0.02, 0.01),
-            new Hypothesis.Phone(0.05, 0.04),
-            new Hypothesis.Phone(0.12, 0.1),
-            new Hypothesis.Phone(0.3, 0.25));
+    private static final List<NoiseHypothesis.NoiseModel> PHONES = List.of(
+            new NoiseHypothesis.NoiseModel(0.02, 0.01),
+            new NoiseHypothesis.NoiseModel(0.05, 0.04),
+            new NoiseHypothesis.NoiseModel(0.12, 0.1),
+            new NoiseHypothesis.NoiseModel(0.3, 0.25));
 
-    private final List<Hypothesis> hypotheses =
-            PHONES.stream().map(Hypothesis::new).toList();
+    private final List<NoiseHypothesis> hypotheses =
+            PHONES.stream().map(NoiseHypothesis::new).toList();
     private final LocalPlane plane;
     private @Nullable Instant last;
     private int outliers;
@@ -55,31 +55,31 @@ public final class TargetFilter implements Followed {
         plane = new LocalPlane(near);
     }
 
-    public Verdict take(PhoneFix fix) {
+    public FixResult take(PhoneFix fix) {
         if (fix.accuracyMeters() > VAGUE_METERS) {
-            return Verdict.VAGUE;
+            return FixResult.VAGUE;
         }
         Instant before = last;
         double meters = Math.max(LEAST_METERS, fix.accuracyMeters());
         if (before == null || Duration.between(before, fix.at()).compareTo(FORGOTTEN) > 0) {
             begin(fix, meters);
-            return Verdict.TAKEN;
+            return FixResult.TAKEN;
         }
         double seconds = seconds(before, fix.at());
         if (seconds <= 0) {
-            return Verdict.LATE;
+            return FixResult.LATE;
         }
-        Spot spot = plane.spot(fix.point());
+        PlanePoint spot = plane.spot(fix.point());
         hypotheses.forEach(hypothesis -> hypothesis.pass(seconds, meters));
         last = fix.at();
         boolean expected =
                 hypotheses.stream().anyMatch(hypothesis -> hypothesis.surprise(spot, meters) < FAR_OFF_SIGMAS);
         if (!expected && ++outliers < BELIEVED_AFTER) {
-            return Verdict.OUTLIER;
+            return FixResult.OUTLIER;
         }
         if (!expected) {
             begin(fix, meters);
-            return Verdict.TAKEN;
+            return FixResult.TAKEN;
         }
         outliers = 0;
         hypotheses.forEach(hypothesis -> hypothesis.learn(spot, meters));
@@ -87,7 +87,7 @@ public final class TargetFilter implements Followed {
         if (course != null) {
             hypotheses.forEach(hypothesis -> hypothesis.learnSpeed(course, SPEED_ACCURACY));
         }
-        return Verdict.TAKEN;
+        return FixResult.TAKEN;
     }
 
     private void begin(PhoneFix fix, double meters) {
@@ -107,26 +107,26 @@ public final class TargetFilter implements Followed {
     }
 
     @Override
-    public @Nullable Motion at(Instant time) {
+    public @Nullable PlanarMotion at(Instant time) {
         Instant from = last;
         if (from == null) {
             return null;
         }
         double seconds = Math.max(0, Math.min(LONGEST_SECONDS, seconds(from, time)));
-        double best = hypotheses.stream().mapToDouble(Hypothesis::credit).max().orElseThrow();
+        double best = hypotheses.stream().mapToDouble(NoiseHypothesis::credit).max().orElseThrow();
         double all = 0;
-        Motion sum = Motion.NONE;
-        for (Hypothesis hypothesis : hypotheses) {
+        PlanarMotion sum = PlanarMotion.NONE;
+        for (NoiseHypothesis hypothesis : hypotheses) {
             double likelihood = Math.exp(hypothesis.credit() - best);
             sum = sum.plus(hypothesis.after(seconds), likelihood);
             all += likelihood;
         }
-        return Motion.NONE.plus(sum, 1 / all);
+        return PlanarMotion.NONE.plus(sum, 1 / all);
     }
 
     /** Where it was by its newest fixes, without a look ahead; null: nothing is known of it. */
     public @Nullable Geodetic where() {
-        Motion now = last == null ? null : at(last);
+        PlanarMotion now = last == null ? null : at(last);
         return now == null ? null : plane.place(now.spot());
     }
 

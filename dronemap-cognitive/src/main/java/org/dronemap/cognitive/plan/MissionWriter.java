@@ -37,8 +37,8 @@ public final class MissionWriter {
      * @param arrivals for each stop of the tour the number of the item, from 0, that is behind the drone when it is done
      * @param tasks which items do what of the waypoints' tasks
      */
-    public record Written(List<MissionItem> items, List<Integer> arrivals, List<TaskItem> tasks) {
-        public Written {
+    public record WrittenMission(List<MissionItem> items, List<Integer> arrivals, List<TaskItem> tasks) {
+        public WrittenMission {
             tasks = List.copyOf(tasks);
             items = List.copyOf(items);
             arrivals = List.copyOf(arrivals);
@@ -62,14 +62,14 @@ public final class MissionWriter {
                 : Optional.empty();
     }
 
-    public Written write(Tour tour) {
+    public WrittenMission write(Tour tour) {
         List<MissionItem> items = new ArrayList<>();
         List<Integer> arrivals = new ArrayList<>();
         List<TaskItem> done = new ArrayList<>();
-        List<Way> ways = tour.ways();
+        List<TourLeg> ways = tour.ways();
         for (int number = 0; number < ways.size(); number++) {
             boolean last = number == ways.size() - 1;
-            List<Fix> fixes = ways.get(number).fixes();
+            List<TimedPlace> fixes = ways.get(number).fixes();
             int begin = number == 0 ? begin(items, fixes, last) : 1;
             int end = last && craft.lands() ? fixes.size() - 1 : fixes.size();
             for (int i = begin; i < end; i++) {
@@ -84,7 +84,7 @@ public final class MissionWriter {
         if (craft.lands()) {
             items.add(landsAnywhere ? new MissionItem.Land() : new MissionItem.ReturnToLaunch());
         }
-        return new Written(items, arrivals, done);
+        return new WrittenMission(items, arrivals, done);
     }
 
     private List<WaypointTask> parts(Tour tour, int stop) {
@@ -132,7 +132,7 @@ public final class MissionWriter {
     }
 
     /** With which fix it goes on after a take-off. */
-    private int begin(List<MissionItem> items, List<Fix> fixes, boolean last) {
+    private int begin(List<MissionItem> items, List<TimedPlace> fixes, boolean last) {
         if (!craft.takesOff()) {
             return 1;
         }

@@ -5,7 +5,7 @@ import org.dronemap.core.stored.Stored;
 
 /** A plan: the drones' tours and the waypoints left out; drones without a tour stay where they are. */
 @Stored(names = "tours unserved")
-public record Plan(List<Tour> tours, List<Unserved> unserved) {
+public record Plan(List<Tour> tours, List<UnservedWaypoint> unserved) {
     public Plan {
         tours = List.copyOf(tours);
         unserved = List.copyOf(unserved);

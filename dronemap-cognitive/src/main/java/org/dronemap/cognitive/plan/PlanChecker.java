@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.problem.Craft;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 
@@ -18,7 +18,7 @@ public final class PlanChecker {
     private PlanChecker() {}
 
     /** Each a sentence; nothing when the plan can be flown. */
-    public static List<String> faults(Problem problem, Plan plan) {
+    public static List<String> faults(PlanningProblem problem, Plan plan) {
         List<String> faults = new ArrayList<>();
         visits(problem, plan, faults);
         Map<DroneId, Craft> crafts =
@@ -33,7 +33,7 @@ public final class PlanChecker {
             } else if (flown.putIfAbsent(tour.drone(), tour) != null) {
                 faults.add("The drone " + tour.drone() + " has two tours.");
             } else {
-                new TourJudge(problem, craft, tour, faults).judge(waypoints);
+                new TourCheck(problem, craft, tour, faults).judge(waypoints);
             }
         }
         idle(problem, flown, faults);
@@ -41,7 +41,7 @@ public final class PlanChecker {
         return List.copyOf(faults);
     }
 
-    private static void idle(Problem problem, Map<DroneId, Tour> flown, List<String> faults) {
+    private static void idle(PlanningProblem problem, Map<DroneId, Tour> flown, List<String> faults) {
         for (Craft craft : problem.crafts()) {
             Tour tour = flown.get(craft.id());
             if (tour == null && craft.start().airborne()) {
@@ -54,14 +54,14 @@ public final class PlanChecker {
         }
     }
 
-    private static void visits(Problem problem, Plan plan, List<String> faults) {
+    private static void visits(PlanningProblem problem, Plan plan, List<String> faults) {
         Set<String> seen = new HashSet<>();
         plan.tours().stream().flatMap(tour -> tour.stops().stream()).forEach(stop -> {
             if (!seen.add(stop.waypoint())) {
                 faults.add("The waypoint " + stop.waypoint() + " is visited twice.");
             }
         });
-        for (Unserved unserved : plan.unserved()) {
+        for (UnservedWaypoint unserved : plan.unserved()) {
             if (!seen.add(unserved.waypoint())) {
                 faults.add("The waypoint " + unserved.waypoint() + " is both visited and unserved, or unserved twice.");
             }

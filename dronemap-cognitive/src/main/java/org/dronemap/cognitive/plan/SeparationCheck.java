@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.problem.Craft;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Separation;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.LocalPlane;
@@ -27,16 +27,16 @@ public final class SeparationCheck {
     }
 
     /** The first of each two drones. */
-    public static List<Conflict> conflicts(Problem problem, Plan plan) {
+    public static List<Conflict> conflicts(PlanningProblem problem, Plan plan) {
         LocalPlane plane =
                 new LocalPlane(problem.crafts().get(0).start().place().point());
         Map<DroneId, Craft> crafts =
                 problem.crafts().stream().collect(Collectors.toMap(Craft::id, Function.identity()));
-        List<Trace> traces = new ArrayList<>();
+        List<TourTrajectory> traces = new ArrayList<>();
         for (Tour tour : plan.tours()) {
             Craft craft = crafts.get(tour.drone());
             if (craft != null) {
-                traces.add(Trace.of(craft, tour, plane));
+                traces.add(TourTrajectory.of(craft, tour, plane));
             }
         }
         SeparationCheck check = new SeparationCheck(problem.rules().separation());
@@ -49,17 +49,17 @@ public final class SeparationCheck {
         return conflicts;
     }
 
-    Optional<Conflict> first(Trace one, Trace other) {
+    Optional<Conflict> first(TourTrajectory one, TourTrajectory other) {
         double from = Math.max(one.fromSeconds(), other.fromSeconds());
         double till = Math.min(one.tillSeconds(), other.tillSeconds());
         int i = one.pieceAt(from);
         int j = other.pieceAt(from);
         while (from < till && i < one.pieces().size() && j < other.pieces().size()) {
-            Trace.Piece mine = one.pieces().get(i);
-            Trace.Piece yours = other.pieces().get(j);
+            TourTrajectory.Piece mine = one.pieces().get(i);
+            TourTrajectory.Piece yours = other.pieces().get(j);
             double both = Math.min(mine.tillSeconds(), yours.tillSeconds());
             if (both > from && !mine.isBeyond(yours, separation.horizontalMeters()) && !isStacked(mine, yours)) {
-                Optional<Conflict> conflict = meet(new Pair(one, mine, other, yours), from, both);
+                Optional<Conflict> conflict = meet(new PiecePair(one, mine, other, yours), from, both);
                 if (conflict.isPresent()) {
                     return conflict;
                 }
@@ -71,7 +71,7 @@ public final class SeparationCheck {
         return Optional.empty();
     }
 
-    private record Pair(Trace one, Trace.Piece mine, Trace other, Trace.Piece yours) {
+    private record PiecePair(TourTrajectory one, TourTrajectory.Piece mine, TourTrajectory other, TourTrajectory.Piece yours) {
         double meters(double seconds) {
             double here = one.along(mine, seconds);
             double there = other.along(yours, seconds);
@@ -87,12 +87,12 @@ public final class SeparationCheck {
         }
     }
 
-    private boolean isStacked(Trace.Piece mine, Trace.Piece yours) {
+    private boolean isStacked(TourTrajectory.Piece mine, TourTrajectory.Piece yours) {
         return mine.low() - yours.high() >= separation.verticalMeters()
                 || yours.low() - mine.high() >= separation.verticalMeters();
     }
 
-    private Optional<Conflict> meet(Pair pair, double from, double till) {
+    private Optional<Conflict> meet(PiecePair pair, double from, double till) {
         double fastest = pair.mine().peak() + pair.yours().peak();
         double seconds = from;
         while (true) {

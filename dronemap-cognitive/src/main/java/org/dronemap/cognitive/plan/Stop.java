@@ -11,7 +11,7 @@ import org.dronemap.core.stored.Stored;
  * @param usedJoules drawn since the plan's beginning, when it leaves
  */
 @Stored(names = "waypoint way beginsSeconds leavesSeconds usedJoules")
-public record Stop(String waypoint, Way way, double beginsSeconds, double leavesSeconds, double usedJoules) {
+public record Stop(String waypoint, TourLeg way, double beginsSeconds, double leavesSeconds, double usedJoules) {
     public double arrivesSeconds() {
         return way.arrivesSeconds();
     }

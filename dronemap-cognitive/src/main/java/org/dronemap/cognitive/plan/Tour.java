@@ -12,21 +12,21 @@ import org.dronemap.core.stored.Stored;
  * @param usedJoules drawn in all
  */
 @Stored(names = "drone stops last usedJoules")
-public record Tour(DroneId drone, List<Stop> stops, Way last, double usedJoules) {
+public record Tour(DroneId drone, List<Stop> stops, TourLeg last, double usedJoules) {
     public Tour {
         stops = List.copyOf(stops);
     }
 
     /** One more than there are stops. */
-    public List<Way> ways() {
-        List<Way> ways = new ArrayList<>(stops.size() + 1);
+    public List<TourLeg> ways() {
+        List<TourLeg> ways = new ArrayList<>(stops.size() + 1);
         stops.forEach(stop -> ways.add(stop.way()));
         ways.add(last);
         return ways;
     }
 
     /** To the stop with that number, or to the end when it is their count. */
-    public Way way(int stop) {
+    public TourLeg way(int stop) {
         return stop < stops.size() ? stops.get(stop).way() : last;
     }
 

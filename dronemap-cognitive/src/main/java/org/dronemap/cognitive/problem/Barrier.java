@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.stored.Stored;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.ShapeFaults;
+import org.dronemap.core.zone.ShapeValidator;
 import org.dronemap.core.zone.Zone;
 
 /**
@@ -21,7 +21,7 @@ public record Barrier(String words, FenceZone shape, AltitudeBand band, Set<Dron
 
     public Barrier {
         drones = Set.copyOf(drones);
-        ShapeFaults.of(shape).ifPresent(fault -> {
+        ShapeValidator.of(shape).ifPresent(fault -> {
             throw new IllegalArgumentException(words + ": " + fault);
         });
     }

@@ -16,7 +16,7 @@ public record Craft(
         Start start,
         Finish finish,
         Performance performance,
-        Supply supply,
+        EnergyBudget supply,
         Set<Skill> skills,
         double homeAmslMeters,
         double linkQuality) {
@@ -33,13 +33,13 @@ public record Craft(
                 Start.onGround(home),
                 Finish.landing(home),
                 performance,
-                Supply.UNLIMITED,
+                EnergyBudget.UNLIMITED,
                 Set.of(),
                 home.altitudeAmslMeters(),
                 1);
     }
 
-    public Craft with(Supply other) {
+    public Craft with(EnergyBudget other) {
         return new Craft(id, start, finish, performance, other, skills, homeAmslMeters, linkQuality);
     }
 

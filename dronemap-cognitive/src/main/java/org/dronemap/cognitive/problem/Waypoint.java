@@ -8,7 +8,7 @@ import org.dronemap.core.stored.Stored;
  * @param priority what leaving it out weighs, relative to others
  */
 @Stored(names = "id place task priority window")
-public record Waypoint(String id, Place place, Task task, double priority, Window window) {
+public record Waypoint(String id, Place place, Task task, double priority, TimeWindow window) {
     public static final double LEAST_PRIORITY = 0.001;
     public static final double HIGHEST_PRIORITY = 1_000;
 
@@ -21,6 +21,6 @@ public record Waypoint(String id, Place place, Task task, double priority, Windo
 
     /** To be flown to at any time, with nothing to do there. */
     public static Waypoint at(String id, Place place) {
-        return new Waypoint(id, place, Task.FLY_THROUGH, 1, Window.ALWAYS);
+        return new Waypoint(id, place, Task.FLY_THROUGH, 1, TimeWindow.ALWAYS);
     }
 }

@@ -7,30 +7,30 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.dronemap.cognitive.cost.Aim;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationObjective;
+import org.dronemap.cognitive.cost.AllocationProblem;
 import org.junit.jupiter.api.Test;
 
 /** Plans that can be flown, the best ones where all can be tried, and the same ones for the same seed. */
 class AllocatorTest {
-    private static final Budget SHORT = Budget.iterations(3_000);
+    private static final SearchBudget SHORT = SearchBudget.iterations(3_000);
 
-    private final RandomInstances instances = new RandomInstances(1);
+    private final RandomAllocationProblems instances = new RandomAllocationProblems(1);
 
-    private static Allocation search(Instance instance, long seed, Budget budget) {
+    private static Allocation search(AllocationProblem instance, long seed, SearchBudget budget) {
         return new Allocator(instance).search(seed, budget, better -> {});
     }
 
     @Test
     void findsTheBestOfAllPlansOfTinyProblems() {
         for (int problem = 0; problem < 1_000; problem++) {
-            Instance instance = instances.any(1 + problem % 5, 1 + problem % 3);
+            AllocationProblem instance = instances.any(1 + problem % 5, 1 + problem % 3);
             Allocation found = search(instance, problem, SHORT);
 
-            Judge judge = new Judge(instance);
+            AllocationOracle judge = new AllocationOracle(instance);
             assertThat(judge.faults(found.orders())).as("problem %d", problem).isEmpty();
-            assertThat(judge.verdict(found.orders()).isWorseThan(EveryPlan.best(instance)))
-                    .as("problem %d: %s against %s", problem, judge.verdict(found.orders()), EveryPlan.best(instance))
+            assertThat(judge.verdict(found.orders()).isWorseThan(BruteForcePlans.best(instance)))
+                    .as("problem %d: %s against %s", problem, judge.verdict(found.orders()), BruteForcePlans.best(instance))
                     .isFalse();
         }
     }
@@ -39,8 +39,8 @@ class AllocatorTest {
     void boundsTheBestPlanFromBelow() {
         int close = 0;
         for (int problem = 0; problem < 1_000; problem++) {
-            Instance instance = instances.any(1 + problem % 5, 1 + problem % 3);
-            Judge.Verdict best = EveryPlan.best(instance);
+            AllocationProblem instance = instances.any(1 + problem % 5, 1 + problem % 3);
+            AllocationOracle.Expectation best = BruteForcePlans.best(instance);
             if (best.leftOut() > 0) {
                 continue;
             }
@@ -54,9 +54,9 @@ class AllocatorTest {
 
     @Test
     void comesWithinAFewPercentOfItsBoundOnATourOfOneDrone() {
-        Instance instance = instances.plain(60, 1, Aim.minSum(Aim.Measure.METERS));
+        AllocationProblem instance = instances.plain(60, 1, AllocationObjective.minSum(AllocationObjective.Measure.METERS));
 
-        Allocation found = search(instance, 1, Budget.iterations(30_000));
+        Allocation found = search(instance, 1, SearchBudget.iterations(30_000));
 
         assertThat(found.sum()).isBetween(LowerBound.of(instance, 300), 1.03 * LowerBound.of(instance, 300));
     }
@@ -64,10 +64,10 @@ class AllocatorTest {
     @Test
     void keepsToWindowsBatteriesAndSkillsOfLargerProblems() {
         for (int problem = 0; problem < 60; problem++) {
-            Instance instance = instances.any(25, 1 + problem % 4);
+            AllocationProblem instance = instances.any(25, 1 + problem % 4);
             Allocation found = search(instance, problem, SHORT);
 
-            assertThat(new Judge(instance).faults(found.orders()))
+            assertThat(new AllocationOracle(instance).faults(found.orders()))
                     .as("problem %d", problem)
                     .isEmpty();
             int served = Arrays.stream(found.orders())
@@ -81,10 +81,10 @@ class AllocatorTest {
     void isNearlyAsGoodAsTryingEverythingWhereItDoesNotTryEverything() {
         double gaps = 0;
         for (int problem = 0; problem < 10; problem++) {
-            Instance instance = instances.any(6, 6);
+            AllocationProblem instance = instances.any(6, 6);
             Allocation found = search(instance, problem, SHORT);
-            Judge.Verdict best = EveryPlan.best(instance);
-            Judge.Verdict verdict = new Judge(instance).verdict(found.orders());
+            AllocationOracle.Expectation best = BruteForcePlans.best(instance);
+            AllocationOracle.Expectation verdict = new AllocationOracle(instance).verdict(found.orders());
 
             assertThat(best.isWorseThan(verdict)).as("problem %d", problem).isFalse();
             assertThat(verdict.leftOut()).as("problem %d", problem).isEqualTo(best.leftOut());
@@ -95,16 +95,16 @@ class AllocatorTest {
 
     @Test
     void tellsTheSameTimesAsAnIndependentJudge() {
-        Instance instance = instances.plain(80, 4, Aim.minMax());
+        AllocationProblem instance = instances.plain(80, 4, AllocationObjective.minMax());
         Allocation found = search(instance, 3, SHORT);
 
         assertThat(found.longestSeconds())
-                .isCloseTo(new Judge(instance).verdict(found.orders()).longest(), offset(1e-6));
+                .isCloseTo(new AllocationOracle(instance).verdict(found.orders()).longest(), offset(1e-6));
     }
 
     @Test
     void findsTheSamePlanForTheSameSeed() {
-        Instance instance = instances.plain(80, 4, Aim.minMax());
+        AllocationProblem instance = instances.plain(80, 4, AllocationObjective.minMax());
 
         assertThat(search(instance, 7, SHORT).orders())
                 .isDeepEqualTo(search(instance, 7, SHORT).orders());
@@ -112,10 +112,10 @@ class AllocatorTest {
 
     @Test
     void tellsOfEachBetterPlanUntilItIsCancelled() {
-        Instance instance = instances.plain(80, 4, Aim.minMax());
+        AllocationProblem instance = instances.plain(80, 4, AllocationObjective.minMax());
         List<Double> heard = new ArrayList<>();
         AtomicBoolean cancelled = new AtomicBoolean();
-        Budget budget = Budget.iterations(1_000_000).orWhen(cancelled::get);
+        SearchBudget budget = SearchBudget.iterations(1_000_000).orWhen(cancelled::get);
 
         Allocation found = new Allocator(instance).search(1, budget, better -> {
             heard.add(better.longestSeconds());
@@ -128,29 +128,29 @@ class AllocatorTest {
 
     @Test
     void neverMakesAPlanAtHandWorse() {
-        Instance instance = instances.plain(80, 4, Aim.minMax());
-        int[][] good = search(instance, 1, Budget.iterations(20_000)).orders();
-        double before = new Judge(instance).verdict(good).aim();
+        AllocationProblem instance = instances.plain(80, 4, AllocationObjective.minMax());
+        int[][] good = search(instance, 1, SearchBudget.iterations(20_000)).orders();
+        double before = new AllocationOracle(instance).verdict(good).aim();
 
         Allocation found = new Allocator(instance).improve(good, 2, SHORT, better -> {});
 
-        assertThat(new Judge(instance).verdict(found.orders()).aim()).isLessThanOrEqualTo(before + 1e-9);
+        assertThat(new AllocationOracle(instance).verdict(found.orders()).aim()).isLessThanOrEqualTo(before + 1e-9);
     }
 
     @Test
     void putsOrphansIntoThePlanAtHand() {
-        Instance instance = instances.plain(40, 3, Aim.minMax());
+        AllocationProblem instance = instances.plain(40, 3, AllocationObjective.minMax());
         int[][] orders = search(instance, 1, SHORT).orders();
         orders[0] = new int[0];
 
-        Allocation found = new Allocator(instance).improve(orders, 1, Budget.iterations(1), better -> {});
+        Allocation found = new Allocator(instance).improve(orders, 1, SearchBudget.iterations(1), better -> {});
 
         assertThat(found.unserved()).isEmpty();
     }
 
     @Test
     void answersAProblemWithoutWaypoints() {
-        Allocation found = search(instances.plain(0, 2, Aim.minMax()), 1, SHORT);
+        Allocation found = search(instances.plain(0, 2, AllocationObjective.minMax()), 1, SHORT);
 
         assertThat(found.orders()).hasDimensions(2, 0);
         assertThat(found.longestSeconds()).isZero();

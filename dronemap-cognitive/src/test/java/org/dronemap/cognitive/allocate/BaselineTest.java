@@ -8,9 +8,9 @@ import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.dronemap.cognitive.cost.Aim;
-import org.dronemap.cognitive.cost.Carrier;
-import org.dronemap.cognitive.cost.Instance;
+import org.dronemap.cognitive.cost.AllocationDrone;
+import org.dronemap.cognitive.cost.AllocationObjective;
+import org.dronemap.cognitive.cost.AllocationProblem;
 import org.dronemap.cognitive.cost.Visit;
 import org.junit.jupiter.api.Test;
 
@@ -18,10 +18,10 @@ import org.junit.jupiter.api.Test;
 class BaselineTest {
     private static final List<Baseline> ALL = List.of(new GivenOrder(), new NearestNeighbour(), new MoveAndImprove());
 
-    private final RandomInstances instances = new RandomInstances(7);
+    private final RandomAllocationProblems instances = new RandomAllocationProblems(7);
 
     /** Waypoints on a line; drones that start and end at the given places of it. */
-    private static Instance line(double[] waypoints, double[] starts, Aim aim) {
+    private static AllocationProblem line(double[] waypoints, double[] starts, AllocationObjective aim) {
         int places = waypoints.length + 2 * starts.length;
         double[] east = Arrays.copyOf(waypoints, places);
         for (int r = 0; r < starts.length; r++) {
@@ -31,10 +31,10 @@ class BaselineTest {
         BitSet all = new BitSet();
         all.set(0, starts.length);
         Visit visit = new Visit(0, 0, 1, 0, Double.POSITIVE_INFINITY, all);
-        return new Instance(
+        return new AllocationProblem(
                 new PlanarLegs(east, new double[places], new double[] {1}, 0),
                 Collections.nCopies(waypoints.length, visit),
-                Collections.nCopies(starts.length, new Carrier(0, 0, Double.POSITIVE_INFINITY)),
+                Collections.nCopies(starts.length, new AllocationDrone(0, 0, Double.POSITIVE_INFINITY)),
                 aim);
     }
 
@@ -42,8 +42,8 @@ class BaselineTest {
     void keepToWindowsBatteriesAndSkills() {
         int served = 0;
         for (int problem = 0; problem < 200; problem++) {
-            Instance instance = instances.any(25, 1 + problem % 4);
-            Judge judge = new Judge(instance);
+            AllocationProblem instance = instances.any(25, 1 + problem % 4);
+            AllocationOracle judge = new AllocationOracle(instance);
             for (Baseline baseline : ALL) {
                 Allocation found = baseline.allocate(instance);
 
@@ -63,7 +63,7 @@ class BaselineTest {
     @Test
     void visitEveryWaypointWhereNothingForbidsIt() {
         for (int problem = 0; problem < 20; problem++) {
-            Instance instance = instances.plain(40, 1 + problem % 5, problem % 2 == 0 ? Aim.minMax() : minSum());
+            AllocationProblem instance = instances.plain(40, 1 + problem % 5, problem % 2 == 0 ? AllocationObjective.minMax() : minSum());
             for (Baseline baseline : ALL) {
                 Allocation found = baseline.allocate(instance);
 
@@ -77,20 +77,20 @@ class BaselineTest {
         }
     }
 
-    private static Aim minSum() {
-        return Aim.minSum(Aim.Measure.SECONDS);
+    private static AllocationObjective minSum() {
+        return AllocationObjective.minSum(AllocationObjective.Measure.SECONDS);
     }
 
     @Test
     void theGivenOrderIsCutIntoEqualStretches() {
-        Allocation found = new GivenOrder().allocate(instances.plain(10, 3, Aim.minMax()));
+        Allocation found = new GivenOrder().allocate(instances.plain(10, 3, AllocationObjective.minMax()));
 
         assertThat(found.orders()).isDeepEqualTo(new int[][] {{0, 1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
     }
 
     @Test
     void theDroneWithTheShortestTourGoesOnToTheNearestWaypoint() {
-        Instance instance = line(new double[] {9, -2, 1, -5}, new double[] {0, 0}, Aim.minMax());
+        AllocationProblem instance = line(new double[] {9, -2, 1, -5}, new double[] {0, 0}, AllocationObjective.minMax());
 
         Allocation found = new NearestNeighbour().allocate(instance);
 
@@ -103,7 +103,7 @@ class BaselineTest {
     @Test
     void dronesThatClaimTheSameWaypointsSettleWhoFliesThem() {
         // Both claim the two at 1 and -1, nobody those at 2 and -2.
-        Instance instance = line(new double[] {1, 2, -1, -2}, new double[] {0, 0}, Aim.minMax());
+        AllocationProblem instance = line(new double[] {1, 2, -1, -2}, new double[] {0, 0}, AllocationObjective.minMax());
 
         Allocation found = new MoveAndImprove().allocate(instance);
 
@@ -116,7 +116,7 @@ class BaselineTest {
     void aDroneSellsWhatAnotherVisitsMoreCheaply() {
         // Each claims three. Nobody disputes the one at 25, though the other drone is much nearer: only a sale moves
         // it.
-        Instance instance = line(new double[] {1, 2, 25, 30, 31, 32}, new double[] {0, 31}, minSum());
+        AllocationProblem instance = line(new double[] {1, 2, 25, 30, 31, 32}, new double[] {0, 31}, minSum());
 
         Allocation found = new MoveAndImprove().allocate(instance);
 
@@ -128,11 +128,11 @@ class BaselineTest {
     void theMarketIsBetterThanTheNearestNeighbourAndTheSearchBetterThanBoth() {
         List<Double> market = new ArrayList<>();
         for (int problem = 0; problem < 20; problem++) {
-            Instance instance = instances.plain(60, 4, Aim.minMax());
+            AllocationProblem instance = instances.plain(60, 4, AllocationObjective.minMax());
             double neighbour = new NearestNeighbour().allocate(instance).longestSeconds();
             double traded = new MoveAndImprove().allocate(instance).longestSeconds();
             double searched = new Allocator(instance)
-                    .search(1, Budget.iterations(5_000), better -> {})
+                    .search(1, SearchBudget.iterations(5_000), better -> {})
                     .longestSeconds();
             market.add(traded / neighbour);
 
@@ -143,7 +143,7 @@ class BaselineTest {
 
     @Test
     void noDroneStaysIdleWhereAllShallFly() {
-        Instance instance = line(new double[] {1, 2, 3, 4}, new double[] {0, 50}, minSum().withEveryDrone());
+        AllocationProblem instance = line(new double[] {1, 2, 3, 4}, new double[] {0, 50}, minSum().withEveryDrone());
 
         assertThat(List.of(new MoveAndImprove().allocate(instance).orders()))
                 .allSatisfy(order -> assertThat(order).isNotEmpty());

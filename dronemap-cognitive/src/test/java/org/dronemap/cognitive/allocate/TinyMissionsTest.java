@@ -6,20 +6,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
-import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.cost.CostModel;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.EnergyBudget;
 import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.Performance;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Speeds;
 import org.dronemap.cognitive.problem.Start;
-import org.dronemap.cognitive.problem.Supply;
 import org.dronemap.cognitive.problem.Task;
+import org.dronemap.cognitive.problem.TimeWindow;
+import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.cognitive.problem.Wind;
-import org.dronemap.cognitive.problem.Window;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
@@ -33,11 +33,11 @@ class TinyMissionsTest {
         int fenced = 0;
         int incomplete = 0;
         for (int mission = 0; mission < 1_000; mission++) {
-            Problem problem = mission(1 + mission % 4, 1 + mission % 3);
+            PlanningProblem problem = mission(1 + mission % 4, 1 + mission % 3);
             CostModel costs = CostModel.of(problem);
-            Judge judge = new Judge(costs.instance());
-            Judge.Verdict best = EveryPlan.best(costs.instance());
-            Allocation found = new Allocator(costs.instance()).search(mission, Budget.iterations(1_000), better -> {});
+            AllocationOracle judge = new AllocationOracle(costs.instance());
+            AllocationOracle.Expectation best = BruteForcePlans.best(costs.instance());
+            Allocation found = new Allocator(costs.instance()).search(mission, SearchBudget.iterations(1_000), better -> {});
 
             assertThat(judge.faults(found.orders())).as("mission %d", mission).isEmpty();
             assertThat(judge.verdict(found.orders()).isWorseThan(best))
@@ -55,17 +55,17 @@ class TinyMissionsTest {
         return random.nextDouble(-900, 900);
     }
 
-    private Problem mission(int waypoints, int drones) {
+    private PlanningProblem mission(int waypoints, int drones) {
         List<Waypoint> places = new ArrayList<>();
         for (int i = 0; i < waypoints; i++) {
             double opens = random.nextInt(3) == 0 ? random.nextDouble(200) : 0;
             double closes = random.nextInt(3) == 0 ? opens + random.nextDouble(300) : Double.POSITIVE_INFINITY;
             places.add(new Waypoint(
                     "w" + i,
-                    Scenes.place(anywhere(), anywhere(), random.nextDouble(420, 470)),
+                    PlanningFixtures.place(anywhere(), anywhere(), random.nextDouble(420, 470)),
                     new Task(random.nextInt(20), Set.of()),
                     1 + random.nextInt(5),
-                    new Window(opens, closes)));
+                    new TimeWindow(opens, closes)));
         }
         List<Craft> crafts = new ArrayList<>();
         for (int r = 0; r < drones; r++) {
@@ -75,27 +75,27 @@ class TinyMissionsTest {
         for (int i = random.nextInt(3); i > 0; i--) {
             barriers.add(new Barrier(
                     "zone " + i,
-                    new FenceZone.Circle(false, Scenes.point(anywhere(), anywhere()), random.nextDouble(50, 300)),
+                    new FenceZone.Circle(false, PlanningFixtures.point(anywhere(), anywhere()), random.nextDouble(50, 300)),
                     AltitudeBand.ALL,
                     Set.of()));
         }
         Objective objective = random.nextBoolean()
                 ? Objective.earliestEnd()
                 : new Objective(random.nextInt(2), Objective.Measure.JOULES, 0.01, random.nextInt(4) == 0);
-        return Problem.of(places, crafts)
+        return PlanningProblem.of(places, crafts)
                 .withBarriers(barriers)
-                .with(new Wind(random.nextInt(8), random.nextInt(360)))
+                .with(new UniformWind(random.nextInt(8), random.nextInt(360)))
                 .with(objective);
     }
 
     private Craft craft(int number) {
-        Performance usual = random.nextBoolean() ? Scenes.copter() : Scenes.aeroplane();
+        Performance usual = random.nextBoolean() ? PlanningFixtures.copter() : PlanningFixtures.aeroplane();
         Speeds speeds = usual.speeds().withCruise(random.nextDouble(8, 14));
-        Craft craft = Scenes.craft(number, anywhere(), anywhere())
+        Craft craft = PlanningFixtures.craft(number, anywhere(), anywhere())
                 .with(new Performance(speeds, usual.power(), usual.response()));
         if (random.nextBoolean()) {
-            craft = craft.with(Supply.ofWattHours(random.nextDouble(5, 40), 2));
+            craft = craft.with(EnergyBudget.ofWattHours(random.nextDouble(5, 40), 2));
         }
-        return random.nextInt(3) == 0 ? craft.with(Start.inFlight(Scenes.place(anywhere(), anywhere(), 450))) : craft;
+        return random.nextInt(3) == 0 ? craft.with(Start.inFlight(PlanningFixtures.place(anywhere(), anywhere(), 450))) : craft;
     }
 }

@@ -7,24 +7,24 @@ import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import org.assertj.core.data.Offset;
-import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.Tour;
-import org.dronemap.cognitive.plan.Unserved;
-import org.dronemap.cognitive.plan.Way;
+import org.dronemap.cognitive.plan.TourLeg;
+import org.dronemap.cognitive.plan.UnservedWaypoint;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.EnergyBudget;
 import org.dronemap.cognitive.problem.Finish;
 import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.Place;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Skill;
 import org.dronemap.cognitive.problem.Speeds;
 import org.dronemap.cognitive.problem.Start;
-import org.dronemap.cognitive.problem.Supply;
 import org.dronemap.cognitive.problem.Task;
+import org.dronemap.cognitive.problem.TimeWindow;
+import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.cognitive.problem.Wind;
-import org.dronemap.cognitive.problem.Window;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodesy;
 import org.junit.jupiter.api.Test;
@@ -33,16 +33,16 @@ import org.junit.jupiter.api.Test;
 class CostModelTest {
     private static final Offset<Double> CLOSE = within(0.1);
 
-    private final Craft craft = Scenes.craft(0, 0, 0);
-    private final List<Waypoint> two = Scenes.waypoints(new double[] {0, 1000}, new double[] {1000, 1000});
+    private final Craft craft = PlanningFixtures.craft(0, 0, 0);
+    private final List<Waypoint> two = PlanningFixtures.waypoints(new double[] {0, 1000}, new double[] {1000, 1000});
 
-    private static Legs legs(Problem problem) {
+    private static Legs legs(PlanningProblem problem) {
         return CostModel.of(problem).instance().legs();
     }
 
     @Test
     void fliesLevelAtItsCruisingSpeed() {
-        Legs legs = legs(Problem.of(two, List.of(craft)));
+        Legs legs = legs(PlanningProblem.of(two, List.of(craft)));
 
         assertThat(legs.seconds(0, 0, 1)).isCloseTo(100, CLOSE);
         assertThat(legs.meters(0, 0, 1)).isCloseTo(1000, within(1.0));
@@ -51,7 +51,7 @@ class CostModelTest {
 
     @Test
     void takesOffToTheFirstWaypointsHeightAndLandsSlowly() {
-        Legs legs = legs(Problem.of(two, List.of(craft)));
+        Legs legs = legs(PlanningProblem.of(two, List.of(craft)));
 
         assertThat(legs.seconds(0, 2, 0)).as("50 m up at 2 m/s, then 1000 m").isCloseTo(25 + 100, CLOSE);
         assertThat(legs.joules(0, 2, 0)).isCloseTo(25 * 200 + 15_000, within(20.0));
@@ -62,8 +62,8 @@ class CostModelTest {
     @Test
     void climbsWhileItFliesAndTheSlowerOfTheTwoCounts() {
         List<Waypoint> steep =
-                List.of(Waypoint.at("low", Scenes.place(0, 0, 450)), Waypoint.at("high", Scenes.place(100, 0, 550)));
-        Legs legs = legs(Problem.of(steep, List.of(craft)));
+                List.of(Waypoint.at("low", PlanningFixtures.place(0, 0, 450)), Waypoint.at("high", PlanningFixtures.place(100, 0, 550)));
+        Legs legs = legs(PlanningProblem.of(steep, List.of(craft)));
 
         assertThat(legs.seconds(0, 0, 1)).isCloseTo(50, CLOSE);
         assertThat(legs.seconds(0, 1, 0)).isCloseTo(100, CLOSE);
@@ -76,9 +76,9 @@ class CostModelTest {
     void gathersSpeedAndBrakes() {
         Speeds lazy = new Speeds(10, 2, 1, 0.5, 15, 2.5);
         Performance performance =
-                new Performance(lazy, Scenes.copter().power(), Scenes.copter().response());
-        List<Waypoint> waypoints = Scenes.waypoints(new double[] {0, 0}, new double[] {0, 1000}, new double[] {10, 0});
-        Legs legs = legs(Problem.of(waypoints, List.of(craft.with(performance))));
+                new Performance(lazy, PlanningFixtures.copter().power(), PlanningFixtures.copter().response());
+        List<Waypoint> waypoints = PlanningFixtures.waypoints(new double[] {0, 0}, new double[] {0, 1000}, new double[] {10, 0});
+        Legs legs = legs(PlanningProblem.of(waypoints, List.of(craft.with(performance))));
 
         assertThat(legs.seconds(0, 0, 1)).isCloseTo(104, CLOSE);
         assertThat(legs.seconds(0, 0, 2)).as("never reaches 10 m/s").isCloseTo(4, CLOSE);
@@ -86,10 +86,10 @@ class CostModelTest {
 
     @Test
     void windCarriesAeroplanesAndIsFlownAgainstByCopters() {
-        Wind fromNorth = new Wind(6, 0);
+        UniformWind fromNorth = new UniformWind(6, 0);
         Legs plane =
-                legs(Problem.of(two, List.of(craft.with(Scenes.aeroplane()))).with(fromNorth));
-        Legs copter = legs(Problem.of(two, List.of(craft)).with(fromNorth));
+                legs(PlanningProblem.of(two, List.of(craft.with(PlanningFixtures.aeroplane()))).with(fromNorth));
+        Legs copter = legs(PlanningProblem.of(two, List.of(craft)).with(fromNorth));
 
         assertThat(plane.seconds(0, 2, 0)).as("against it: 4 m/s").isCloseTo(25 + 250, within(0.5));
         assertThat(plane.seconds(0, 0, 3)).as("with it: 16 m/s").isCloseTo(62.5 + 60, CLOSE);
@@ -102,10 +102,10 @@ class CostModelTest {
 
     @Test
     void reachesNothingAgainstWindThatIsStrongerThanItself() {
-        Wind storm = new Wind(12, 0);
+        UniformWind storm = new UniformWind(12, 0);
         Legs plane =
-                legs(Problem.of(two, List.of(craft.with(Scenes.aeroplane()))).with(storm));
-        Legs copter = legs(Problem.of(two, List.of(craft)).with(storm));
+                legs(PlanningProblem.of(two, List.of(craft.with(PlanningFixtures.aeroplane()))).with(storm));
+        Legs copter = legs(PlanningProblem.of(two, List.of(craft)).with(storm));
 
         assertThat(plane.seconds(0, 2, 0)).isInfinite();
         assertThat(plane.joules(0, 2, 0)).isInfinite();
@@ -119,14 +119,14 @@ class CostModelTest {
         List<Waypoint> waypoints = List.of(
                 new Waypoint(
                         "picture",
-                        Scenes.place(100, 0, 450),
+                        PlanningFixtures.place(100, 0, 450),
                         new Task(5, Set.of(new Skill("take a picture"))),
                         1,
-                        Window.ALWAYS),
-                Waypoint.at("far", Scenes.place(20_000, 0, 450)),
-                new Waypoint("soon", Scenes.place(3_000, 0, 450), Task.FLY_THROUGH, 1, new Window(0, 60)),
-                Waypoint.at("near", Scenes.place(100, 0, 450)));
-        CostModel model = CostModel.of(Problem.of(waypoints, List.of(craft.with(Supply.ofWattHours(100, 20)))));
+                        TimeWindow.ALWAYS),
+                Waypoint.at("far", PlanningFixtures.place(20_000, 0, 450)),
+                new Waypoint("soon", PlanningFixtures.place(3_000, 0, 450), Task.FLY_THROUGH, 1, new TimeWindow(0, 60)),
+                Waypoint.at("near", PlanningFixtures.place(100, 0, 450)));
+        CostModel model = CostModel.of(PlanningProblem.of(waypoints, List.of(craft.with(EnergyBudget.ofWattHours(100, 20)))));
 
         assertThat(model.whyNobody(0)).hasValue("No drone in good contact can take a picture.");
         assertThat(model.whyNobody(1).orElseThrow())
@@ -136,13 +136,13 @@ class CostModelTest {
                 .hasValue("No drone is there in time: the first after 325 s, the window closes after 60 s.");
         assertThat(model.whyNobody(3)).isEmpty();
         assertThat(model.plan(new int[][] {{3}}).unserved())
-                .extracting(Unserved::waypoint)
+                .extracting(UnservedWaypoint::waypoint)
                 .containsExactly("picture", "far", "soon");
     }
 
     @Test
     void givesNothingToADroneWithABadLink() {
-        CostModel model = CostModel.of(Problem.of(two, List.of(craft.withLinkQuality(0.3))));
+        CostModel model = CostModel.of(PlanningProblem.of(two, List.of(craft.withLinkQuality(0.3))));
 
         assertThat(model.instance().visits().get(0).drones().isEmpty()).isTrue();
         assertThat(model.whyNobody(0)).hasValue("No drone has a link that is good enough (0.50 is asked for).");
@@ -152,19 +152,19 @@ class CostModelTest {
     void writesDownWhatTheLegsSay() {
         SplittableRandom random = new SplittableRandom(5);
         for (int round = 0; round < 200; round++) {
-            List<Waypoint> waypoints = Scenes.waypoints(spot(random), spot(random), spot(random));
+            List<Waypoint> waypoints = PlanningFixtures.waypoints(spot(random), spot(random), spot(random));
             Craft flying = craft.with(Performance.of(VehicleKind.MULTICOPTER))
-                    .with(round % 2 == 0 ? Start.inFlight(Scenes.place(50, 50, 430)) : craft.start())
-                    .with(round % 3 == 0 ? Finish.hovering(Scenes.place(9, 9, 440)) : craft.finish());
+                    .with(round % 2 == 0 ? Start.inFlight(PlanningFixtures.place(50, 50, 430)) : craft.start())
+                    .with(round % 3 == 0 ? Finish.hovering(PlanningFixtures.place(9, 9, 440)) : craft.finish());
             CostModel model =
-                    CostModel.of(Problem.of(waypoints, List.of(flying)).with(new Wind(5, 120)));
+                    CostModel.of(PlanningProblem.of(waypoints, List.of(flying)).with(new UniformWind(5, 120)));
             Legs legs = model.instance().legs();
 
             Tour tour = model.plan(new int[][] {{2, 0, 1}}).tours().get(0);
 
             int[] places = {3, 2, 0, 1, 4};
             for (int i = 0; i < 4; i++) {
-                Way way = tour.ways().get(i);
+                TourLeg way = tour.ways().get(i);
                 assertThat(way.arrivesSeconds() - way.departsSeconds())
                         .isCloseTo(legs.seconds(0, places[i], places[i + 1]), within(1e-6));
                 assertThat(way.joules()).isCloseTo(legs.joules(0, places[i], places[i + 1]), within(1e-3));
@@ -178,8 +178,8 @@ class CostModelTest {
 
     @Test
     void leavesAnIdleDroneOnTheGroundAndBringsAFlyingOneHome() {
-        Craft flying = Scenes.craft(1, 0, 0).with(Start.inFlight(Scenes.place(500, 0, 450)));
-        Plan plan = CostModel.of(Problem.of(two, List.of(craft, flying))).plan(new int[][] {{}, {}});
+        Craft flying = PlanningFixtures.craft(1, 0, 0).with(Start.inFlight(PlanningFixtures.place(500, 0, 450)));
+        Plan plan = CostModel.of(PlanningProblem.of(two, List.of(craft, flying))).plan(new int[][] {{}, {}});
 
         assertThat(plan.tours()).hasSize(1);
         assertThat(plan.tours().get(0).drone()).isEqualTo(flying.id());
@@ -190,8 +190,8 @@ class CostModelTest {
     @Test
     void waitsForAWindowAndPaysForIt() {
         List<Waypoint> late = List.of(
-                new Waypoint("late", Scenes.place(1000, 0, 450), new Task(30, Set.of()), 1, new Window(200, 300)));
-        Tour tour = CostModel.of(Problem.of(late, List.of(craft)))
+                new Waypoint("late", PlanningFixtures.place(1000, 0, 450), new Task(30, Set.of()), 1, new TimeWindow(200, 300)));
+        Tour tour = CostModel.of(PlanningProblem.of(late, List.of(craft)))
                 .plan(new int[][] {{0}})
                 .tours()
                 .get(0);
@@ -204,10 +204,10 @@ class CostModelTest {
 
     @Test
     void measuresLengthsAsTheGlobeDoes() {
-        Craft far = Craft.atHome(craft.id(), new Place(Scenes.point(0, 0), 0), Scenes.copter());
-        Waypoint one = Waypoint.at("a", new Place(Scenes.point(60_000, 70_000), 100));
-        Waypoint two = Waypoint.at("b", new Place(Scenes.point(-20_000, 90_000), 100));
-        Legs legs = legs(Problem.of(List.of(one, two), List.of(far)));
+        Craft far = Craft.atHome(craft.id(), new Place(PlanningFixtures.point(0, 0), 0), PlanningFixtures.copter());
+        Waypoint one = Waypoint.at("a", new Place(PlanningFixtures.point(60_000, 70_000), 100));
+        Waypoint two = Waypoint.at("b", new Place(PlanningFixtures.point(-20_000, 90_000), 100));
+        Legs legs = legs(PlanningProblem.of(List.of(one, two), List.of(far)));
 
         double globe = Geodesy.distanceMeters(one.place().point(), two.place().point());
         assertThat(legs.meters(0, 0, 1)).isCloseTo(globe, within(globe * 0.004));
@@ -220,8 +220,8 @@ class CostModelTest {
         for (int i = 0; i < spots.length; i++) {
             spots[i] = spot(random);
         }
-        Problem problem = Problem.of(Scenes.waypoints(spots), Scenes.crafts(100));
-        Instance instance = CostModel.of(problem).instance();
+        PlanningProblem problem = PlanningProblem.of(PlanningFixtures.waypoints(spots), PlanningFixtures.crafts(100));
+        AllocationProblem instance = CostModel.of(problem).instance();
 
         assertThat(instance.visits()).hasSize(10_000);
     }

@@ -8,16 +8,16 @@ import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
-import org.dronemap.cognitive.Scenes;
-import org.dronemap.cognitive.plan.Fix;
+import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.PlanChecker;
-import org.dronemap.cognitive.plan.Way;
+import org.dronemap.cognitive.plan.TimedPlace;
+import org.dronemap.cognitive.plan.TourLeg;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Finish;
 import org.dronemap.cognitive.problem.Place;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Start;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
@@ -34,19 +34,19 @@ class FencedLegsTest {
 
     /** From there to there at 450 m, all the way in the air. */
     private static CostModel between(List<Barrier> barriers, double[] from, double[] to) {
-        Craft craft = Scenes.craft(0, 0, 0)
-                .with(Start.inFlight(Scenes.place(from[0], from[1], 450)))
-                .with(Finish.hovering(Scenes.place(to[0], to[1], 450)));
-        return CostModel.of(Problem.of(List.of(), List.of(craft)).withBarriers(barriers));
+        Craft craft = PlanningFixtures.craft(0, 0, 0)
+                .with(Start.inFlight(PlanningFixtures.place(from[0], from[1], 450)))
+                .with(Finish.hovering(PlanningFixtures.place(to[0], to[1], 450)));
+        return CostModel.of(PlanningProblem.of(List.of(), List.of(craft)).withBarriers(barriers));
     }
 
-    private static Way way(CostModel model) {
+    private static TourLeg way(CostModel model) {
         return model.plan(new int[][] {{}}).tours().get(0).last();
     }
 
-    private static Geometry line(Way way) {
-        return Field.SHAPES.createLineString(way.fixes().stream()
-                .map(fix -> Field.coordinate(fix.place().point()))
+    private static Geometry line(TourLeg way) {
+        return RandomZones.SHAPES.createLineString(way.fixes().stream()
+                .map(fix -> RandomZones.coordinate(fix.place().point()))
                 .toArray(Coordinate[]::new));
     }
 
@@ -56,16 +56,16 @@ class FencedLegsTest {
 
     @Test
     void goesRoundAWallByTheShorterEnd() {
-        Field field = new Field();
+        RandomZones field = new RandomZones();
         field.polygon(false, WALL);
         CostModel model = between(field.barriers, new double[] {-200, 0}, new double[] {200, 0});
 
-        Way way = way(model);
+        TourLeg way = way(model);
 
         assertThat(way.via())
                 .hasSize(2)
                 .allSatisfy(
-                        place -> assertThat(Field.coordinate(place.point()).y).isCloseTo(103, within(0.1)));
+                        place -> assertThat(RandomZones.coordinate(place.point()).y).isCloseTo(103, within(0.1)));
         double expected = 2 * Math.hypot(177, 103) + 46;
         assertThat(model.instance().legs().meters(0, 0, 1)).isCloseTo(expected, within(0.5));
         assertThat(model.instance().legs().seconds(0, 0, 1)).isCloseTo(expected / 10, within(0.05));
@@ -75,7 +75,7 @@ class FencedLegsTest {
 
     @Test
     void findsNoWayIntoAZoneOrOutOfOne() {
-        Field field = new Field();
+        RandomZones field = new RandomZones();
         field.polygon(false, WALL);
 
         assertThat(leads(between(field.barriers, new double[] {-200, 0}, new double[] {0, 0})))
@@ -89,13 +89,13 @@ class FencedLegsTest {
 
     @Test
     void saysWhichZoneAWaypointLiesIn() {
-        Field field = new Field();
+        RandomZones field = new RandomZones();
         field.polygon(false, WALL);
         field.polygon(true, new double[][] {{-300, -300}, {300, -300}, {300, 300}, {-300, 300}});
-        List<Waypoint> waypoints = Scenes.waypoints(
+        List<Waypoint> waypoints = PlanningFixtures.waypoints(
                 new double[] {0, 0}, new double[] {200, 0}, new double[] {400, 0}, new double[] {21, 0});
         CostModel model = CostModel.of(
-                Problem.of(waypoints, List.of(Scenes.craft(0, -200, 0))).withBarriers(field.barriers));
+                PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, -200, 0))).withBarriers(field.barriers));
 
         assertThat(model.whyNobody(0)).hasValue("It lies where zone 0 keeps drones from.");
         assertThat(model.whyNobody(1)).isEmpty();
@@ -108,10 +108,10 @@ class FencedLegsTest {
         FenceZone wall = new FenceZone.Polygon(
                 false,
                 List.of(
-                        Scenes.point(-20, -200),
-                        Scenes.point(20, -200),
-                        Scenes.point(20, 100),
-                        Scenes.point(-20, 100)));
+                        PlanningFixtures.point(-20, -200),
+                        PlanningFixtures.point(20, -200),
+                        PlanningFixtures.point(20, 100),
+                        PlanningFixtures.point(-20, 100)));
         assertThat(turns(wall, new AltitudeBand(null, 440.0, Altitude.Reference.AMSL)))
                 .isZero();
         assertThat(turns(wall, new AltitudeBand(460.0, null, Altitude.Reference.AMSL)))
@@ -136,14 +136,14 @@ class FencedLegsTest {
 
     @Test
     void bindsOnlyTheDronesThatAreNamed() {
-        FenceZone wall = new FenceZone.Circle(false, Scenes.point(500, 0), 100);
+        FenceZone wall = new FenceZone.Circle(false, PlanningFixtures.point(500, 0), 100);
         List<Waypoint> waypoints =
-                List.of(Waypoint.at("a", Scenes.place(0, 0, 450)), Waypoint.at("b", Scenes.place(1000, 0, 450)));
-        Craft bound = Scenes.craft(0, 0, 300);
-        Craft free = Scenes.craft(1, 0, -300);
-        CostModel model = CostModel.of(Problem.of(waypoints, List.of(bound, free))
+                List.of(Waypoint.at("a", PlanningFixtures.place(0, 0, 450)), Waypoint.at("b", PlanningFixtures.place(1000, 0, 450)));
+        Craft bound = PlanningFixtures.craft(0, 0, 300);
+        Craft free = PlanningFixtures.craft(1, 0, -300);
+        CostModel model = CostModel.of(PlanningProblem.of(waypoints, List.of(bound, free))
                 .withBarriers(List.of(new Barrier("the wall", wall, AltitudeBand.ALL, Set.of(new DroneId("d0"))))));
-        List<Carrier> carriers = model.instance().carriers();
+        List<AllocationDrone> carriers = model.instance().carriers();
 
         assertThat(model.instance().legs().meters(carriers.get(0).type(), 0, 1)).isGreaterThan(1_015);
         assertThat(model.instance().legs().meters(carriers.get(1).type(), 0, 1)).isCloseTo(1_000, within(0.5));
@@ -151,11 +151,11 @@ class FencedLegsTest {
 
     @Test
     void neitherTakesOffNorLandsThroughAZone() {
-        FenceZone over = new FenceZone.Circle(false, Scenes.point(0, 0), 30);
+        FenceZone over = new FenceZone.Circle(false, PlanningFixtures.point(0, 0), 30);
         AltitudeBand above = new AltitudeBand(430.0, null, Altitude.Reference.AMSL);
         List<Waypoint> waypoints =
-                List.of(Waypoint.at("high", Scenes.place(300, 0, 450)), Waypoint.at("low", Scenes.place(300, 0, 420)));
-        CostModel model = CostModel.of(Problem.of(waypoints, List.of(Scenes.craft(0, 0, 0)))
+                List.of(Waypoint.at("high", PlanningFixtures.place(300, 0, 450)), Waypoint.at("low", PlanningFixtures.place(300, 0, 420)));
+        CostModel model = CostModel.of(PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, 0, 0)))
                 .withBarriers(List.of(new Barrier("the lid", over, above, Set.of()))));
 
         assertThat(model.instance().legs().seconds(0, 2, 0)).isInfinite();
@@ -165,7 +165,7 @@ class FencedLegsTest {
         assertThat(model.whyNobody(0).orElseThrow()).startsWith("No way leads there");
 
         AltitudeBand between = new AltitudeBand(425.0, 435.0, Altitude.Reference.AMSL);
-        Legs layer = CostModel.of(Problem.of(waypoints, List.of(Scenes.craft(0, 0, 0)))
+        Legs layer = CostModel.of(PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, 0, 0)))
                         .withBarriers(List.of(new Barrier("the layer", over, between, Set.of()))))
                 .instance()
                 .legs();
@@ -180,13 +180,13 @@ class FencedLegsTest {
         int detours = 0;
         int unreached = 0;
         for (int round = 0; round < 1_000; round++) {
-            Field field = Field.random(random);
+            RandomZones field = RandomZones.random(random);
             CostModel model = between(field.barriers, spot(random), spot(random));
             if (!leads(model)) {
                 unreached++;
                 continue;
             }
-            Way way = way(model);
+            TourLeg way = way(model);
             detours += way.via().isEmpty() ? 0 : 1;
             assertThat(field.clearance(line(way))).as("round " + round).isGreaterThan(0.3);
             assertThat(PlanChecker.faults(model.problem(), model.plan(new int[][] {{}})))
@@ -202,11 +202,11 @@ class FencedLegsTest {
         SplittableRandom random = new SplittableRandom(7);
         int compared = 0;
         for (int round = 0; round < 120; round++) {
-            Field field = Field.random(random);
+            RandomZones field = RandomZones.random(random);
             double[] from = spot(random);
             double[] to = spot(random);
             CostModel model = between(field.barriers, from, to);
-            Grid grid = new Grid(field, 8, 3);
+            GridShortestPath grid = new GridShortestPath(field, 8, 3);
             double rough = grid.meters(new Coordinate(from[0], from[1]), new Coordinate(to[0], to[1]));
             if (rough < Double.POSITIVE_INFINITY) {
                 compared++;
@@ -220,27 +220,27 @@ class FencedLegsTest {
 
     private static double[] spot(SplittableRandom random) {
         return new double[] {
-            random.nextDouble(-Field.HALF_METERS, Field.HALF_METERS),
-            random.nextDouble(-Field.HALF_METERS, Field.HALF_METERS)
+            random.nextDouble(-RandomZones.HALF_METERS, RandomZones.HALF_METERS),
+            random.nextDouble(-RandomZones.HALF_METERS, RandomZones.HALF_METERS)
         };
     }
 
     @Test
     void answersTheSameOnABigProblemWhereNotAllWaysAreKept() {
         SplittableRandom random = new SplittableRandom(3);
-        Field field = Field.random(random);
+        RandomZones field = RandomZones.random(random);
         field.polygon(false, WALL);
         List<Waypoint> few = waypoints(random, 100);
         List<Waypoint> many = new ArrayList<>(few);
         SplittableRandom more = new SplittableRandom(4);
         for (int i = 100; i < 2_000; i++) {
             double[] spot = spot(more);
-            many.add(Scenes.waypoint(i, spot[0], spot[1]));
+            many.add(PlanningFixtures.waypoint(i, spot[0], spot[1]));
         }
-        Legs small = CostModel.of(Problem.of(few, Scenes.crafts(1)).withBarriers(field.barriers))
+        Legs small = CostModel.of(PlanningProblem.of(few, PlanningFixtures.crafts(1)).withBarriers(field.barriers))
                 .instance()
                 .legs();
-        Legs big = CostModel.of(Problem.of(many, Scenes.crafts(1)).withBarriers(field.barriers))
+        Legs big = CostModel.of(PlanningProblem.of(many, PlanningFixtures.crafts(1)).withBarriers(field.barriers))
                 .instance()
                 .legs();
 
@@ -255,8 +255,8 @@ class FencedLegsTest {
     @Test
     void answersTheSameToSeveralThreadsAtOnce() {
         SplittableRandom random = new SplittableRandom(8);
-        Field field = Field.random(random);
-        Problem problem = Problem.of(waypoints(random, 80), Scenes.crafts(2)).withBarriers(field.barriers);
+        RandomZones field = RandomZones.random(random);
+        PlanningProblem problem = PlanningProblem.of(waypoints(random, 80), PlanningFixtures.crafts(2)).withBarriers(field.barriers);
         Legs alone = CostModel.of(problem).instance().legs();
         Legs shared = CostModel.of(problem).instance().legs();
 
@@ -275,17 +275,17 @@ class FencedLegsTest {
         for (int i = 0; i < count; i++) {
             spots[i] = spot(random);
         }
-        return Scenes.waypoints(spots);
+        return PlanningFixtures.waypoints(spots);
     }
 
     @Test
     void turnsHighEnoughForBothEnds() {
-        Craft craft = Scenes.craft(0, -200, 0);
-        Waypoint beyond = Waypoint.at("beyond", Scenes.place(200, 0, 480));
-        Field field = new Field();
+        Craft craft = PlanningFixtures.craft(0, -200, 0);
+        Waypoint beyond = Waypoint.at("beyond", PlanningFixtures.place(200, 0, 480));
+        RandomZones field = new RandomZones();
         field.polygon(false, WALL);
         CostModel model =
-                CostModel.of(Problem.of(List.of(beyond), List.of(craft)).withBarriers(field.barriers));
+                CostModel.of(PlanningProblem.of(List.of(beyond), List.of(craft)).withBarriers(field.barriers));
         Plan plan = model.plan(new int[][] {{0}});
 
         assertThat(PlanChecker.faults(model.problem(), plan)).isEmpty();
@@ -293,7 +293,7 @@ class FencedLegsTest {
                 .extracting(Place::altitudeAmslMeters)
                 .containsOnly(480.0);
         assertThat(plan.tours().get(0).stops().get(0).way().fixes())
-                .extracting(Fix::place)
+                .extracting(TimedPlace::place)
                 .extracting(Place::altitudeAmslMeters)
                 .containsExactly(400.0, 480.0, 480.0, 480.0, 480.0);
     }

@@ -9,21 +9,21 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.sim.flight.Craft;
-import org.dronemap.sim.flight.Navigation;
+import org.dronemap.sim.flight.NavigationEstimator;
+import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.personality.AutopilotKind;
 import org.dronemap.sim.personality.SimulatedVehicle;
 import org.dronemap.sim.personality.VehicleSettings;
-import org.dronemap.sim.personality.arducopter.ArduCopter;
+import org.dronemap.sim.personality.arducopter.SimulatedArduCopter;
 import org.dronemap.sim.physics.Airframe;
-import org.dronemap.sim.physics.Battery;
-import org.dronemap.sim.physics.Body;
+import org.dronemap.sim.physics.BatteryModel;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Wind;
+import org.dronemap.sim.physics.MulticopterBody;
+import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.WindModel;
 
 /** A simulated ArduCopter in the air, told by real frames where to be, on a clock that the trial turns. */
-final class SimDrone implements Copter {
+final class SimDrone implements TestCopter {
     static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
     static final double HOME_AMSL = 488;
 
@@ -33,7 +33,7 @@ final class SimDrone implements Copter {
     private static final int GUIDED = 4;
 
     private final LocalFrame frame;
-    private final Craft craft;
+    private final SimulatedCraft craft;
     private final SimulatedVehicle vehicle;
     private final FrameReader toVehicle = new FrameReader();
     private final FrameWriter ground = new FrameWriter(255, 190, 2);
@@ -57,10 +57,10 @@ final class SimDrone implements Copter {
 
     private SimDrone(Geodetic home, Airframe airframe, double meters, double wind, long seed) {
         frame = new LocalFrame(home.latitudeDegrees(), home.longitudeDegrees(), HOME_AMSL);
-        craft = new Craft(frame, airframe, new Battery(50_000), new Wind(wind, seed % 7, seed), new Navigation(3_000));
+        craft = new SimulatedCraft(frame, airframe, new BatteryModel(50_000), new WindModel(wind, seed % 7, seed), new NavigationEstimator(3_000));
         vehicle = new SimulatedVehicle(
                 new VehicleSettings(1, 1, 2, -1, 1500, 0, true, 0, Map.of("WPNAV_SPEED", 1_500.0)),
-                new AutopilotKind("arducopter", "", ArduCopter::new),
+                new AutopilotKind("arducopter", "", SimulatedArduCopter::new),
                 craft,
                 bytes -> {});
         live(6);
@@ -88,17 +88,17 @@ final class SimDrone implements Copter {
     }
 
     @Override
-    public void hear(Aim aim) {
-        send(AimWords.moving(aim));
+    public void hear(GuidanceSetpoint aim) {
+        send(SetpointMessages.moving(aim));
     }
 
     @Override
-    public void hearPlace(Aim aim) {
-        send(AimWords.place(aim));
+    public void hearPlace(GuidanceSetpoint aim) {
+        send(SetpointMessages.place(aim));
     }
 
     @Override
-    public Position position() {
+    public NeuPosition position() {
         return craft.body().position();
     }
 
@@ -107,10 +107,10 @@ final class SimDrone implements Copter {
     }
 
     @Override
-    public Whereabouts whereabouts(Instant at) {
-        Body body = craft.body();
-        Position here = body.position();
-        return new Whereabouts(
+    public DroneFix whereabouts(Instant at) {
+        MulticopterBody body = craft.body();
+        NeuPosition here = body.position();
+        return new DroneFix(
                 at,
                 new Geodetic(frame.latitudeOf(here), frame.longitudeOf(here)),
                 frame.altitudeOf(here),
@@ -120,7 +120,7 @@ final class SimDrone implements Copter {
 
     @Override
     public Geodetic place(double east, double north) {
-        Position there = new Position(north, east, 0);
+        NeuPosition there = new NeuPosition(north, east, 0);
         return new Geodetic(frame.latitudeOf(there), frame.longitudeOf(there));
     }
 

@@ -26,14 +26,14 @@ import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A real ArduCopter in software in the air. The trial goes by its clock, so that a slow machine makes nothing late but what is
  * said to it; the truth is that of its physics. Owned by one thread.
  */
-final class SitlDrone implements Copter, AutoCloseable {
+final class SitlDrone implements TestCopter, AutoCloseable {
     private static final int SIMSTATE = 164;
     private static final int REPORT_MICROS = 20_000;
     private static final int TAKE_OFF = 22;
@@ -59,7 +59,7 @@ final class SitlDrone implements Copter, AutoCloseable {
     private @Nullable SocketAddress vehicle;
     private @Nullable GlobalPositionInt estimate;
     private @Nullable AutopilotVersion version;
-    private @Nullable Position truth;
+    private @Nullable NeuPosition truth;
     private boolean guided;
     private long truthMillis;
     private long nowMillis;
@@ -199,31 +199,31 @@ final class SitlDrone implements Copter, AutoCloseable {
     }
 
     @Override
-    public void hear(Aim aim) {
-        send(AimWords.moving(aim));
+    public void hear(GuidanceSetpoint aim) {
+        send(SetpointMessages.moving(aim));
     }
 
     @Override
-    public void hearPlace(Aim aim) {
-        send(AimWords.place(aim));
+    public void hearPlace(GuidanceSetpoint aim) {
+        send(SetpointMessages.place(aim));
     }
 
     /** Now by the trial's clock: a few milliseconds beside the report. */
     @Override
-    public Position position() {
-        Position here = truth;
+    public NeuPosition position() {
+        NeuPosition here = truth;
         if (here == null) {
-            return new Position(0, 0, 0);
+            return new NeuPosition(0, 0, 0);
         }
         GlobalPositionInt moving = known(estimate);
         double late = nowMillis == 0 ? 0 : (nowMillis - truthMillis) / 1e3;
-        return new Position(here.north() + moving.vx() / 1e2 * late, here.east() + moving.vy() / 1e2 * late, here.up());
+        return new NeuPosition(here.north() + moving.vx() / 1e2 * late, here.east() + moving.vy() / 1e2 * late, here.up());
     }
 
     @Override
-    public Whereabouts whereabouts(Instant at) {
+    public DroneFix whereabouts(Instant at) {
         GlobalPositionInt said = known(estimate);
-        return new Whereabouts(
+        return new DroneFix(
                 at,
                 new Geodetic(said.lat() / 1e7, said.lon() / 1e7),
                 said.alt() / 1e3,
@@ -233,7 +233,7 @@ final class SitlDrone implements Copter, AutoCloseable {
 
     @Override
     public Geodetic place(double east, double north) {
-        Position there = new Position(north, east, 0);
+        NeuPosition there = new NeuPosition(north, east, 0);
         return new Geodetic(frame.latitudeOf(there), frame.longitudeOf(there));
     }
 

@@ -9,24 +9,24 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.LongFunction;
-import org.dronemap.cognitive.follow.Trial.Noise;
-import org.dronemap.cognitive.follow.Trial.Result;
-import org.dronemap.cognitive.follow.Trial.Setup;
-import org.dronemap.cognitive.follow.Trial.Way;
+import org.dronemap.cognitive.follow.FollowTrial.Noise;
+import org.dronemap.cognitive.follow.FollowTrial.Result;
+import org.dronemap.cognitive.follow.FollowTrial.Setup;
+import org.dronemap.cognitive.follow.FollowTrial.Way;
 
 /**
- * {@code BINARY SEEDS}: has real ArduCopters follow the walkers and the cyclists of {@link Experiment} over its slow link, as fast
+ * {@code BINARY SEEDS}: has real ArduCopters follow the walkers and the cyclists of {@link FollowExperiment} over its slow link, as fast
  * as life and many at a time, and writes a line of JSON for each kind. The cyclists are followed twice: by some that lean as far
  * as they are delivered, and by some that may lean farther.
  */
 public final class SitlExperiment {
     private static final double DELIVERED = 30;
     private static final List<Kind> KINDS = List.of(
-            new Kind(Walk::walking, DELIVERED), new Kind(Walk::cycling, DELIVERED), new Kind(Walk::cycling, 45));
+            new Kind(TargetPath::walking, DELIVERED), new Kind(TargetPath::cycling, DELIVERED), new Kind(TargetPath::cycling, 45));
     private static final int AT_A_TIME = 20;
 
     /** {@code lean}: how far they may at most, in degrees. */
-    private record Kind(LongFunction<Walk> walk, double lean) {}
+    private record Kind(LongFunction<TargetPath> walk, double lean) {}
 
     private record Flown(String vehicle, Result result) {}
 
@@ -58,26 +58,26 @@ public final class SitlExperiment {
     private static Flown fly(Path binary, Kind kind, long seed) {
         Setup setup = new Setup(
                 Way.FORESEEN,
-                Experiment.SOUTH,
+                FollowExperiment.SOUTH,
                 Noise.NONE,
-                Experiment.SLOW.quality(),
-                Experiment.WIND,
+                FollowExperiment.SLOW.quality(),
+                FollowExperiment.WIND,
                 seed,
-                Experiment.SETTLED);
-        try (SitlDrone drone = new SitlDrone(binary, kind.lean(), Trial.height(setup), setup.wind(), seed)) {
+                FollowExperiment.SETTLED);
+        try (SitlDrone drone = new SitlDrone(binary, kind.lean(), FollowTrial.height(setup), setup.wind(), seed)) {
             String leans =
                     kind.lean() == DELIVERED ? "" : String.format(Locale.ROOT, ", leaning up to %.0f°", kind.lean());
-            return new Flown(drone.name() + leans, Trial.fly(kind.walk().apply(seed), setup, drone));
+            return new Flown(drone.name() + leans, FollowTrial.fly(kind.walk().apply(seed), setup, drone));
         }
     }
 
-    private static Line line(String walk, List<Future<Flown>> flights) throws InterruptedException, ExecutionException {
+    private static ExperimentRow line(String walk, List<Future<Flown>> flights) throws InterruptedException, ExecutionException {
         List<Result> results = new ArrayList<>();
         String vehicle = "";
         for (Future<Flown> flight : flights) {
             vehicle = flight.get().vehicle();
             results.add(flight.get().result());
         }
-        return new Line(vehicle, walk, Experiment.SLOW.name(), Noise.NONE, Way.FORESEEN, Experiment.SETTLED, results);
+        return new ExperimentRow(vehicle, walk, FollowExperiment.SLOW.name(), Noise.NONE, Way.FORESEEN, FollowExperiment.SETTLED, results);
     }
 }

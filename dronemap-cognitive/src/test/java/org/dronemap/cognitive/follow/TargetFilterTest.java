@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.SplittableRandom;
-import org.dronemap.cognitive.follow.TargetFilter.Verdict;
+import org.dronemap.cognitive.follow.TargetFilter.FixResult;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.geo.Spot;
+import org.dronemap.core.geo.PlanePoint;
 import org.junit.jupiter.api.Test;
 
 /** Where somebody is, was and will be, by what a phone says. */
@@ -17,12 +17,12 @@ class TargetFilterTest {
 
     private final TargetFilter filter = new TargetFilter(new Geodetic(47.4, 8.5));
 
-    private Verdict heard(double seconds, double east, double north) {
+    private FixResult heard(double seconds, double east, double north) {
         return heard(seconds, east, north, ACCURACY);
     }
 
-    private Verdict heard(double seconds, double east, double north, double accuracy) {
-        return filter.take(new PhoneFix(at(seconds), filter.plane().place(new Spot(east, north)), accuracy));
+    private FixResult heard(double seconds, double east, double north, double accuracy) {
+        return filter.take(new PhoneFix(at(seconds), filter.plane().place(new PlanePoint(east, north)), accuracy));
     }
 
     private static Instant at(double seconds) {
@@ -31,14 +31,14 @@ class TargetFilterTest {
 
     private void runsEast(int seconds) {
         for (int second = 0; second <= seconds; second++) {
-            assertThat(heard(second, 4 * second, 0)).isEqualTo(Verdict.TAKEN);
+            assertThat(heard(second, 4 * second, 0)).isEqualTo(FixResult.TAKEN);
         }
     }
 
     private double missed(double seconds, double east, double north) {
-        Motion expected = filter.at(at(seconds));
+        PlanarMotion expected = filter.at(at(seconds));
         assertThat(expected).isNotNull();
-        return expected.spot().distanceMeters(new Spot(east, north));
+        return expected.spot().distanceMeters(new PlanePoint(east, north));
     }
 
     @Test
@@ -83,7 +83,7 @@ class TargetFilterTest {
             east += wander * random.nextGaussian();
             north += wander * random.nextGaussian();
             heard(second, 4 * second + east + fresh * random.nextGaussian(), north + fresh * random.nextGaussian());
-            Motion motion = filter.at(at(second + 0.6));
+            PlanarMotion motion = filter.at(at(second + 0.6));
             missed += second < 20 ? 0 : Math.hypot(motion.eastward() - 4, motion.northward());
         }
         return missed / 380;
@@ -113,33 +113,33 @@ class TargetFilterTest {
     @Test
     void believesALeapOnlyWhenItIsSaidAgainAndAgain() {
         runsEast(10);
-        assertThat(heard(11, 400, 300)).isEqualTo(Verdict.OUTLIER);
-        assertThat(heard(12, 48, 0)).isEqualTo(Verdict.TAKEN);
+        assertThat(heard(11, 400, 300)).isEqualTo(FixResult.OUTLIER);
+        assertThat(heard(12, 48, 0)).isEqualTo(FixResult.TAKEN);
         assertThat(missed(12, 48, 0)).isLessThan(1);
-        assertThat(heard(13, 400, 300)).isEqualTo(Verdict.OUTLIER);
-        assertThat(heard(14, 400, 300)).isEqualTo(Verdict.OUTLIER);
-        assertThat(heard(15, 400, 300)).isEqualTo(Verdict.TAKEN);
+        assertThat(heard(13, 400, 300)).isEqualTo(FixResult.OUTLIER);
+        assertThat(heard(14, 400, 300)).isEqualTo(FixResult.OUTLIER);
+        assertThat(heard(15, 400, 300)).isEqualTo(FixResult.TAKEN);
         assertThat(missed(15, 400, 300)).isLessThan(1);
     }
 
     @Test
     void leavesOutWhatIsOldOrVague() {
         runsEast(10);
-        assertThat(heard(9.5, 300, 0)).isEqualTo(Verdict.LATE);
-        assertThat(heard(11, 300, 0, 80)).isEqualTo(Verdict.VAGUE);
+        assertThat(heard(9.5, 300, 0)).isEqualTo(FixResult.LATE);
+        assertThat(heard(11, 300, 0, 80)).isEqualTo(FixResult.VAGUE);
         assertThat(missed(11, 44, 0)).isLessThan(1);
     }
 
     @Test
     void beginsAnewAfterALongSilence() {
         runsEast(10);
-        assertThat(heard(60, 900, 900)).isEqualTo(Verdict.TAKEN);
+        assertThat(heard(60, 900, 900)).isEqualTo(FixResult.TAKEN);
         assertThat(missed(60, 900, 900)).isLessThan(1);
     }
 
     @Test
     void tellsAPhonesTimesByTheMessageThatWentQuickest() {
-        PhoneClock clock = new PhoneClock();
+        PhoneClockOffset clock = new PhoneClockOffset();
         Duration ahead = Duration.ofMillis(2_700);
         double[] ways = {0.9, 0.3, 1.4, 0.7};
         for (int second = 0; second < ways.length; second++) {
@@ -152,10 +152,10 @@ class TargetFilterTest {
 
     @Test
     void tellsAPhonesTimesRoughlyWhenItMeasuresNothing() {
-        PhoneClock clock = new PhoneClock();
+        PhoneClockOffset clock = new PhoneClockOffset();
         clock.heard(at(100), at(0.9), null);
         clock.heard(at(101), at(1.2), null);
         assertThat(Duration.between(at(2), clock.toCloud(at(102))).abs()).isLessThan(Duration.ofMillis(200));
-        assertThat(new PhoneClock().toCloud(at(5))).isEqualTo(at(5));
+        assertThat(new PhoneClockOffset().toCloud(at(5))).isEqualTo(at(5));
     }
 }

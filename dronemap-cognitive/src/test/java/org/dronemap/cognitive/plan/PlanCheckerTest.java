@@ -7,22 +7,22 @@ import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
-import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.cost.CostModel;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.EnergyBudget;
 import org.dronemap.cognitive.problem.Finish;
 import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.Place;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Skill;
 import org.dronemap.cognitive.problem.Start;
-import org.dronemap.cognitive.problem.Supply;
 import org.dronemap.cognitive.problem.Task;
+import org.dronemap.cognitive.problem.TimeWindow;
+import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.cognitive.problem.Wind;
-import org.dronemap.cognitive.problem.Window;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
@@ -35,13 +35,13 @@ class PlanCheckerTest {
     private static final Task PICTURE = new Task(5, Set.of(new Skill("take a picture")));
 
     private final Craft north =
-            Scenes.craft(0, 0, 0).withSkills(PICTURE.needs()).with(Supply.ofWattHours(100, 20));
-    private final Craft south = Scenes.craft(1, 0, -500);
+            PlanningFixtures.craft(0, 0, 0).withSkills(PICTURE.needs()).with(EnergyBudget.ofWattHours(100, 20));
+    private final Craft south = PlanningFixtures.craft(1, 0, -500);
     private final List<Waypoint> waypoints = List.of(
-            new Waypoint("photo", Scenes.place(0, 1000, 450), PICTURE, 1, new Window(200, 400)),
-            Waypoint.at("second", Scenes.place(1000, 1000, 450)),
-            Waypoint.at("third", Scenes.place(1000, -500, 450)));
-    private final Problem problem = Problem.of(waypoints, List.of(north, south)).with(new Wind(4, 30));
+            new Waypoint("photo", PlanningFixtures.place(0, 1000, 450), PICTURE, 1, new TimeWindow(200, 400)),
+            Waypoint.at("second", PlanningFixtures.place(1000, 1000, 450)),
+            Waypoint.at("third", PlanningFixtures.place(1000, -500, 450)));
+    private final PlanningProblem problem = PlanningProblem.of(waypoints, List.of(north, south)).with(new UniformWind(4, 30));
     private final Plan right = CostModel.of(problem).plan(new int[][] {{0, 1}, {2}});
 
     @Test
@@ -54,38 +54,38 @@ class PlanCheckerTest {
     void findsNothingInPlansOfManyKindsOfDronesInAnyWind() {
         SplittableRandom random = new SplittableRandom(11);
         for (int round = 0; round < 300; round++) {
-            Problem any = anyProblem(random);
+            PlanningProblem any = anyProblem(random);
             Plan plan = CostModel.of(any).plan(new int[][] {{3, 1}, {0, 2}});
 
             assertThat(PlanChecker.faults(any, plan)).as("round " + round).isEmpty();
         }
     }
 
-    private static Problem anyProblem(SplittableRandom random) {
+    private static PlanningProblem anyProblem(SplittableRandom random) {
         List<Waypoint> waypoints = new ArrayList<>();
         for (int i = 0; i < 4; i++) {
             waypoints.add(Waypoint.at("w" + i, anyPlace(random)));
         }
         VehicleKind[] kinds = VehicleKind.values();
-        Craft one = Scenes.craft(0, 0, 0)
+        Craft one = PlanningFixtures.craft(0, 0, 0)
                 .with(Performance.of(kinds[random.nextInt(kinds.length)]))
                 .with(new Start(anyPlace(random), random.nextBoolean(), random.nextDouble(30)));
-        Craft two = Scenes.craft(1, -9_000, 0)
+        Craft two = PlanningFixtures.craft(1, -9_000, 0)
                 .with(Finish.hovering(anyPlace(random)))
-                .with(random.nextBoolean() ? Scenes.copter() : Scenes.aeroplane());
+                .with(random.nextBoolean() ? PlanningFixtures.copter() : PlanningFixtures.aeroplane());
         // far apart in height or not: keeping drones apart is not what is looked at here
-        return Problem.of(waypoints, List.of(one, two))
-                .with(new Wind(random.nextDouble(4), random.nextDouble(360)))
-                .with(new org.dronemap.cognitive.problem.Rules(
+        return PlanningProblem.of(waypoints, List.of(one, two))
+                .with(new UniformWind(random.nextDouble(4), random.nextDouble(360)))
+                .with(new org.dronemap.cognitive.problem.PlanningRules(
                         new org.dronemap.cognitive.problem.Separation(0, 0), 0.5, 3, 5));
     }
 
     private static Place anyPlace(SplittableRandom random) {
-        return Scenes.place(
+        return PlanningFixtures.place(
                 random.nextDouble(-20_000, 20_000), random.nextDouble(-20_000, 20_000), random.nextDouble(400, 600));
     }
 
-    private void finds(String fault, Problem planned, Plan plan) {
+    private void finds(String fault, PlanningProblem planned, Plan plan) {
         assertThat(PlanChecker.faults(planned, plan))
                 .anySatisfy(found -> assertThat(found).contains(fault));
     }
@@ -113,20 +113,20 @@ class PlanCheckerTest {
         finds(
                 "waypoint photo is both visited and unserved",
                 problem,
-                new Plan(right.tours(), List.of(new Unserved("photo", "no"))));
+                new Plan(right.tours(), List.of(new UnservedWaypoint("photo", "no"))));
         finds(
                 "waypoint third is unserved without a reason",
                 problem,
-                new Plan(List.of(first), List.of(new Unserved("third", " "))));
+                new Plan(List.of(first), List.of(new UnservedWaypoint("third", " "))));
         finds(
                 "waypoint nowhere is not part of the problem",
                 problem,
-                new Plan(right.tours(), List.of(new Unserved("nowhere", "no"))));
+                new Plan(right.tours(), List.of(new UnservedWaypoint("nowhere", "no"))));
         finds("waypoint third is visited twice", problem, CostModel.of(problem).plan(new int[][] {{0, 1}, {2, 2}}));
         finds("has two tours", problem, new Plan(List.of(first, second, second), List.of()));
         finds(
                 "is not part of the problem",
-                Problem.of(waypoints, List.of(north)).with(problem.wind()),
+                PlanningProblem.of(waypoints, List.of(north)).with(problem.wind()),
                 right);
     }
 
@@ -136,7 +136,7 @@ class PlanCheckerTest {
                 "The drone d1 cannot do the task of waypoint photo",
                 problem,
                 CostModel.of(problem).plan(new int[][] {{1}, {2, 0}}));
-        Problem bad = Problem.of(waypoints, List.of(north.withLinkQuality(0.1), south));
+        PlanningProblem bad = PlanningProblem.of(waypoints, List.of(north.withLinkQuality(0.1), south));
         finds("has a link that is too bad", bad, CostModel.of(bad).plan(new int[][] {{0, 1}, {2}}));
     }
 
@@ -181,21 +181,21 @@ class PlanCheckerTest {
                                 stop.beginsSeconds(),
                                 stop.leavesSeconds(),
                                 stop.usedJoules() * 1.1)));
-        Problem empty = Problem.of(waypoints, List.of(north.with(Supply.ofWattHours(35, 20)), south))
+        PlanningProblem empty = PlanningProblem.of(waypoints, List.of(north.with(EnergyBudget.ofWattHours(35, 20)), south))
                 .with(problem.wind());
         finds("and may draw 15.0 Wh", empty, right);
     }
 
-    private static Way sooner(Way way, double seconds) {
-        List<Fix> fixes = new ArrayList<>(way.fixes());
-        Fix last = fixes.remove(fixes.size() - 1);
-        fixes.add(new Fix(last.place(), last.seconds() - seconds));
-        return new Way(fixes, way.joules());
+    private static TourLeg sooner(TourLeg way, double seconds) {
+        List<TimedPlace> fixes = new ArrayList<>(way.fixes());
+        TimedPlace last = fixes.remove(fixes.size() - 1);
+        fixes.add(new TimedPlace(last.place(), last.seconds() - seconds));
+        return new TourLeg(fixes, way.joules());
     }
 
     @Test
     void findsWaysThatDoNotHangTogether() {
-        Way elsewhere = right.tours().get(1).last();
+        TourLeg elsewhere = right.tours().get(1).last();
         finds(
                 "does not end where it must",
                 problem,
@@ -222,7 +222,7 @@ class PlanCheckerTest {
                         0,
                         stop -> new Stop(
                                 stop.waypoint(),
-                                new Way(
+                                new TourLeg(
                                         List.of(
                                                 stop.way().fixes().get(0),
                                                 stop.way().fixes().get(2)),
@@ -234,10 +234,10 @@ class PlanCheckerTest {
 
     @Test
     void findsDronesThatAreLeftInTheAirOrIdle() {
-        Craft flying = south.with(Start.inFlight(Scenes.place(0, -500, 430)));
+        Craft flying = south.with(Start.inFlight(PlanningFixtures.place(0, -500, 430)));
         Plan alone = CostModel.of(problem).plan(new int[][] {{0, 1, 2}, {}});
 
-        finds("d1 is in the air and has no tour", Problem.of(waypoints, List.of(north, flying)), alone);
+        finds("d1 is in the air and has no tour", PlanningProblem.of(waypoints, List.of(north, flying)), alone);
         finds("d1 visits nothing", problem.with(new Objective(1, Objective.Measure.SECONDS, 0, true)), alone);
     }
 
@@ -247,12 +247,12 @@ class PlanCheckerTest {
         finds("leads through the moor", fenced(box, AltitudeBand.ALL), right);
         finds(
                 "leads through the moor",
-                fenced(new FenceZone.Circle(false, Scenes.point(500, 1040), 50), AltitudeBand.ALL),
+                fenced(new FenceZone.Circle(false, PlanningFixtures.point(500, 1040), 50), AltitudeBand.ALL),
                 right);
         finds("leads through the moor", fenced(box, amsl(440, 460)), right);
         finds("leads through the moor", fenced(box(false, -50, -50, 50, 50), amsl(440, 460)), right);
         finds("leaves the moor", fenced(box(true, -2000, -2000, 900, 2000), AltitudeBand.ALL), right);
-        finds("leaves the moor", fenced(new FenceZone.Circle(true, Scenes.point(0, 0), 1200), AltitudeBand.ALL), right);
+        finds("leaves the moor", fenced(new FenceZone.Circle(true, PlanningFixtures.point(0, 0), 1200), AltitudeBand.ALL), right);
         finds("over the ceiling", fenced(box(true, -2000, -2000, 2000, 2000), amsl(null, 449)), right);
         assertThat(PlanChecker.faults(fenced(box, amsl(451, null)), right)).isEmpty();
         assertThat(PlanChecker.faults(fenced(box, amsl(null, 449)), right)).isEmpty();
@@ -266,7 +266,7 @@ class PlanCheckerTest {
                 .isEmpty();
     }
 
-    private Problem fenced(FenceZone shape, AltitudeBand band) {
+    private PlanningProblem fenced(FenceZone shape, AltitudeBand band) {
         return problem.withBarriers(List.of(new Barrier("the moor", shape, band, Set.of())));
     }
 
@@ -281,26 +281,26 @@ class PlanCheckerTest {
         return new FenceZone.Polygon(
                 inside,
                 List.of(
-                        Scenes.point(west, south),
-                        Scenes.point(east, south),
-                        Scenes.point(east, north),
-                        Scenes.point(west, north)));
+                        PlanningFixtures.point(west, south),
+                        PlanningFixtures.point(east, south),
+                        PlanningFixtures.point(east, north),
+                        PlanningFixtures.point(west, north)));
     }
 
     @Test
     void findsDronesThatComeTooNear() {
-        Craft beside = Scenes.craft(2, 0, 2000);
+        Craft beside = PlanningFixtures.craft(2, 0, 2000);
         List<Waypoint> across =
-                List.of(Waypoint.at("a", Scenes.place(0, 1500, 450)), Waypoint.at("b", Scenes.place(0, 500, 450)));
-        Problem opposed = Problem.of(across, List.of(north, beside));
+                List.of(Waypoint.at("a", PlanningFixtures.place(0, 1500, 450)), Waypoint.at("b", PlanningFixtures.place(0, 500, 450)));
+        PlanningProblem opposed = PlanningProblem.of(across, List.of(north, beside));
 
         finds(
                 "The drones d0 and d2 are 10.0 m apart",
                 opposed,
                 CostModel.of(opposed).plan(new int[][] {{0}, {1}}));
-        Problem stacked = Problem.of(
-                List.of(across.get(0), Waypoint.at("b", Scenes.place(0, 500, 456))),
-                List.of(north, beside.with(Finish.hovering(Scenes.place(0, 500, 456)))));
+        PlanningProblem stacked = PlanningProblem.of(
+                List.of(across.get(0), Waypoint.at("b", PlanningFixtures.place(0, 500, 456))),
+                List.of(north, beside.with(Finish.hovering(PlanningFixtures.place(0, 500, 456)))));
         assertThat(SeparationCheck.conflicts(stacked, CostModel.of(stacked).plan(new int[][] {{0}, {1}})))
                 .as("6 m over each other, and 500 m apart when one comes down")
                 .isEmpty();

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 public record Grant(
         String id,
         OrganisationId organisation,
-        Subject subject,
+        GrantSubject subject,
         GrantObject object,
         Set<Permission> permissions,
         Instant from,

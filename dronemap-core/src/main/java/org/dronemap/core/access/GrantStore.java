@@ -10,7 +10,7 @@ import org.dronemap.core.organisation.OrganisationId;
  */
 public interface GrantStore {
     /** All of it, by name where there is one, else by age; the default organisation is always there. */
-    Holdings holdings();
+    OrganisationDirectory holdings();
 
     /** Inserts or replaces. */
     void save(Organisation organisation);
@@ -42,7 +42,7 @@ public interface GrantStore {
     boolean deleteGrant(String id);
 
     /** Whether these see only what they were granted. */
-    void setOnlyGranted(Subject subject, boolean only);
+    void setOnlyGranted(GrantSubject subject, boolean only);
 
     /** A user is gone, and with the user whatever names them here. */
     void forgetUser(String name);

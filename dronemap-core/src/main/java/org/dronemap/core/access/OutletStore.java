@@ -18,8 +18,8 @@ public interface OutletStore {
     /** True when there was one. */
     boolean deleteKey(String user);
 
-    List<OutletNumber> numbers();
+    List<OutletSystemId> numbers();
 
     /** Nothing changes when that user has given the drone a number already, or the number to another drone, or either is gone. */
-    void saveNumber(OutletNumber number);
+    void saveNumber(OutletSystemId number);
 }

@@ -17,20 +17,20 @@ import org.jspecify.annotations.Nullable;
  * @param account of the user, which nobody else ever has
  */
 public record Principal(
-        String name, Role role, KeyScope scope, @Nullable String key, Reach reach, String account) {
+        String name, Role role, KeyScope scope, @Nullable String key, EffectivePermissions reach, String account) {
     /** A user with whole rights of the role, or what a key leaves of them. */
-    public static Principal of(User user, Role role, KeyScope scope, @Nullable String key, Reach reach) {
+    public static Principal of(User user, Role role, KeyScope scope, @Nullable String key, EffectivePermissions reach) {
         return new Principal(user.name(), role, scope, key, reach, user.account());
     }
 
     /** One without an account of its own: a part of the server. */
-    public Principal(String name, Role role, KeyScope scope, @Nullable String key, Reach reach) {
+    public Principal(String name, Role role, KeyScope scope, @Nullable String key, EffectivePermissions reach) {
         this(name, role, scope, key, reach, name);
     }
 
     /** A part of the server, which acts on all drones. */
     public Principal(String name, Role role) {
-        this(name, role, KeyScope.ALL, null, Reach.EVERYWHERE);
+        this(name, role, KeyScope.ALL, null, EffectivePermissions.EVERYWHERE);
     }
 
     public OrganisationId organisation() {
@@ -70,12 +70,12 @@ public record Principal(
     }
 
     /** What is shown of what that drone did; of one that was given away since, what was before. */
-    public Insight insight(DroneId drone) {
-        return scope.covers(drone) ? reach.insight(drone) : Insight.NONE;
+    public HistoryVisibility insight(DroneId drone) {
+        return scope.covers(drone) ? reach.insight(drone) : HistoryVisibility.NONE;
     }
 
     /** How much is shown of what that drone did then. */
-    public Sight sight(DroneId drone, Instant at) {
+    public VisibilityLevel sight(DroneId drone, Instant at) {
         return insight(drone).at(at);
     }
 

@@ -7,9 +7,9 @@ import java.time.temporal.ChronoUnit;
 
 /** Chains audit records by keyed hashes and signs heads; pure but for the key; thread-safe. Thread-safe. */
 public final class AuditChain {
-    private final AuditSeal seal;
+    private final KeyedHash seal;
 
-    public AuditChain(AuditSeal seal) {
+    public AuditChain(KeyedHash seal) {
         this.seal = seal;
     }
 
@@ -35,7 +35,7 @@ public final class AuditChain {
     }
 
     private String hash(AuditHead head, long sequence, AuditEntry entry) {
-        return seal.of(new Canonical("record")
+        return seal.of(new CanonicalEncoder("record")
                 .add(head.hash())
                 .add(sequence)
                 .add(entry.at())
@@ -56,7 +56,7 @@ public final class AuditChain {
     }
 
     private String signature(SignedHead.Kind kind, AuditHead head, Instant at) {
-        return seal.of(new Canonical("head")
+        return seal.of(new CanonicalEncoder("head")
                 .add(kind)
                 .add(head.sequence())
                 .add(head.hash())

@@ -44,15 +44,15 @@ public record AuditEntry(
 
     public AuditEntry {
         at = at.truncatedTo(ChronoUnit.MICROS);
-        by = PlainText.orNull(by, LONGEST_NAME);
-        organisation = PlainText.orNull(organisation, LONGEST_NAME);
-        key = PlainText.orNull(key, LONGEST_NAME);
-        face = PlainText.of(face, LONGEST_NAME);
-        operation = PlainText.of(operation, LONGEST_NAME);
-        drone = PlainText.orNull(drone, LONGEST_NAME);
-        command = PlainText.orNull(command, LONGEST_NAME);
-        parameters = PlainText.of(parameters, LONGEST_PARAMETERS);
-        reason = PlainText.orNull(reason, LONGEST_REASON);
+        by = AuditText.orNull(by, LONGEST_NAME);
+        organisation = AuditText.orNull(organisation, LONGEST_NAME);
+        key = AuditText.orNull(key, LONGEST_NAME);
+        face = AuditText.of(face, LONGEST_NAME);
+        operation = AuditText.of(operation, LONGEST_NAME);
+        drone = AuditText.orNull(drone, LONGEST_NAME);
+        command = AuditText.orNull(command, LONGEST_NAME);
+        parameters = AuditText.of(parameters, LONGEST_PARAMETERS);
+        reason = AuditText.orNull(reason, LONGEST_REASON);
     }
 
     /** Whose record only the keeper of the records can look up. */
@@ -107,13 +107,13 @@ public record AuditEntry(
                 organisation,
                 key,
                 face,
-                PlainText.withoutSecrets(operation),
-                PlainText.withoutSecretsOrNull(drone),
+                AuditText.withoutSecrets(operation),
+                AuditText.withoutSecretsOrNull(drone),
                 epoch,
                 command,
-                PlainText.withoutSecrets(parameters),
+                AuditText.withoutSecrets(parameters),
                 outcome,
-                PlainText.withoutSecretsOrNull(reason),
+                AuditText.withoutSecretsOrNull(reason),
                 latencyMillis,
                 ends);
     }

@@ -5,7 +5,7 @@ import java.util.Optional;
 
 /**
  * Keeps the records in their chain. Where the changes themselves are kept in the same place, they and their records become
- * durable together ({@link Activity}).
+ * durable together ({@link AuditedCall}).
  */
 public interface AuditStore {
     /** Returns when it is durable. An ending of a command finds the command's record by itself. */
@@ -20,7 +20,7 @@ public interface AuditStore {
     List<AuditRecord> after(long sequence, int limit);
 
     /** Calls with their ends, newest first, at most so many, of those before that number. */
-    List<AuditLine> search(AuditQuery query, long before, int limit);
+    List<AuditedCallRecord> search(AuditQuery query, long before, int limit);
 
     /** The record of a command. */
     Optional<AuditRecord> ofCommand(String command);

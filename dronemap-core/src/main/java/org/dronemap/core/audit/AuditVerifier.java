@@ -13,7 +13,7 @@ public final class AuditVerifier {
     private static final int AT_ONCE = 1_000;
 
     private final AuditStore store;
-    private final AuditHeads heads;
+    private final AuditHeadStore heads;
     private final AuditChain chain;
     private final List<Expected> expected = new ArrayList<>();
     private @Nullable String doubt;
@@ -22,7 +22,7 @@ public final class AuditVerifier {
     /** A head that the chain must have had, and who says so. */
     private record Expected(AuditHead head, String source) {}
 
-    public AuditVerifier(AuditStore store, AuditHeads heads, AuditChain chain) {
+    public AuditVerifier(AuditStore store, AuditHeadStore heads, AuditChain chain) {
         this.store = store;
         this.heads = heads;
         this.chain = chain;

@@ -3,8 +3,8 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.ControlState;
 
 /** Hears what changes, on a lane or on the journal's thread; must return at once. */
 public interface CloudListener {
@@ -15,5 +15,5 @@ public interface CloudListener {
     default void commandChanged(CommandRecord command) {}
 
     /** {@code now} is how the change left it. */
-    default void controlChanged(DroneId drone, Control now, ControlChange change) {}
+    default void controlChanged(DroneId drone, ControlState now, ControlChange change) {}
 }

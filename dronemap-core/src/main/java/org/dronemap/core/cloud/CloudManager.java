@@ -10,7 +10,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.dronemap.core.audit.Activity;
+import org.dronemap.core.audit.AuditedCall;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneId;
@@ -19,21 +19,21 @@ import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.LinkState;
-import org.dronemap.core.drone.OnBoard;
-import org.dronemap.core.drone.OwnersStore;
-import org.dronemap.core.drone.OwnersValues;
-import org.dronemap.core.drone.Sensed;
+import org.dronemap.core.drone.OnboardStorage;
+import org.dronemap.core.drone.ParameterOverrideStore;
+import org.dronemap.core.drone.ParameterOverrides;
+import org.dronemap.core.drone.SensorSnapshot;
 import org.dronemap.core.drone.Severity;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.lease.Epochs;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.LeaseStore;
-import org.dronemap.core.safety.Times;
+import org.dronemap.core.safety.SafetyTimes;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -50,27 +50,27 @@ public final class CloudManager {
     private final Time time;
     private final Clock clock;
     private final DroneStore store;
-    private final Journal journal;
+    private final StoreWriter journal;
     private final Supplier<DroneId> newIds;
     private final DroneRegistry registry = new DroneRegistry();
     private final CopyOnWriteArrayList<CloudListener> listeners = new CopyOnWriteArrayList<>();
-    private final CloudListener everybody = new Everybody(listeners);
-    private final Reception reception;
+    private final CloudListener everybody = new CompositeCloudListener(listeners);
+    private final VehicleAdmission reception;
     private final CommandStore turns;
     private final CommandGate gate;
     private final SetpointGate setpoints;
-    private final Onlookers onlookers = new Onlookers();
-    private final ControlDesk controls;
-    private final DroneControl.Keeping leases;
+    private final CompositeUserPresence onlookers = new CompositeUserPresence();
+    private final ControlGate controls;
+    private final DroneControl.Persistence leases;
     private final LeaseMachine leaseMachine;
-    private final LossDesk losses;
-    private final ZoneBook zones = new ZoneBook();
+    private final ParameterOverrideRegistry losses;
+    private final ZoneRegistry zones = new ZoneRegistry();
     private final BoundLink.Registrations registrations = new Registered();
     private volatile BiConsumer<DroneId, LinkSession> registrar = (drone, session) -> {};
 
     /** Where the manager keeps things: the stores, and the thread that writes to them. */
-    public record Keeping(
-            DroneStore drones, CommandStore commands, LeaseStore leases, OwnersStore owners, Journal journal) {}
+    public record Persistence(
+            DroneStore drones, CommandStore commands, LeaseStore leases, ParameterOverrideStore owners, StoreWriter journal) {}
 
     /**
      * What the manager goes by: when a drone is called lost, how control of one lasts, and after how many seconds one that does
@@ -78,34 +78,34 @@ public final class CloudManager {
      */
     public record Rules(Watchdog watchdog, LeaseRules leases, int lossSeconds) {
         /** As long as a vehicle waits where nobody has said otherwise. */
-        public static final int USUAL_LOSS_SECONDS = (int) Times.VEHICLE_RETURNS.toSeconds();
+        public static final int USUAL_LOSS_SECONDS = (int) SafetyTimes.VEHICLE_RETURNS.toSeconds();
     }
 
     /** With the usual rules of control. */
-    public CloudManager(Lanes lanes, Watchdog watchdog, Time time, Keeping keeping, Supplier<DroneId> newIds) {
+    public CloudManager(Lanes lanes, Watchdog watchdog, Time time, Persistence keeping, Supplier<DroneId> newIds) {
         this(lanes, new Rules(watchdog, LeaseRules.DEFAULT, Rules.USUAL_LOSS_SECONDS), time, keeping, newIds);
     }
 
-    public CloudManager(Lanes lanes, Rules rules, Time time, Keeping keeping, Supplier<DroneId> newIds) {
+    public CloudManager(Lanes lanes, Rules rules, Time time, Persistence keeping, Supplier<DroneId> newIds) {
         this.lanes = lanes;
         this.rules = rules;
         this.time = time;
         this.clock = time.clock();
-        this.controls = new ControlDesk(registry, onlookers, time);
+        this.controls = new ControlGate(registry, onlookers, time);
         this.store = keeping.drones();
         this.journal = keeping.journal();
         this.newIds = newIds;
         this.turns = keeping.commands();
-        this.reception = new Reception(registry, clock);
+        this.reception = new VehicleAdmission(registry, clock);
         this.gate = new CommandGate(registry, keeping.commands(), journal, time, everybody, new ZoneRules(zones));
         this.setpoints = new SetpointGate(registry, gate, time);
-        ZoneGuard guard = new ZoneGuard(zones, new ZoneActions(registry, gate, time), time);
+        ZoneWatch guard = new ZoneWatch(zones, new ZoneBreachExecutor(registry, gate, time), time);
         zones.onChange(change -> registry.all().forEach(guard::lookAgain));
         listeners.add(guard);
-        this.leases = new DroneControl.Keeping(keeping.leases(), journal);
+        this.leases = new DroneControl.Persistence(keeping.leases(), journal);
         Epochs epochs = new Epochs(keeping.leases(), task -> journal.write("more epochs", task, () -> {}));
         this.leaseMachine = new LeaseMachine(rules.leases(), epochs::next);
-        this.losses = new LossDesk(keeping.owners(), journal, rules.lossSeconds(), new ReturnHeightDesk(registry));
+        this.losses = new ParameterOverrideRegistry(keeping.owners(), journal, rules.lossSeconds(), new ReturnHeightAllocator(registry));
         store.drones()
                 .forEach(record ->
                         manage(record, false, store.knownMission(record.id()).orElse(null)));
@@ -128,12 +128,12 @@ public final class CloudManager {
     }
 
     /** Where control of drones is taken, asked for and given back. */
-    public ControlDesk controls() {
+    public ControlGate controls() {
         return controls;
     }
 
     /** The zones that bind drones; whoever keeps them puts them in. */
-    public ZoneBook zones() {
+    public ZoneRegistry zones() {
         return zones;
     }
 
@@ -159,13 +159,13 @@ public final class CloudManager {
     }
 
     /** What a drone keeps on board beside its mission, as last heard; UNKNOWN when there is no such drone. */
-    public OnBoard onBoard(DroneId id) {
-        return registry.find(id).map(managed -> managed.drone().onBoard()).orElse(OnBoard.UNKNOWN);
+    public OnboardStorage onBoard(DroneId id) {
+        return registry.find(id).map(managed -> managed.drone().onBoard()).orElse(OnboardStorage.UNKNOWN);
     }
 
     /** The newest that a drone's sensors brought; nothing when there is no such drone. */
-    public Sensed sensed(DroneId id) {
-        return registry.find(id).map(managed -> managed.drone().sensed()).orElse(Sensed.NOTHING);
+    public SensorSnapshot sensed(DroneId id) {
+        return registry.find(id).map(managed -> managed.drone().sensed()).orElse(SensorSnapshot.NOTHING);
     }
 
     /** What is known of what a drone does without the cloud; nothing when there is no such drone. */
@@ -174,10 +174,10 @@ public final class CloudManager {
     }
 
     /** What the owners of drones that were removed since had set, and was not put back. */
-    public List<OwnersValues> leftBehind() {
+    public List<ParameterOverrides> leftBehind() {
         return losses.all().stream()
                 .filter(values -> registry.find(values.drone()).isEmpty())
-                .sorted(Comparator.comparing(OwnersValues::since))
+                .sorted(Comparator.comparing(ParameterOverrides::since))
                 .toList();
     }
 
@@ -187,12 +187,12 @@ public final class CloudManager {
     }
 
     /** Finds the drone that a session speaks for, or makes one, or keeps it outside. Blocks only for the registry. */
-    public synchronized Admission admit(Claim claim) {
-        Verdict verdict = reception.judge(claim);
-        if (verdict instanceof Verdict.Apart apart) {
-            return new Admission.Outside(apart.why());
+    public synchronized ClaimResult admit(Claim claim) {
+        ClaimDecision verdict = reception.judge(claim);
+        if (verdict instanceof ClaimDecision.Quarantined apart) {
+            return new ClaimResult.NotAdmitted(apart.why());
         }
-        ManagedDrone drone = verdict instanceof Verdict.Known known ? known.drone() : enrol(claim);
+        ManagedDrone drone = verdict instanceof ClaimDecision.Known known ? known.drone() : enrol(claim);
         drone.promise(claim.proof());
         drone.lane().execute(() -> {
             drone.attach(claim.session(), claim);
@@ -200,11 +200,11 @@ public final class CloudManager {
             drone.heard();
             remember(drone);
         });
-        return new Admission.Bound(new BoundLink(drone, claim.session(), registrations));
+        return new ClaimResult.Bound(new BoundLink(drone, claim.session(), registrations));
     }
 
     /** Vehicles that wait to be let in, longest first. */
-    public List<Waiting> waiting() {
+    public List<WaitingVehicle> waiting() {
         return reception.waiting();
     }
 
@@ -227,7 +227,7 @@ public final class CloudManager {
                             waiting.key(),
                             waiting.transport(),
                             said,
-                            waiting.isQuarantined() ? Standing.DISTINCT : Standing.UNPROVED,
+                            waiting.isQuarantined() ? IdentityTrust.DISTINCT : IdentityTrust.UNPROVED,
                             clock.instant(),
                             null),
                     false,
@@ -253,7 +253,7 @@ public final class CloudManager {
         found.ifPresent(drone -> {
             CompletableFuture<CompletableFuture<Void>> kept = new CompletableFuture<>();
             // On the lane, so that no older record of this drone can be written after it.
-            drone.lane().execute(Activity.carried(() -> {
+            drone.lane().execute(AuditedCall.carried(() -> {
                 drone.rename(name);
                 kept.complete(keepName(drone));
             }));
@@ -319,21 +319,21 @@ public final class CloudManager {
         Lane lane = lanes.of(record.id());
         DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, time::nanos);
         ManagedDrone drone = new ManagedDrone(
-                new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
+                new DroneProjection(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
         ReturnWatch returning = new ReturnWatch(drone, gate, new ZoneRules(zones), time);
         drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, returning, time));
         if (!replay) {
-            drone.preparedBy(new LossPreparation(drone, gate, losses, clock));
+            drone.preparedBy(new CloudLossPreparation(drone, gate, losses, clock));
         }
         registry.add(drone);
         lane.execute(() -> lane.addTicker(drone));
         return drone;
     }
 
-    private Helm helm(ManagedDrone drone) {
-        return new Helm(
+    private SetpointForwarder helm(ManagedDrone drone) {
+        return new SetpointForwarder(
                 drone,
-                new Helm.Log(turns, journal, everybody, time),
+                new SetpointForwarder.SteeringLog(turns, journal, everybody, time),
                 (braked, epoch) -> ControlWatch.brake(gate, braked, epoch));
     }
 

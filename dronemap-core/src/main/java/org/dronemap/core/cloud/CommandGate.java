@@ -20,7 +20,7 @@ import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
-import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.WayObjection;
@@ -36,13 +36,13 @@ public final class CommandGate {
 
     private final DroneRegistry registry;
     private final CommandStore store;
-    private final Intents intents;
+    private final CommandIntentWriter intents;
     private final Time time;
     private final Clock clock;
     private final CloudListener listener;
     private final ZoneRules zones;
-    private final AllUnderway underway = new AllUnderway();
-    private final Dispatch dispatch;
+    private final PendingCommands underway = new PendingCommands();
+    private final CommandDispatcher dispatch;
 
     /** What safety rules are called in the log, and their face. */
     static final Source SAFETY = new Source(new Principal("dronemap", Role.SUPERVISOR), "rule");
@@ -54,7 +54,7 @@ public final class CommandGate {
      * @param operation what the cloud conducts for that user and commands this; null: the user does
      */
     public record Source(
-            Principal principal, String face, @Nullable Long epoch, Holder.@Nullable Operation operation) {
+            Principal principal, String face, @Nullable Long epoch, LeaseHolder.@Nullable Operation operation) {
         public Source(Principal principal, String face) {
             this(principal, face, null, null);
         }
@@ -67,18 +67,18 @@ public final class CommandGate {
     CommandGate(
             DroneRegistry registry,
             CommandStore store,
-            Journal journal,
+            StoreWriter journal,
             Time time,
             CloudListener listener,
             ZoneRules zones) {
         this.zones = zones;
         this.registry = registry;
         this.store = store;
-        this.intents = new Intents(store, journal, time);
+        this.intents = new CommandIntentWriter(store, journal, time);
         this.time = time;
         this.clock = time.clock();
         this.listener = listener;
-        this.dispatch = new Dispatch(underway, this::whyNotThere, journal, store, time, listener);
+        this.dispatch = new CommandDispatcher(underway, this::whyNotThere, journal, store, time, listener);
     }
 
     /**
@@ -103,11 +103,11 @@ public final class CommandGate {
         if (why.isPresent()) {
             return refuse(record, why.get());
         }
-        Passage passage = managed.control().enter(source, command);
-        if (passage instanceof Passage.Closed closed) {
+        ControlClearance passage = managed.control().enter(source, command);
+        if (passage instanceof ControlClearance.Refused closed) {
             return refuse(record, closed.why());
         }
-        return begin(managed, command, record, (Passage.Open) passage, source.principal());
+        return begin(managed, command, record, (ControlClearance.Cleared) passage, source.principal());
     }
 
     /** The same id before. What brings to safety asks no store first: whether its id is new, its intent tells. */
@@ -119,35 +119,35 @@ public final class CommandGate {
     }
 
     private CommandRecord begin(
-            ManagedDrone managed, Command command, CommandRecord given, Passage.Open passage, Principal principal) {
-        Underway entry = underway(managed, command, given, passage, principal);
-        Underway earlier = underway.add(entry);
+            ManagedDrone managed, Command command, CommandRecord given, ControlClearance.Cleared passage, Principal principal) {
+        PendingCommand entry = underway(managed, command, given, passage, principal);
+        PendingCommand earlier = underway.add(entry);
         return earlier == null
                 ? send(entry, entry.open().record())
                 : earlier.open().told();
     }
 
-    private Underway underway(
-            ManagedDrone managed, Command command, CommandRecord given, Passage.Open passage, Principal principal) {
+    private PendingCommand underway(
+            ManagedDrone managed, Command command, CommandRecord given, ControlClearance.Cleared passage, Principal principal) {
         CommandRecord record = passage.epoch() == null ? given : given.withEpoch(passage.epoch());
-        OpenCommand open = new OpenCommand(command, record, managed.lane().activeNanos(), time.nanos());
-        return new Underway(open, managed, passage, principal, new CompletableFuture<>());
+        CommandTracker open = new CommandTracker(command, record, managed.lane().activeNanos(), time.nanos());
+        return new PendingCommand(open, managed, passage, principal, new CompletableFuture<>());
     }
 
     /**
      * What a rule of safety commands while nobody has control; whoever takes it ends this. Does not wait. Empty: somebody has
      * control.
      */
-    Optional<OpenCommand> submitForSafety(ManagedDrone managed, Command command) {
+    Optional<CommandTracker> submitForSafety(ManagedDrone managed, Command command) {
         return submitForSafety(managed, command, null);
     }
 
     /** The same, also while somebody has the control of this epoch still. */
-    Optional<OpenCommand> submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
+    Optional<CommandTracker> submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
         Principal rule = SAFETY.principal();
         return managed.control().enterForSafety(rule, command, epoch).map(passage -> {
             CommandRecord given = intent(SAFETY, managed.id(), new CommandId(time.newId()), command, command);
-            Underway entry = underway(managed, command, given, passage, rule);
+            PendingCommand entry = underway(managed, command, given, passage, rule);
             underway.add(entry);
             // Neither the lane nor the drone waits for the disk.
             intents.writeLater(entry.open().record());
@@ -158,7 +158,7 @@ public final class CommandGate {
 
     /** Why this principal cannot give that command now; empty when it can. */
     public Optional<Refusal> whyNot(Principal principal, DroneState drone, Command command) {
-        return OwnFaults.judging(
+        return InternalFaults.judging(
                 command.summary(),
                 () -> RoleRules.whyNot(principal, drone, command.needs())
                         .or(() -> CommandRules.whyNot(drone, command))
@@ -190,13 +190,13 @@ public final class CommandGate {
     }
 
     public Optional<CommandRecord> find(CommandId id) {
-        Underway now = underway.find(id);
+        PendingCommand now = underway.find(id);
         return now != null ? Optional.of(now.open().told()) : store.command(id);
     }
 
     /** The record once the command has ended; completes at once for one that has. */
     public CompletableFuture<CommandRecord> end(CommandId id) {
-        Underway now = underway.find(id);
+        PendingCommand now = underway.find(id);
         if (now != null) {
             return now.end().copy();
         }
@@ -239,7 +239,7 @@ public final class CommandGate {
         return refused;
     }
 
-    private CommandRecord send(Underway entry, CommandRecord record) {
+    private CommandRecord send(PendingCommand entry, CommandRecord record) {
         try {
             if (!intents.write(entry.open().command(), record)) {
                 underway.remove(entry);
@@ -254,7 +254,7 @@ public final class CommandGate {
     }
 
     /** To the drone's lane. */
-    private void hand(Underway entry) {
+    private void hand(PendingCommand entry) {
         listener.commandChanged(entry.open().record());
         try {
             entry.drone().lane().execute(() -> dispatch.perform(entry));
@@ -266,9 +266,9 @@ public final class CommandGate {
     // From here on: the drone's lane.
 
     /** What a rule has a vehicle do beside what it is told by others, by that passage. */
-    Underway begin(ManagedDrone managed, Command command, Passage.Open passage) {
+    PendingCommand begin(ManagedDrone managed, Command command, ControlClearance.Cleared passage) {
         CommandRecord given = intent(SAFETY, managed.id(), new CommandId(time.newId()), command, command);
-        Underway entry = underway(managed, command, given, passage, SAFETY.principal());
+        PendingCommand entry = underway(managed, command, given, passage, SAFETY.principal());
         underway.add(entry);
         intents.writeLater(entry.open().record());
         listener.commandChanged(entry.open().record());
@@ -276,7 +276,7 @@ public final class CommandGate {
     }
 
     /** Carries out what is under way. */
-    Dispatch dispatch() {
+    CommandDispatcher dispatch() {
         return dispatch;
     }
 
@@ -286,7 +286,7 @@ public final class CommandGate {
     }
 
     /** What else writes parameters of that drone now, as people call it. */
-    Optional<String> writingParameters(Underway except) {
+    Optional<String> writingParameters(PendingCommand except) {
         return underway.writingParameters(except);
     }
 
@@ -322,6 +322,6 @@ public final class CommandGate {
     boolean mayHaveChangedTo(ManagedDrone drone, String mode, Capabilities can) {
         return underway.mayLeadTo(drone, mode, can)
                 || drone.moves().at(drone.lane().activeNanos()).stream()
-                        .anyMatch(command -> RecentMoves.mayLeadTo(command, mode, can));
+                        .anyMatch(command -> RecentModeCommands.mayLeadTo(command, mode, can));
     }
 }

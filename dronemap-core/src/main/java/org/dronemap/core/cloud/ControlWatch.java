@@ -10,15 +10,15 @@ import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Severity;
-import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
-import org.dronemap.core.lease.Holder;
-import org.dronemap.core.lease.Lapse;
+import org.dronemap.core.lease.ControlState;
+import org.dronemap.core.lease.LapsedLease;
+import org.dronemap.core.lease.Lease;
 import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.lease.LeaseRules;
-import org.dronemap.core.lease.Tenure;
-import org.dronemap.core.safety.Energy;
-import org.dronemap.core.safety.ReturnLadder;
+import org.dronemap.core.safety.BatteryEndurance;
+import org.dronemap.core.safety.ReturnPlanner;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -35,13 +35,13 @@ final class ControlWatch implements Lane.Ticker {
     private final ManagedDrone drone;
     private final CommandGate gate;
     private final LeaseRules rules;
-    private final Presence onlookers;
+    private final UserPresence onlookers;
     private final CloudListener listener;
     private final ReturnWatch returning;
-    private final Holding holding;
+    private final HoldOnControlLoss holding;
     private final OutlookWatch outlooks;
     private final ModeWatch modes;
-    private final Energy energy = new Energy();
+    private final BatteryEndurance energy = new BatteryEndurance();
     private final Time time;
     private long lookedNanos;
 
@@ -49,7 +49,7 @@ final class ControlWatch implements Lane.Ticker {
             ManagedDrone drone,
             CommandGate gate,
             LeaseRules rules,
-            Presence onlookers,
+            UserPresence onlookers,
             CloudListener listener,
             ReturnWatch returning,
             Time time) {
@@ -59,7 +59,7 @@ final class ControlWatch implements Lane.Ticker {
         this.onlookers = onlookers;
         this.listener = listener;
         this.returning = returning;
-        this.holding = new Holding(drone, gate, rules);
+        this.holding = new HoldOnControlLoss(drone, gate, rules);
         this.outlooks = new OutlookWatch(drone, returning, rules, time);
         this.modes = new ModeWatch(drone, gate, time);
         this.time = time;
@@ -68,7 +68,7 @@ final class ControlWatch implements Lane.Ticker {
     }
 
     /** Any thread; in order. */
-    private void announce(Control now, List<ControlChange> changes) {
+    private void announce(ControlState now, List<ControlChange> changes) {
         try {
             drone.lane().execute(() -> changed(now, changes));
         } catch (RejectedExecutionException e) {
@@ -76,19 +76,19 @@ final class ControlWatch implements Lane.Ticker {
         }
     }
 
-    private void changed(Control now, List<ControlChange> changes) {
+    private void changed(ControlState now, List<ControlChange> changes) {
         gate.stopOutdated(drone);
         drone.helm().controlChanged();
         for (ControlChange change : changes) {
             answers(now, change);
             listener.controlChanged(drone.id(), now, change);
-            String sentence = ControlWords.of(change);
+            String sentence = ControlMessages.of(change);
             boolean concerns = change.kind() != ControlChange.Kind.RETURN_DUE || drone.isLeftAlone();
             if (sentence != null && concerns) {
                 drone.say(
                         change.kind() == ControlChange.Kind.LOST ? Severity.WARNING : Severity.NOTICE,
                         sentence,
-                        ControlWords.user(change));
+                        ControlMessages.user(change));
             }
             tellOfTheWayHome(change);
             holding.act(change);
@@ -101,13 +101,13 @@ final class ControlWatch implements Lane.Ticker {
      * A user who takes control on purpose, or an operation, answers for the drone from then on, also an operation that goes on
      * after a restart; what a pilot steers is the pilot's.
      */
-    private void answers(Control now, ControlChange change) {
+    private void answers(ControlState now, ControlChange change) {
         boolean takes = change.kind() == ControlChange.Kind.TAKEN || change.kind() == ControlChange.Kind.TAKEN_OVER;
-        Tenure tenure = now.tenure();
+        Lease tenure = now.tenure();
         boolean byHand = FlightFacts.isLedByHand(drone.drone().state());
         if (takes && tenure != null && tenure.explicit() && !byHand) {
             drone.ours(true);
-        } else if (byHand && change.kind() == ControlChange.Kind.RELEASED && change.by() instanceof Holder.Operation) {
+        } else if (byHand && change.kind() == ControlChange.Kind.RELEASED && change.by() instanceof LeaseHolder.Operation) {
             // No operation steers by sticks: it lets go since a pilot does.
             drone.ours(false);
         }
@@ -154,7 +154,7 @@ final class ControlWatch implements Lane.Ticker {
                 .tick(
                         () -> gate.isBusy(drone) || isWatched(state),
                         FlightFacts.areKnown(state) && !inMission,
-                        due && drone.isLeftAlone() && ReturnLadder.hurries(state, left, RHYTHM_NANOS / 1e9));
+                        due && drone.isLeftAlone() && ReturnPlanner.hurries(state, left, RHYTHM_NANOS / 1e9));
         if (due) {
             keepMode(state);
             bringHome(state, left);
@@ -163,10 +163,10 @@ final class ControlWatch implements Lane.Ticker {
     }
 
     private void pilot(DroneState state) {
-        Control control = drone.control().control();
+        ControlState control = drone.control().control();
         boolean down = FlightFacts.isDown(state);
         String foreign = modes.foreign(state);
-        if (control.tenure() != null && control.tenure().holder() instanceof Holder.Pilot) {
+        if (control.tenure() != null && control.tenure().holder() instanceof LeaseHolder.Pilot) {
             if (Boolean.FALSE.equals(state.armed())) {
                 drone.control().apply(new LeaseEvent.PilotLeft());
             }
@@ -183,7 +183,7 @@ final class ControlWatch implements Lane.Ticker {
             drone.ours(false);
         }
         if (down && drone.control().control().lapse() != null) {
-            drone.control().apply(new LeaseEvent.CameDown());
+            drone.control().apply(new LeaseEvent.Landed());
         }
     }
 
@@ -196,8 +196,8 @@ final class ControlWatch implements Lane.Ticker {
     }
 
     private void bringHome(DroneState state, OptionalDouble secondsLeft) {
-        Control control = drone.control().control();
-        Lapse lapse = control.lapse();
+        ControlState control = drone.control().control();
+        LapsedLease lapse = control.lapse();
         if (control.tenure() != null
                 || lapse == null
                 || !lapse.returned()
@@ -212,9 +212,9 @@ final class ControlWatch implements Lane.Ticker {
 
     /** Control that came with a command stays in the air with whoever still looks. */
     private boolean isWatched(DroneState state) {
-        Tenure tenure = drone.control().control().tenure();
+        Lease tenure = drone.control().control().tenure();
         return tenure != null
-                && tenure.holder() instanceof Holder.Person person
+                && tenure.holder() instanceof LeaseHolder.Person person
                 && FlightFacts.isFlying(state)
                 && onlookers.isThere(person.name(), drone.id());
     }

@@ -7,24 +7,24 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.audit.Activity;
+import org.dronemap.core.audit.AuditedCall;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ClockReading;
 import org.dronemap.core.lease.ControlChange;
-import org.dronemap.core.lease.Holder;
-import org.dronemap.core.lease.Lapse;
+import org.dronemap.core.lease.ControlState;
+import org.dronemap.core.lease.LapsedLease;
+import org.dronemap.core.lease.Lease;
 import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseDenial;
 import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseStep;
 import org.dronemap.core.lease.LeaseStore;
-import org.dronemap.core.lease.Moment;
 import org.dronemap.core.lease.SavedLease;
-import org.dronemap.core.lease.Tenure;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,31 +34,31 @@ import org.jspecify.annotations.Nullable;
 final class DroneControl {
     private final DroneId drone;
     private final LeaseMachine machine;
-    private final Keeping keeping;
+    private final Persistence keeping;
     private final Clock clock;
     private final LongSupplier nanoTime;
     private Announcer announcer = (control, changes) -> {};
-    private volatile Control control;
+    private volatile ControlState control;
     private volatile @Nullable String mode;
 
     /** Where leases are kept, in the order of what happened. */
-    record Keeping(LeaseStore store, Journal journal) {}
+    record Persistence(LeaseStore store, StoreWriter journal) {}
 
     /** Hears in order of what happened, under the monitor; must return at once. */
     interface Announcer {
-        void changed(Control now, List<ControlChange> changes);
+        void changed(ControlState now, List<ControlChange> changes);
     }
 
     /** A decision, and when what it changed is durable. */
     record Decision(LeaseStep step, CompletableFuture<Void> durable) {}
 
-    DroneControl(DroneId drone, LeaseMachine machine, Keeping keeping, Clock clock, LongSupplier nanoTime) {
+    DroneControl(DroneId drone, LeaseMachine machine, Persistence keeping, Clock clock, LongSupplier nanoTime) {
         this.drone = drone;
         this.machine = machine;
         this.keeping = keeping;
         this.clock = clock;
         this.nanoTime = nanoTime;
-        this.control = Control.FREE;
+        this.control = ControlState.FREE;
     }
 
     synchronized void restore(SavedLease lease) {
@@ -70,7 +70,7 @@ final class DroneControl {
         announcer = listener;
     }
 
-    Control control() {
+    ControlState control() {
         return control;
     }
 
@@ -100,14 +100,14 @@ final class DroneControl {
                 && machine.isSilent(control, nanoTime.getAsLong())) {
             Decision unused = apply(new LeaseEvent.Tick(false, false));
         }
-        Control before = control;
+        ControlState before = control;
         LeaseStep step = machine.apply(before, event, now());
         control = step.control();
-        Activity.current().ifPresent(call -> call.epoch(drone.value(), epoch()));
+        AuditedCall.current().ifPresent(call -> call.epoch(drone.value(), epoch()));
         // The record of the call is that of the command, and not of the control that comes with it.
         boolean withACommand = event instanceof LeaseEvent.Command || event instanceof LeaseEvent.Interrupt;
         CompletableFuture<Void> durable = withACommand
-                ? Activity.beside(() -> keep(saved(before), saved(step.control())))
+                ? AuditedCall.beside(() -> keep(saved(before), saved(step.control())))
                 : keep(saved(before), saved(step.control()));
         if (!step.changes().isEmpty()
                 || before.requests().size() != step.control().requests().size()) {
@@ -120,24 +120,24 @@ final class DroneControl {
      * Asks for the control that a command needs, and takes it where it is free; operations have it, or command nothing, and
      * lose it to whoever answers for safety.
      */
-    synchronized Passage enter(CommandGate.Source source, Command command) {
+    synchronized ControlClearance enter(CommandGate.Source source, Command command) {
         if (source.operation() == null && ControlRules.onlyReads(command)) {
-            return new Passage.Open(epoch(), Fence.NONE);
+            return new ControlClearance.Cleared(epoch(), EpochGuard.NONE);
         }
-        Passage passage = enter(source);
-        boolean first = passage instanceof Passage.Closed
+        ControlClearance passage = enter(source);
+        boolean first = passage instanceof ControlClearance.Refused
                 && source.operation() == null
                 && ControlRules.isOpenTo(source.principal(), drone, command);
         if (!first) {
             return passage;
         }
         interrupt(source.principal(), command);
-        return new Passage.Open(epoch(), Fence.NONE);
+        return new ControlClearance.Cleared(epoch(), EpochGuard.NONE);
     }
 
     /** Asks for control as it is, and takes it where it is free. */
-    synchronized Passage enter(CommandGate.Source source) {
-        Holder.Operation operation = source.operation();
+    synchronized ControlClearance enter(CommandGate.Source source) {
+        LeaseHolder.Operation operation = source.operation();
         if (operation != null) {
             return enter(operation);
         }
@@ -147,23 +147,23 @@ final class DroneControl {
         return answer instanceof LeaseAnswer.Denied denied ? closed(denied) : fenced();
     }
 
-    private static Passage closed(LeaseAnswer.Denied denied) {
+    private static ControlClearance closed(LeaseAnswer.Denied denied) {
         return denied.reason() == LeaseDenial.ENDED
-                ? new Passage.Closed(new Refusal(OutcomeCode.CONTROL_ENDED, denied.why()))
+                ? new ControlClearance.Refused(new Refusal(OutcomeCode.CONTROL_ENDED, denied.why()))
                 : held(denied.why());
     }
 
-    private static Passage held(String sentence) {
-        return new Passage.Closed(new Refusal(OutcomeCode.CONTROL_HELD, sentence));
+    private static ControlClearance held(String sentence) {
+        return new ControlClearance.Refused(new Refusal(OutcomeCode.CONTROL_HELD, sentence));
     }
 
-    private Passage enter(Holder.Operation operation) {
-        Tenure tenure = control.tenure();
+    private ControlClearance enter(LeaseHolder.Operation operation) {
+        Lease tenure = control.tenure();
         return tenure != null && tenure.holder().isOperation(operation.id()) ? fenced() : held(control.sentence());
     }
 
     /** For what a rule of safety commands; empty when somebody has control, other than by this epoch. */
-    synchronized Optional<Passage.Open> enterForSafety(Principal rule, Command command, @Nullable Long epoch) {
+    synchronized Optional<ControlClearance.Cleared> enterForSafety(Principal rule, Command command, @Nullable Long epoch) {
         boolean goesOn = epoch != null && epoch == control.epoch();
         if (control.tenure() != null && !goesOn) {
             return Optional.empty();
@@ -173,7 +173,7 @@ final class DroneControl {
     }
 
     /** For what a rule does while nobody has control, and only as long as nobody takes it; empty when somebody has. */
-    synchronized Optional<Passage.Open> enterWhileFree() {
+    synchronized Optional<ControlClearance.Cleared> enterWhileFree() {
         return control.tenure() == null ? Optional.of(fenced()) : Optional.empty();
     }
 
@@ -181,9 +181,9 @@ final class DroneControl {
         apply(new LeaseEvent.Interrupt(by.name() + " told the drone: " + command.summary() + "."));
     }
 
-    private Passage.Open fenced() {
+    private ControlClearance.Cleared fenced() {
         long epoch = control.epoch();
-        return new Passage.Open(epoch == 0 ? null : (Long) epoch, send -> passes(epoch, send));
+        return new ControlClearance.Cleared(epoch == 0 ? null : (Long) epoch, send -> passes(epoch, send));
     }
 
     private synchronized boolean passes(long epoch, Runnable send) {
@@ -196,7 +196,7 @@ final class DroneControl {
 
     /** Lets time go by; {@code busy} is asked only when it matters. */
     void tick(BooleanSupplier busy, boolean heard, boolean hurries) {
-        Lapse lapse = control.lapse();
+        LapsedLease lapse = control.lapse();
         if (machine.isDue(control, nanoTime.getAsLong()) || (hurries && lapse != null && !lapse.returned())) {
             apply(new LeaseEvent.Tick(busy.getAsBoolean(), heard, hurries));
         }
@@ -207,16 +207,16 @@ final class DroneControl {
         return epoch == 0 ? null : (Long) epoch;
     }
 
-    private Moment now() {
-        return new Moment(clock.instant(), nanoTime.getAsLong());
+    private ClockReading now() {
+        return new ClockReading(clock.instant(), nanoTime.getAsLong());
     }
 
-    private @Nullable SavedLease saved(Control of) {
-        Lapse lapse = of.lapse();
+    private @Nullable SavedLease saved(ControlState of) {
+        LapsedLease lapse = of.lapse();
         if (lapse != null) {
             return new SavedLease(drone, lapse.user(), lapse.at(), of.epoch(), true, mode);
         }
-        return of.tenure() != null && of.tenure().holder() instanceof Holder.Person person
+        return of.tenure() != null && of.tenure().holder() instanceof LeaseHolder.Person person
                 ? new SavedLease(
                         drone,
                         person.name(),

@@ -8,11 +8,11 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.Severity;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.event.DroneEvent;
 import org.jspecify.annotations.Nullable;
 
@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 final class ManagedDrone implements Lane.Ticker {
     private static final long JUST_NANOS = 120_000_000_000L;
 
-    private final Drone drone;
+    private final DroneProjection drone;
     private final Lane lane;
     private final Liveness liveness;
     private final CloudListener listener;
@@ -29,7 +29,7 @@ final class ManagedDrone implements Lane.Ticker {
     private volatile boolean enrolled;
     private volatile long promisedNanos;
     private volatile @Nullable String promisedIdentity;
-    private final RecentMoves moves = new RecentMoves();
+    private final RecentModeCommands moves = new RecentModeCommands();
     /** After a standstill of the process, until what came meanwhile has been read. */
     private static final long BLIND_NANOS = 2_000_000_000L;
 
@@ -40,16 +40,16 @@ final class ManagedDrone implements Lane.Ticker {
     private boolean played;
     private Lane.Ticker watch = () -> {};
     private Runnable modeChanged = () -> {};
-    private volatile Preparation loss = Preparation.NONE;
-    private final Helm helm;
+    private volatile FlightPreparation loss = FlightPreparation.NONE;
+    private final SetpointForwarder helm;
 
     ManagedDrone(
-            Drone drone,
+            DroneProjection drone,
             Lane lane,
             Watchdog watchdog,
             CloudListener listener,
             DroneControl control,
-            Function<ManagedDrone, Helm> helm) {
+            Function<ManagedDrone, SetpointForwarder> helm) {
         this.drone = drone;
         this.lane = lane;
         this.liveness = new Liveness(watchdog);
@@ -61,7 +61,7 @@ final class ManagedDrone implements Lane.Ticker {
         this.helm = helm.apply(this);
     }
 
-    Drone drone() {
+    DroneProjection drone() {
         return drone;
     }
 
@@ -79,7 +79,7 @@ final class ManagedDrone implements Lane.Ticker {
     }
 
     /** Who steers it. */
-    Helm helm() {
+    SetpointForwarder helm() {
         return helm;
     }
 
@@ -90,17 +90,17 @@ final class ManagedDrone implements Lane.Ticker {
     }
 
     /** Has it do something when it does not hear the cloud any more. */
-    void preparedBy(Preparation preparation) {
+    void preparedBy(FlightPreparation preparation) {
         loss = preparation;
     }
 
     /** What it is prepared by. Any thread for what that tells. */
-    Preparation loss() {
+    FlightPreparation loss() {
         return loss;
     }
 
     /** What it was told lately. Any thread. */
-    RecentMoves moves() {
+    RecentModeCommands moves() {
         return moves;
     }
 
@@ -156,7 +156,7 @@ final class ManagedDrone implements Lane.Ticker {
         listener.droneChanged(drone.state());
     }
 
-    private Standing standing(Evidence evidence, @Nullable Proof proof) {
+    private IdentityTrust standing(Evidence evidence, @Nullable Proof proof) {
         String identity = proof instanceof Proof.OfLink link ? link.identity() : null;
         return drone.state().standing().with(evidence, identity);
     }
@@ -197,7 +197,7 @@ final class ManagedDrone implements Lane.Ticker {
         DroneState state = drone.state();
         return enrolled
                 && lane.activeNanos() - madeNanos < JUST_NANOS
-                && state.standing().equals(Standing.UNPROVED)
+                && state.standing().equals(IdentityTrust.UNPROVED)
                 && state.identification().hardwareUid() == null;
     }
 

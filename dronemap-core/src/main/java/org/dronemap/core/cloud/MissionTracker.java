@@ -9,7 +9,7 @@ import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.core.mission.Counted;
+import org.dronemap.core.mission.CountText;
 import org.dronemap.core.mission.MissionComparison;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
@@ -85,7 +85,7 @@ final class MissionTracker {
     private static String noticeOf(String difference, @Nullable KnownMission before, List<MissionItem> found) {
         if (before != null && found.isEmpty()) {
             return "The vehicle holds no mission now; the last one that the cloud knew had "
-                    + Counted.of(before.items().size(), "item") + ".";
+                    + CountText.of(before.items().size(), "item") + ".";
         }
         return "The mission on the vehicle is not the one that the cloud last knew: " + difference + ".";
     }
@@ -100,7 +100,7 @@ final class MissionTracker {
     }
 
     /** As above. */
-    Optional<String> apply(DroneEvent.MissionCurrentHeard heard) {
+    Optional<String> apply(DroneEvent.MissionCurrentReported heard) {
         Integer index = heard.index();
         if (Objects.equals(index, current) && heard.phase() == phase) {
             return Optional.empty();

@@ -9,14 +9,14 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.lease.Control;
-import org.dronemap.core.lease.Lapse;
+import org.dronemap.core.lease.ControlState;
+import org.dronemap.core.lease.LapsedLease;
+import org.dronemap.core.lease.Lease;
 import org.dronemap.core.lease.LeaseRules;
-import org.dronemap.core.lease.Tenure;
-import org.dronemap.core.safety.Homecoming;
-import org.dronemap.core.safety.LandingPlace;
-import org.dronemap.core.safety.ReturnLadder;
-import org.dronemap.core.safety.Rung;
+import org.dronemap.core.safety.LandingSite;
+import org.dronemap.core.safety.ReturnEnding;
+import org.dronemap.core.safety.ReturnOption;
+import org.dronemap.core.safety.ReturnPlanner;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
@@ -27,7 +27,7 @@ final class OutlookWatch {
     private final ManagedDrone drone;
     private final ReturnWatch returning;
     private final LeaseRules rules;
-    private final OutlookWords words;
+    private final OutlookMessages words;
     private final Time time;
     private long lookedNanos;
     private @Nullable String mode;
@@ -36,7 +36,7 @@ final class OutlookWatch {
         this.drone = drone;
         this.returning = returning;
         this.rules = rules;
-        this.words = new OutlookWords(rules);
+        this.words = new OutlookMessages(rules);
         this.time = time;
         this.lookedNanos = time.nanos() - RHYTHM_NANOS;
     }
@@ -57,36 +57,36 @@ final class OutlookWatch {
             return;
         }
         Instant at = time.clock().instant();
-        Control control = drone.control().control();
-        Lapse lapse = control.lapse();
-        Tenure tenure = control.tenure();
+        ControlState control = drone.control().control();
+        LapsedLease lapse = control.lapse();
+        Lease tenure = control.tenure();
         String user = Optional.ofNullable(tenure)
                 .flatMap(has -> has.holder().userName())
                 .orElse(lapse == null ? "" : lapse.user());
-        ReturnLadder.Step step = returning.next(state, user, secondsLeft);
+        ReturnPlanner.PlannedReturn step = returning.next(state, user, secondsLeft);
         Outlook.State is = words.state(control, state, drone.isOurs(), step.rung() != null);
         // Where nothing is done about it, it comes down nowhere that is known here.
         boolean brought = is != Outlook.State.LEFT_ALONE && words.returns();
-        Homecoming end = brought && step.rung() == Rung.RETURN
-                ? Homecoming.of(state, drone.loss().state().action())
-                : Homecoming.LANDS;
+        ReturnEnding end = brought && step.rung() == ReturnOption.RETURN
+                ? ReturnEnding.of(state, drone.loss().state().action())
+                : ReturnEnding.LANDS;
         drone.outlook(new Outlook(
                 is,
-                words.of(is, control, state) + OutlookWords.atHome(end),
+                words.of(is, control, state) + OutlookMessages.atHome(end),
                 lapse == null || is != Outlook.State.WAITS ? null : returnsAt(lapse, state, at, now),
-                brought && end == Homecoming.LANDS ? place(step, state) : null,
+                brought && end == ReturnEnding.LANDS ? place(step, state) : null,
                 brought ? words(step, end) : null,
                 secondsLeft.isEmpty() ? null : at.plusMillis((long) (secondsLeft.getAsDouble() * 1_000))));
     }
 
-    private @Nullable Instant returnsAt(Lapse lapse, DroneState state, Instant at, long now) {
+    private @Nullable Instant returnsAt(LapsedLease lapse, DroneState state, Instant at, long now) {
         return FlightFacts.isInMission(state)
                 ? null
                 : at.plusNanos(rules.untilReturn().toNanos() - (now - lapse.sinceNanos()));
     }
 
-    private static @Nullable Geodetic place(ReturnLadder.Step step, DroneState state) {
-        LandingPlace place = step.place();
+    private static @Nullable Geodetic place(ReturnPlanner.PlannedReturn step, DroneState state) {
+        LandingSite place = step.place();
         if (step.rung() == null) {
             return null;
         }
@@ -103,8 +103,8 @@ final class OutlookWatch {
         };
     }
 
-    private static @Nullable String words(ReturnLadder.Step step, Homecoming end) {
-        LandingPlace place = step.place();
+    private static @Nullable String words(ReturnPlanner.PlannedReturn step, ReturnEnding end) {
+        LandingSite place = step.place();
         if (step.rung() == null) {
             return null;
         }
@@ -115,7 +115,7 @@ final class OutlookWatch {
         };
     }
 
-    private static @Nullable String home(Homecoming end) {
+    private static @Nullable String home(ReturnEnding end) {
         return switch (end) {
             case LANDS -> "home";
             case LANDS_BY_MISSION -> "at the end of its landing sequence";

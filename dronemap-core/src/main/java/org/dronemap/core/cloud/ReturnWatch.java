@@ -15,9 +15,9 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.safety.LandingPlace;
-import org.dronemap.core.safety.ReturnLadder;
-import org.dronemap.core.safety.Rung;
+import org.dronemap.core.safety.LandingSite;
+import org.dronemap.core.safety.ReturnOption;
+import org.dronemap.core.safety.ReturnPlanner;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.WayObjection;
 import org.dronemap.core.zone.ZoneRules;
@@ -40,29 +40,29 @@ final class ReturnWatch {
     private final ManagedDrone drone;
     private final CommandGate gate;
     private final ZoneRules zones;
-    private final LandingPlaces places;
+    private final KnownLandingSites places;
     private final Time time;
     private final Clock clock;
-    private final Map<Rung, Long> failedNanos = new EnumMap<>(Rung.class);
+    private final Map<ReturnOption, Long> failedNanos = new EnumMap<>(ReturnOption.class);
     private @Nullable Attempt attempt;
     private long alarmedNanos;
     private boolean alarmed;
 
     /** What it was told, and since when it has not moved. */
     private static final class Attempt {
-        private final Rung rung;
-        private final @Nullable LandingPlace place;
-        private @Nullable OpenCommand told;
+        private final ReturnOption rung;
+        private final @Nullable LandingSite place;
+        private @Nullable CommandTracker told;
         private boolean landing;
         private @Nullable Position anchor;
         private long anchorNanos;
 
         /** {@code told}: null, somebody else did. */
-        Attempt(Rung rung, @Nullable LandingPlace place, @Nullable OpenCommand told, long nowNanos) {
+        Attempt(ReturnOption rung, @Nullable LandingSite place, @Nullable CommandTracker told, long nowNanos) {
             this.rung = rung;
             this.place = place;
             this.told = told;
-            this.landing = rung == Rung.LAND;
+            this.landing = rung == ReturnOption.LAND;
             this.anchorNanos = nowNanos;
         }
 
@@ -97,7 +97,7 @@ final class ReturnWatch {
         this.drone = drone;
         this.gate = gate;
         this.zones = zones;
-        this.places = new LandingPlaces();
+        this.places = new KnownLandingSites();
         this.time = time;
         this.clock = time.clock();
     }
@@ -125,7 +125,7 @@ final class ReturnWatch {
             attempt = null;
         } else if (state.capabilities().isSafe(state.mode())) {
             // Somebody has told it already, or its own fail-safe has; from here on it is looked after.
-            attempt = new Attempt(Rung.RETURN, null, null, now);
+            attempt = new Attempt(ReturnOption.RETURN, null, null, now);
             return;
         }
         begin(state, user, secondsLeft, now);
@@ -139,7 +139,7 @@ final class ReturnWatch {
         if (state.mode() == null || state.capabilities().isSafe(state.mode())) {
             return true;
         }
-        LandingPlace place = tried.place;
+        LandingSite place = tried.place;
         if (place == null || tried.landing) {
             return false;
         }
@@ -150,7 +150,7 @@ final class ReturnWatch {
         return true;
     }
 
-    private static boolean isAt(LandingPlace place, DroneState state) {
+    private static boolean isAt(LandingSite place, DroneState state) {
         Position position = state.position();
         Geodetic here = position == null ? null : position.point();
         return here != null && Geodesy.distanceMeters(here, place.point()) <= ARRIVED_METERS;
@@ -158,8 +158,8 @@ final class ReturnWatch {
 
     private void begin(DroneState state, String user, OptionalDouble secondsLeft, long now) {
         failedNanos.values().removeIf(failed -> now - failed > FAILED_NANOS);
-        ReturnLadder.Step step = next(state, user, secondsLeft);
-        Rung rung = step.rung();
+        ReturnPlanner.PlannedReturn step = next(state, user, secondsLeft);
+        ReturnOption rung = step.rung();
         Command command = step.command();
         if (rung == null || command == null) {
             alarm(step.why(), secondsLeft, now);
@@ -172,15 +172,15 @@ final class ReturnWatch {
     }
 
     /** What would be done now. */
-    ReturnLadder.Step next(DroneState state, String user, OptionalDouble secondsLeft) {
-        return ReturnLadder.next(
-                new ReturnLadder.Plight(
+    ReturnPlanner.PlannedReturn next(DroneState state, String user, OptionalDouble secondsLeft) {
+        return ReturnPlanner.next(
+                new ReturnPlanner.Situation(
                         state, secondsLeft, places.known(drone.drone().onBoard()), Set.copyOf(failedNanos.keySet())),
                 against(state, user));
     }
 
-    private ReturnLadder.Zones against(DroneState state, String user) {
-        return new ReturnLadder.Zones() {
+    private ReturnPlanner.ZoneCheck against(DroneState state, String user) {
+        return new ReturnPlanner.ZoneCheck() {
             @Override
             public Optional<String> againstReturn() {
                 return zones.homewardDoubt(user, state, clock.instant());
@@ -198,9 +198,9 @@ final class ReturnWatch {
         };
     }
 
-    private void tell(ReturnLadder.Step step) {
-        LandingPlace place = step.place();
-        if (step.rung() == Rung.LAND) {
+    private void tell(ReturnPlanner.PlannedReturn step) {
+        LandingSite place = step.place();
+        if (step.rung() == ReturnOption.LAND) {
             drone.say(Severity.ALERT, step.why() + " It lands where it is.");
         } else if (place != null) {
             drone.say(Severity.CRITICAL, step.why() + " It flies to " + place.words() + " and lands there.");

@@ -9,7 +9,7 @@ import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.zone.Routes;
+import org.dronemap.core.zone.CommandRoutes;
 
 /**
  * The one door for setpoints, whoever steers: each one is judged like a command, and then the newest goes to the vehicle as
@@ -43,8 +43,8 @@ public final class SetpointGate {
     }
 
     private Optional<Refusal> enter(ManagedDrone managed, CommandGate.Source source, Setpoint setpoint) {
-        Passage passage = managed.control().enter(source);
-        if (passage instanceof Passage.Closed closed) {
+        ControlClearance passage = managed.control().enter(source);
+        if (passage instanceof ControlClearance.Refused closed) {
             return Optional.of(closed.why());
         }
         Optional<String> busy = commands.manoeuvre(managed);
@@ -52,7 +52,7 @@ public final class SetpointGate {
             return Optional.of(new Refusal(
                     OutcomeCode.COMMAND_UNDER_WAY, "Steer when what is under way has ended: " + busy.get() + "."));
         }
-        return managed.helm().take(new Helm.Word(source, (Passage.Open) passage, setpoint, time.nanos()))
+        return managed.helm().take(new SetpointForwarder.PendingSetpoint(source, (ControlClearance.Cleared) passage, setpoint, time.nanos()))
                 ? Optional.empty()
                 : Optional.of(
                         new Refusal(OutcomeCode.SERVER_OVERLOADED, "The server is overloaded; nothing was sent."));
@@ -62,7 +62,7 @@ public final class SetpointGate {
     public Optional<Refusal> whyNot(Principal principal, DroneState drone, Setpoint setpoint) {
         return RoleRules.whyNot(principal, drone, setpoint.needs())
                 .or(() -> CommandRules.whyNot(drone, setpoint))
-                .or(() -> Routes.ahead(drone, setpoint)
+                .or(() -> CommandRoutes.ahead(drone, setpoint)
                         .flatMap(command -> commands.whyNotThere(principal, drone, command)));
     }
 

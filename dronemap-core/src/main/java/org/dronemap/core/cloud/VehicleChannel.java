@@ -11,13 +11,13 @@ public interface VehicleChannel {
      * Starts to carry a command out; {@code report} hears of it until it ended, exactly once. All that is sent for it
      * passes the mandate's fence.
      */
-    void perform(Mandate mandate, Command command, Report report);
+    void perform(SendAuthority mandate, Command command, Report report);
 
     /**
      * Says a setpoint at once, where the mandate's fence lets it pass; it is never answered, and what cannot be said is
      * dropped: the next one comes soon.
      */
-    void steer(Mandate mandate, Setpoint setpoint);
+    void steer(SendAuthority mandate, Setpoint setpoint);
 
     /** Stops retrying a command; nothing more of it goes out and nothing is reported. No-op when it has ended. */
     void cancel(CommandId id);

@@ -6,7 +6,7 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.Counted;
+import org.dronemap.core.mission.CountText;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.RallyPoint;
@@ -145,7 +145,7 @@ public sealed interface Command {
 
         @Override
         public String summary() {
-            return "upload a mission of " + Counted.of(mission.items().size(), "item");
+            return "upload a mission of " + CountText.of(mission.items().size(), "item");
         }
     }
 
@@ -156,8 +156,8 @@ public sealed interface Command {
      * @param anew from its beginning, also in the air
      */
     @Stored(as = "StartMission", names = "onCloudLoss anew")
-    record StartMission(CloudLoss onCloudLoss, boolean anew) implements Command {
-        public StartMission(CloudLoss onCloudLoss) {
+    record StartMission(MissionCloudLossPolicy onCloudLoss, boolean anew) implements Command {
+        public StartMission(MissionCloudLossPolicy onCloudLoss) {
             this(onCloudLoss, false);
         }
 
@@ -339,7 +339,7 @@ public sealed interface Command {
 
         @Override
         public String summary() {
-            return zones.isEmpty() ? "take the fence away" : "set a fence of " + Counted.of(zones.size(), "part");
+            return zones.isEmpty() ? "take the fence away" : "set a fence of " + CountText.of(zones.size(), "part");
         }
     }
 
@@ -360,12 +360,12 @@ public sealed interface Command {
 
         @Override
         public String summary() {
-            return points.isEmpty() ? "take the rally points away" : "set " + Counted.of(points.size(), "rally point");
+            return points.isEmpty() ? "take the rally points away" : "set " + CountText.of(points.size(), "rally point");
         }
     }
 
     /** What has a file of its own. */
-    sealed interface Apart extends Command
+    sealed interface Standalone extends Command
             permits GoToLocal,
                     EmergencyStop,
                     ReadMap,
@@ -373,10 +373,10 @@ public sealed interface Command {
                     ReadLogs,
                     ReadFence,
                     ReadRallyPoints,
-                    ReturnOnLoss,
+                    SetReturnOnCloudLoss,
                     SetReturnHeight,
                     SetCloudLoss,
-                    PutBack {}
+                    RestoreParameters {}
 
     /** What the vehicle must be able to do for it. */
     default Capability needs() {

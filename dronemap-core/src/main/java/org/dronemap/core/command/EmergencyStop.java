@@ -4,7 +4,7 @@ import org.dronemap.core.stored.Stored;
 
 /** Stand still at once, and give up whatever it was driving to. */
 @Stored(as = "EmergencyStop")
-public record EmergencyStop() implements Command.Apart {
+public record EmergencyStop() implements Command.Standalone {
     @Override
     public CommandKind kind() {
         return CommandKind.EMERGENCY_STOP;

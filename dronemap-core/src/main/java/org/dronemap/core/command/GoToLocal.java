@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  */
 @Stored(as = "GoToLocal", names = "xMeters yMeters zMeters")
 public record GoToLocal(
-        double xMeters, double yMeters, @Nullable Double zMeters) implements Command.Apart {
+        double xMeters, double yMeters, @Nullable Double zMeters) implements Command.Standalone {
     private static final double FARTHEST_METERS = 100_000;
 
     public GoToLocal {

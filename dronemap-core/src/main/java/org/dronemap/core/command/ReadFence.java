@@ -4,7 +4,7 @@ import org.dronemap.core.stored.Stored;
 
 /** Read the fence that the vehicle keeps. */
 @Stored(as = "ReadFence")
-public record ReadFence() implements Command.Apart {
+public record ReadFence() implements Command.Standalone {
     @Override
     public CommandKind kind() {
         return CommandKind.READ_FENCE;

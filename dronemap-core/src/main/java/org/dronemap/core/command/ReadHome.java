@@ -4,7 +4,7 @@ import org.dronemap.core.stored.Stored;
 
 /** Ask the vehicle where its home is. */
 @Stored(as = "ReadHome")
-public record ReadHome() implements Command.Apart {
+public record ReadHome() implements Command.Standalone {
     @Override
     public CommandKind kind() {
         return CommandKind.READ_HOME;

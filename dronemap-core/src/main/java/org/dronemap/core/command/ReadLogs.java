@@ -4,7 +4,7 @@ import org.dronemap.core.stored.Stored;
 
 /** List the logs that the vehicle keeps. */
 @Stored(as = "ReadLogs")
-public record ReadLogs() implements Command.Apart {
+public record ReadLogs() implements Command.Standalone {
     @Override
     public CommandKind kind() {
         return CommandKind.READ_LOGS;

@@ -1,7 +1,7 @@
 package org.dronemap.core.command;
 
 import java.util.List;
-import org.dronemap.core.parameter.OwnersValue;
+import org.dronemap.core.parameter.OverriddenParameter;
 import org.dronemap.core.stored.Stored;
 
 /**
@@ -12,7 +12,7 @@ import org.dronemap.core.stored.Stored;
  * @param kept from earlier: where the vehicle shows what the cloud had written, the owner's value is still that of then
  */
 @Stored(as = "SetCloudLoss", names = "afterSeconds kept keeper")
-public record SetCloudLoss(int afterSeconds, List<OwnersValue> kept, OwnersKeeper keeper) implements Command.Apart {
+public record SetCloudLoss(int afterSeconds, List<OverriddenParameter> kept, ParameterOverrideRecorder keeper) implements Command.Standalone {
     public SetCloudLoss {
         kept = List.copyOf(kept);
     }

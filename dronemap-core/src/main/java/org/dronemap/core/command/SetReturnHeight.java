@@ -9,7 +9,7 @@ import org.dronemap.core.stored.Stored;
  * @param atLeast what is set higher stays: there may be something to fly over
  */
 @Stored(as = "SetReturnHeight", names = "meters atLeast")
-public record SetReturnHeight(double meters, boolean atLeast) implements Command.Apart {
+public record SetReturnHeight(double meters, boolean atLeast) implements Command.Standalone {
     public SetReturnHeight {
         if (!(meters >= 0 && meters <= 500)) {
             throw new IllegalArgumentException("a return height must be 0 to 500 m: " + meters);

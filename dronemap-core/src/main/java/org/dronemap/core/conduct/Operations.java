@@ -14,17 +14,17 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.ControlState;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.operation.OperationStore;
-import org.dronemap.core.operation.Reach;
+import org.dronemap.core.operation.ReporterState;
 import org.dronemap.core.operation.SavedOperation;
-import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.operation.TargetReport;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
@@ -52,11 +52,11 @@ public final class Operations implements CloudListener, AutoCloseable {
     private final CloudManager cloud;
     private final OperationStore store;
     private final Clock clock;
-    private final Computations computations;
-    private final OperationBook book;
+    private final ComputationExecutor computations;
+    private final OperationRegistry book;
     private final CopyOnWriteArrayList<OperationListener> listeners = new CopyOnWriteArrayList<>();
     private final AtomicBoolean woken = new AtomicBoolean();
-    private final ConductorThread thread;
+    private final ExecutionThread thread;
 
     /** A change that cannot be made, with the sentence why. */
     public static final class Refused extends RuntimeException {
@@ -105,7 +105,7 @@ public final class Operations implements CloudListener, AutoCloseable {
      *
      * @param setAside nobody conducts it any more although its state says so; then a sentence
      */
-    public record Picture<S>(
+    public record Snapshot<S>(
             SavedOperation saved, S state, @Nullable String setAside) {}
 
     /** {@code kinds}: all that can be stored, so that they are known after a restart. */
@@ -118,21 +118,21 @@ public final class Operations implements CloudListener, AutoCloseable {
         this.cloud = cloud;
         this.store = store;
         this.clock = time.clock();
-        this.thread = new ConductorThread(time, "operations");
+        this.thread = new ExecutionThread(time, "operations");
         LongSupplier nanoTime = time::nanos;
-        this.computations = new Computations(time, COMPUTING_THREADS, MOST_WAITING);
-        DroneCrew crew = new DroneCrew(cloud, FACE);
-        Conducted.Means means = new Conducted.Means(
+        this.computations = new ComputationExecutor(time, COMPUTING_THREADS, MOST_WAITING);
+        DroneGateway crew = new DroneGateway(cloud, FACE);
+        OperationExecution.Context means = new OperationExecution.Context(
                 store,
                 crew,
-                new Scenery(cloud, crew, rights, clock, nanoTime),
+                new ObservationBuilder(cloud, crew, rights, clock, nanoTime),
                 computations,
                 clock,
                 nanoTime,
                 this::wake,
                 (saved, why) -> listeners.forEach(listener -> listener.changed(saved, why)));
-        SetAside aside = new SetAside(means, new WayHome(crew, time), cloud::drone);
-        this.book = new OperationBook(
+        FaultedOperations aside = new FaultedOperations(means, new ReturnCommander(crew, time), cloud::drone);
+        this.book = new OperationRegistry(
                 means, aside, kinds, () -> cloud.drones().stream().map(DroneState::id));
     }
 
@@ -173,7 +173,7 @@ public final class Operations implements CloudListener, AutoCloseable {
      * @param begun without entries and without text of a state
      * @throws NoControl when control of a drone cannot be had
      */
-    public <S, I> Picture<S> begin(OperationKind<S, I> kind, SavedOperation begun, S state) {
+    public <S, I> Snapshot<S> begin(OperationKind<S, I> kind, SavedOperation begun, S state) {
         return thread.ask(() -> {
             JournalEntry first =
                     new JournalEntry(0, begun.beganAt(), kind.codec().state(state), "");
@@ -186,9 +186,9 @@ public final class Operations implements CloudListener, AutoCloseable {
      *
      * @throws Refused when that cannot be taken now
      */
-    public <S, I> Picture<S> wish(OperationKind<S, I> kind, OperationId id, I input) {
+    public <S, I> Snapshot<S> wish(OperationKind<S, I> kind, OperationId id, I input) {
         return thread.ask(() -> {
-            Conducted<S, I> conducted = book.find(kind, id)
+            OperationExecution<S, I> conducted = book.find(kind, id)
                     .orElseThrow(() -> new Refused(
                             Objection.of(OperationObjection.OVER, "It is over, or there is no such operation.")));
             Optional<Objection> why = conducted.wish(input);
@@ -201,47 +201,47 @@ public final class Operations implements CloudListener, AutoCloseable {
     }
 
     /** Tells an operation where what it is about was seen. */
-    public <S, I> Reception sighted(OperationKind<S, I> kind, OperationId id, Sighting sighting) {
-        return book.find(kind, id).map(one -> one.sighted(sighting)).orElse(Reception.UNHEARD);
+    public <S, I> TargetReportResult sighted(OperationKind<S, I> kind, OperationId id, TargetReport sighting) {
+        return book.find(kind, id).map(one -> one.sighted(sighting)).orElse(TargetReportResult.UNHEARD);
     }
 
     /** Tells an operation how whoever tells it of sightings is reached; false when it is not under way. */
-    public <S, I> boolean reached(OperationKind<S, I> kind, OperationId id, Reach how) {
-        Optional<Conducted<S, I>> conducted = book.find(kind, id);
+    public <S, I> boolean reached(OperationKind<S, I> kind, OperationId id, ReporterState how) {
+        Optional<OperationExecution<S, I>> conducted = book.find(kind, id);
         conducted.ifPresent(one -> one.reached(how));
         return conducted.isPresent();
     }
 
     /** How that one is reached; empty: it is not known, or the operation is not under way. */
-    public <S, I> Optional<Reach> reach(OperationKind<S, I> kind, OperationId id) {
-        return book.find(kind, id).flatMap(Conducted::reach);
+    public <S, I> Optional<ReporterState> reach(OperationKind<S, I> kind, OperationId id) {
+        return book.find(kind, id).flatMap(OperationExecution::reach);
     }
 
     /** Where that was seen last since the process began; empty: nowhere, or the operation is not under way. */
-    public <S, I> Optional<Sighting> sighting(OperationKind<S, I> kind, OperationId id) {
-        return book.find(kind, id).flatMap(Conducted::sighting);
+    public <S, I> Optional<TargetReport> sighting(OperationKind<S, I> kind, OperationId id) {
+        return book.find(kind, id).flatMap(OperationExecution::sighting);
     }
 
     /** Under way, set aside or over. */
-    public <S, I> Optional<Picture<S>> find(OperationKind<S, I> kind, OperationId id) {
-        Optional<Picture<S>> underWay = book.find(kind, id).map(Operations::picture);
+    public <S, I> Optional<Snapshot<S>> find(OperationKind<S, I> kind, OperationId id) {
+        Optional<Snapshot<S>> underWay = book.find(kind, id).map(Operations::picture);
         return underWay.isPresent() ? underWay : store.find(id).flatMap(saved -> picture(kind, saved));
     }
 
     /** Those of a kind that are under way, the oldest first. */
-    public <S, I> List<Picture<S>> underWay(OperationKind<S, I> kind) {
+    public <S, I> List<Snapshot<S>> underWay(OperationKind<S, I> kind) {
         return book.all(kind).stream().map(Operations::picture).toList();
     }
 
     /** Those of a kind that were set aside and still have drones to see to, and can be read. */
-    public <S, I> List<Picture<S>> setAside(OperationKind<S, I> kind) {
+    public <S, I> List<Snapshot<S>> setAside(OperationKind<S, I> kind) {
         return book.aside().ofKind(kind.name()).stream()
                 .flatMap(saved -> picture(kind, saved).stream())
                 .toList();
     }
 
     /** As it is stored; empty: it is another kind of operation, or cannot be read. */
-    public <S, I> Optional<Picture<S>> picture(OperationKind<S, I> kind, SavedOperation saved) {
+    public <S, I> Optional<Snapshot<S>> picture(OperationKind<S, I> kind, SavedOperation saved) {
         if (!saved.kind().equals(kind.name())) {
             return Optional.empty();
         }
@@ -249,7 +249,7 @@ public final class Operations implements CloudListener, AutoCloseable {
             S state = kind.codec().state(saved.state());
             boolean conducted = saved.endedAt() == null || kind.machine().isOver(state);
             String why = book.aside().reasons().getOrDefault(saved.id(), conducted ? null : SET_ASIDE);
-            return Optional.of(new Picture<>(saved, state, why));
+            return Optional.of(new Snapshot<>(saved, state, why));
         } catch (IllegalArgumentException unreadable) {
             LOG.warn("The operation {} cannot be read", saved.id(), unreadable);
             return Optional.empty();
@@ -266,9 +266,9 @@ public final class Operations implements CloudListener, AutoCloseable {
         return store.journal(id, from, limit);
     }
 
-    private static <S, I> Picture<S> picture(Conducted<S, I> conducted) {
-        Conducted.Now<S> now = conducted.now();
-        return new Picture<>(now.saved(), now.state(), null);
+    private static <S, I> Snapshot<S> picture(OperationExecution<S, I> conducted) {
+        OperationExecution.Snapshot<S> now = conducted.now();
+        return new Snapshot<>(now.saved(), now.state(), null);
     }
 
     /** For how long its thread has been at the same thing; zero: it rests. */
@@ -294,7 +294,7 @@ public final class Operations implements CloudListener, AutoCloseable {
     }
 
     @Override
-    public void controlChanged(DroneId drone, Control now, ControlChange change) {
+    public void controlChanged(DroneId drone, ControlState now, ControlChange change) {
         if (now.interruption() != null) {
             thread.soon(() -> book.interrupted(drone));
         }

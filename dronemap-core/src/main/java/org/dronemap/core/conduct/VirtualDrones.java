@@ -9,22 +9,22 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.function.UnaryOperator;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.operation.Objection;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.virtual.Run;
-import org.dronemap.core.virtual.RunMachine;
-import org.dronemap.core.virtual.Selection;
+import org.dronemap.core.virtual.DroneSelection;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.virtual.VirtualObjection;
+import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunMachine;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -42,14 +42,14 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     private static final int TURNS_PER_SEARCH = 5;
 
     private final CloudManager cloud;
-    private final VirtualBook book;
-    private final RunMachine machine;
-    private final Runs runs;
-    private final Recalls recalls;
+    private final VirtualDroneRegistry book;
+    private final VirtualRunMachine machine;
+    private final VirtualRunExecutor runs;
+    private final LostDroneRecall recalls;
     private final Duration rhythm;
     private final Clock clock;
     private final LongAdder failed = new LongAdder();
-    private final ConductorThread thread;
+    private final ExecutionThread thread;
     // Owned by the thread.
     private int turn;
 
@@ -71,10 +71,10 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     /** A place in the queue, counted from 1, of so many. */
-    public record Place(int position, int length) {}
+    public record QueuePosition(int position, int length) {}
 
     public VirtualDrones(
-            CloudManager cloud, VirtualDroneStore store, RunMachine machine, VirtualRights rights, Time time) {
+            CloudManager cloud, VirtualDroneStore store, VirtualRunMachine machine, VirtualDroneRights rights, Time time) {
         this(cloud, store, machine, rights, USUAL_RHYTHM, time);
     }
 
@@ -82,19 +82,19 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     public VirtualDrones(
             CloudManager cloud,
             VirtualDroneStore store,
-            RunMachine machine,
-            VirtualRights rights,
+            VirtualRunMachine machine,
+            VirtualDroneRights rights,
             Duration rhythm,
             Time time) {
         this.cloud = cloud;
-        this.book = new VirtualBook(store);
+        this.book = new VirtualDroneRegistry(store);
         this.machine = machine;
         this.rhythm = rhythm;
         this.clock = time.clock();
-        this.thread = new ConductorThread(time, "conductor");
-        DroneCrew crew = new DroneCrew(cloud, FACE);
-        this.runs = new Runs(cloud, book, crew, new Runs.Means(machine, rights, time));
-        this.recalls = new Recalls(cloud, book, new WayHome(crew, time));
+        this.thread = new ExecutionThread(time, "conductor");
+        DroneGateway crew = new DroneGateway(cloud, FACE);
+        this.runs = new VirtualRunExecutor(cloud, book, crew, new VirtualRunExecutor.Context(machine, rights, time));
+        this.recalls = new LostDroneRecall(cloud, book, new ReturnCommander(crew, time));
     }
 
     /** Takes up what was under way when the process ended, before it returns; then goes on with it. */
@@ -114,7 +114,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         thread.every(rhythm, this::turn);
     }
 
-    public void addListener(VirtualListener listener) {
+    public void addListener(VirtualDroneListener listener) {
         book.addListener(listener);
     }
 
@@ -128,15 +128,15 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     /** Empty when it does not wait. */
-    public Optional<Place> place(VirtualDroneId id) {
+    public Optional<QueuePosition> place(VirtualDroneId id) {
         List<VirtualDroneId> waiting =
                 book.waiting().stream().map(VirtualDrone::id).toList();
         int index = waiting.indexOf(id);
-        return index < 0 ? Optional.empty() : Optional.of(new Place(index + 1, waiting.size()));
+        return index < 0 ? Optional.empty() : Optional.of(new QueuePosition(index + 1, waiting.size()));
     }
 
     /** Why the drones of the warehouse cannot serve it now; nothing when it does not wait. */
-    public List<Selection.Unfit> waitingFor(VirtualDroneId id) {
+    public List<DroneSelection.Unfit> waitingFor(VirtualDroneId id) {
         return runs.waitingFor(id);
     }
 
@@ -153,7 +153,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     /** Asks for its mission to be flown; it waits for its turn. */
-    public VirtualDrone launch(VirtualDroneId id, CloudLoss onCloudLoss) {
+    public VirtualDrone launch(VirtualDroneId id, MissionCloudLossPolicy onCloudLoss) {
         return thread.ask(() -> {
             VirtualDrone drone = known(id);
             Mission mission = drone.mission();
@@ -163,14 +163,14 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             if (drone.isUnderWay()) {
                 throw new Refused(VirtualObjection.UNDER_WAY, "Its mission is under way already.");
             }
-            return put(drone.with(Run.asked(book.nextTicket(), mission, onCloudLoss, clock.instant())));
+            return put(drone.with(VirtualRun.asked(book.nextTicket(), mission, onCloudLoss, clock.instant())));
         });
     }
 
     public VirtualDrone stop(VirtualDroneId id) {
         return thread.ask(() -> {
             VirtualDrone drone = known(id);
-            Run run = drone.run();
+            VirtualRun run = drone.run();
             if (run == null || run.stage().isOver()) {
                 throw new Refused(VirtualObjection.NOT_UNDER_WAY, "Its mission is not under way.");
             }
@@ -182,8 +182,8 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     public VirtualDrone resume(VirtualDroneId id) {
         return thread.ask(() -> {
             VirtualDrone drone = known(id);
-            Run run = drone.run();
-            Run resumed =
+            VirtualRun run = drone.run();
+            VirtualRun resumed =
                     run == null ? null : machine.resume(run, clock.instant()).orElse(null);
             if (resumed == null) {
                 throw new Refused(VirtualObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
@@ -212,7 +212,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     /** What waits for a drone, the first in turn first, and what that one would fly of it at once. Changes nothing. */
-    public List<Prospect> prospects(DroneState drone) {
+    public List<VirtualDroneMatch> prospects(DroneState drone) {
         return thread.ask(() -> runs.prospects(drone));
     }
 

@@ -1,7 +1,7 @@
 package org.dronemap.core.drone;
 
 import java.util.List;
-import org.dronemap.core.parameter.OwnersValue;
+import org.dronemap.core.parameter.OverriddenParameter;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,10 +13,10 @@ import org.jspecify.annotations.Nullable;
  */
 public record CloudLossState(
         State state,
-        @Nullable LossAction action,
+        @Nullable CloudLossAction action,
         @Nullable Double returnMeters,
         String sentence,
-        List<OwnersValue> outstanding) {
+        List<OverriddenParameter> outstanding) {
     /** How far the cloud has come with it. */
     public enum State {
         /** It does what it is told here. */
@@ -43,7 +43,7 @@ public record CloudLossState(
         return new CloudLossState(state, action, returnMeters, sentence + " " + more, outstanding);
     }
 
-    public CloudLossState withOutstanding(List<OwnersValue> values) {
+    public CloudLossState withOutstanding(List<OverriddenParameter> values) {
         return new CloudLossState(state, action, returnMeters, sentence, values);
     }
 }

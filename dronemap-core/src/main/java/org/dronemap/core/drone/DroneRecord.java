@@ -15,12 +15,12 @@ public record DroneRecord(
         DroneKey key,
         String transport,
         Identification identification,
-        Standing standing,
+        IdentityTrust standing,
         Instant lastHeard,
         @Nullable Double groundAmslMeters) {
     /** Of a drone that has shown nothing but its address yet. */
     public DroneRecord(
             DroneId id, String name, DroneKey key, String transport, Identification identification, Instant lastHeard) {
-        this(id, name, key, transport, identification, Standing.UNPROVED, lastHeard, null);
+        this(id, name, key, transport, identification, IdentityTrust.UNPROVED, lastHeard, null);
     }
 }

@@ -21,7 +21,7 @@ public record DroneState(
         boolean replay,
         LinkStatus link,
         Identification identification,
-        Standing standing,
+        IdentityTrust standing,
         Capabilities capabilities,
         @Nullable String mode,
         @Nullable Boolean armed,

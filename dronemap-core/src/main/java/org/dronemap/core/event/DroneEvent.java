@@ -29,48 +29,48 @@ import org.jspecify.annotations.Nullable;
 public sealed interface DroneEvent {
     /** What there is of events; switched over without a default, so that a forgotten one does not compile. */
     enum Kind {
-        IDENTIFIED(Early.NOT),
-        MODE(Early.NEWEST),
-        READINESS(Early.NEWEST),
-        PHASE(Early.NEWEST),
-        POSITION(Early.NEWEST),
-        LOCAL_POSITION(Early.NEWEST),
-        MOTION(Early.NEWEST),
-        ATTITUDE(Early.NEWEST),
-        BATTERY(Early.NEWEST),
-        GPS(Early.NEWEST),
-        HOME(Early.NEWEST),
-        RETURN_HEIGHT_SET(Early.NEWEST),
-        MISSION_CURRENT(Early.NEWEST),
-        MISSION_ITEM_REACHED(Early.NOT),
-        MISSION_READ(Early.NOT),
-        PHOTO(Early.NEWEST),
-        OUTPUTS(Early.NEWEST),
-        READING(Early.NEWEST),
-        WIND(Early.NEWEST),
-        PARAMETERS_READ(Early.NOT),
-        PARAMETER(Early.NOT),
-        LOGS_READ(Early.NOT),
-        FENCE_READ(Early.NOT),
-        RALLY_POINTS_READ(Early.NOT),
-        SCAN(Early.NEWEST),
-        PICTURE(Early.NEWEST),
-        MAP(Early.NEWEST),
-        TEXT(Early.FIRST);
+        IDENTIFIED(EarlyBuffering.NOT),
+        MODE(EarlyBuffering.NEWEST),
+        READINESS(EarlyBuffering.NEWEST),
+        PHASE(EarlyBuffering.NEWEST),
+        POSITION(EarlyBuffering.NEWEST),
+        LOCAL_POSITION(EarlyBuffering.NEWEST),
+        MOTION(EarlyBuffering.NEWEST),
+        ATTITUDE(EarlyBuffering.NEWEST),
+        BATTERY(EarlyBuffering.NEWEST),
+        GPS(EarlyBuffering.NEWEST),
+        HOME(EarlyBuffering.NEWEST),
+        RETURN_HEIGHT_SET(EarlyBuffering.NEWEST),
+        MISSION_CURRENT(EarlyBuffering.NEWEST),
+        MISSION_ITEM_REACHED(EarlyBuffering.NOT),
+        MISSION_READ(EarlyBuffering.NOT),
+        PHOTO(EarlyBuffering.NEWEST),
+        OUTPUTS(EarlyBuffering.NEWEST),
+        READING(EarlyBuffering.NEWEST),
+        WIND(EarlyBuffering.NEWEST),
+        PARAMETERS_READ(EarlyBuffering.NOT),
+        PARAMETER(EarlyBuffering.NOT),
+        LOGS_READ(EarlyBuffering.NOT),
+        FENCE_READ(EarlyBuffering.NOT),
+        RALLY_POINTS_READ(EarlyBuffering.NOT),
+        SCAN(EarlyBuffering.NEWEST),
+        PICTURE(EarlyBuffering.NEWEST),
+        MAP(EarlyBuffering.NEWEST),
+        TEXT(EarlyBuffering.FIRST);
 
-        private final Early early;
+        private final EarlyBuffering early;
 
-        Kind(Early early) {
+        Kind(EarlyBuffering early) {
             this.early = early;
         }
 
-        public Early early() {
+        public EarlyBuffering early() {
             return early;
         }
     }
 
     /** What becomes of an event that is heard before it is known which drone the vehicle is. */
-    enum Early {
+    enum EarlyBuffering {
         /** The drone is told the newest. */
         NEWEST,
         /** The drone is told the first ones, in their order. */
@@ -90,7 +90,7 @@ public sealed interface DroneEvent {
     }
 
     /** {@code mode} is null when the vehicle's mode has no name here. */
-    record ModeHeard(@Nullable String mode, boolean armed) implements DroneEvent {
+    record ModeReported(@Nullable String mode, boolean armed) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.MODE;
@@ -98,63 +98,63 @@ public sealed interface DroneEvent {
     }
 
     /** The verdict of the vehicle's own pre-arm checks. */
-    record ReadinessHeard(boolean readyToArm) implements DroneEvent {
+    record ReadinessReported(boolean readyToArm) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.READINESS;
         }
     }
 
-    record PhaseHeard(FlightPhase phase) implements DroneEvent {
+    record PhaseReported(FlightPhase phase) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.PHASE;
         }
     }
 
-    record PositionHeard(Position position) implements DroneEvent {
+    record PositionReported(Position position) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.POSITION;
         }
     }
 
-    record LocalPositionHeard(LocalPosition position) implements DroneEvent {
+    record LocalPositionReported(LocalPosition position) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.LOCAL_POSITION;
         }
     }
 
-    record MotionHeard(Motion motion) implements DroneEvent {
+    record MotionReported(Motion motion) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.MOTION;
         }
     }
 
-    record AttitudeHeard(Attitude attitude) implements DroneEvent {
+    record AttitudeReported(Attitude attitude) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.ATTITUDE;
         }
     }
 
-    record BatteryHeard(Battery battery) implements DroneEvent {
+    record BatteryReported(Battery battery) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.BATTERY;
         }
     }
 
-    record GpsHeard(Gps gps) implements DroneEvent {
+    record GpsReported(Gps gps) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.GPS;
         }
     }
 
-    record HomeHeard(Home home) implements DroneEvent {
+    record HomeReported(Home home) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.HOME;
@@ -173,7 +173,7 @@ public sealed interface DroneEvent {
      * Index into the mission's items that it heads for, null when it heads for none; {@code phase} is null when the
      * vehicle does not say it.
      */
-    record MissionCurrentHeard(
+    record MissionCurrentReported(
             @Nullable Integer index, @Nullable MissionPhase phase) implements DroneEvent {
         @Override
         public Kind kind() {
@@ -215,7 +215,7 @@ public sealed interface DroneEvent {
     }
 
     /** A picture was taken; {@code number} by the vehicle's count, {@code point} null when it did not say where. */
-    record PhotoHeard(int number, @Nullable Geodetic point) implements DroneEvent {
+    record PhotoReported(int number, @Nullable Geodetic point) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.PHOTO;
@@ -223,8 +223,8 @@ public sealed interface DroneEvent {
     }
 
     /** Pulses of its outputs from 1 on, in microseconds; 0: none. */
-    record OutputsHeard(List<Integer> pulsesMicros) implements DroneEvent {
-        public OutputsHeard {
+    record OutputsReported(List<Integer> pulsesMicros) implements DroneEvent {
+        public OutputsReported {
             pulsesMicros = List.copyOf(pulsesMicros);
         }
 
@@ -235,7 +235,7 @@ public sealed interface DroneEvent {
     }
 
     /** A sensor's number. */
-    record ReadingHeard(String name, double value) implements DroneEvent {
+    record ReadingReported(String name, double value) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.READING;
@@ -243,7 +243,7 @@ public sealed interface DroneEvent {
     }
 
     /** The wind in flight: where it comes from in degrees clockwise from true north, and m/s. */
-    record WindHeard(double fromDegrees, double metersPerSecond) implements DroneEvent {
+    record WindReported(double fromDegrees, double metersPerSecond) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.WIND;
@@ -263,7 +263,7 @@ public sealed interface DroneEvent {
     }
 
     /** One parameter was heard, whoever changed it. */
-    record ParameterHeard(Parameter parameter) implements DroneEvent {
+    record ParameterReported(Parameter parameter) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.PARAMETER;
@@ -306,28 +306,28 @@ public sealed interface DroneEvent {
         }
     }
 
-    record ScanHeard(RangeScan scan) implements DroneEvent {
+    record ScanReported(RangeScan scan) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.SCAN;
         }
     }
 
-    record PictureHeard(Picture picture) implements DroneEvent {
+    record PictureReported(Picture picture) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.PICTURE;
         }
     }
 
-    record MapHeard(AreaMap map) implements DroneEvent {
+    record MapReported(AreaMap map) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.MAP;
         }
     }
 
-    record TextHeard(Severity severity, String text) implements DroneEvent {
+    record TextReported(Severity severity, String text) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.TEXT;

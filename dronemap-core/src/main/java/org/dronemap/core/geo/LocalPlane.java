@@ -30,34 +30,34 @@ public final class LocalPlane {
     }
 
     /** Where a place is seen from another one: the distance is right within 1 in 100,000 up to 100 km. */
-    public static Spot offset(Geodetic from, Geodetic to) {
+    public static PlanePoint offset(Geodetic from, Geodetic to) {
         double middle = (from.latitudeDegrees() + to.latitudeDegrees()) / 2;
         return new LocalPlane(from, middle).spot(to);
     }
 
     /** A place, on the side of the date line that is nearer to the origin. */
-    public Spot spot(Geodetic place) {
+    public PlanePoint spot(Geodetic place) {
         return spot(origin.longitudeDegrees() + eastward(origin, place), place.latitudeDegrees());
     }
 
     /** The place that a point of the plane stands for, for points some kilometres away at most. */
-    public Geodetic place(Spot spot) {
+    public Geodetic place(PlanePoint spot) {
         double latitude = origin.latitudeDegrees() + spot.northMeters() / metersPerDegreeNorth;
         double longitude = origin.longitudeDegrees() + spot.eastMeters() / metersPerDegreeEast;
         return new Geodetic(Math.max(-90, Math.min(90, latitude)), Math.IEEEremainder(longitude, 360));
     }
 
-    private Spot spot(double longitudeDegrees, double latitudeDegrees) {
-        return new Spot(
+    private PlanePoint spot(double longitudeDegrees, double latitudeDegrees) {
+        return new PlanePoint(
                 (longitudeDegrees - origin.longitudeDegrees()) * metersPerDegreeEast,
                 (latitudeDegrees - origin.latitudeDegrees()) * metersPerDegreeNorth);
     }
 
     /** An area, kept in one piece where the date line runs through it; its first corner decides on the side. */
-    public Outline outline(List<Geodetic> corners) {
+    public PlanePolygon outline(List<Geodetic> corners) {
         Geodetic first = corners.get(0);
         double longitude = origin.longitudeDegrees() + eastward(origin, first);
-        return new Outline(corners.stream()
+        return new PlanePolygon(corners.stream()
                 .map(corner -> spot(longitude + eastward(first, corner), corner.latitudeDegrees()))
                 .toList());
     }

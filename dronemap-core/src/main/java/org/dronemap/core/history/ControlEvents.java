@@ -3,14 +3,14 @@ package org.dronemap.core.history;
 import java.time.Instant;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.ControlChange;
-import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.LeaseHolder;
 
 /** Makes history events of changes of control. */
 final class ControlEvents {
     private ControlEvents() {}
 
     static HistoryEvent of(DroneId drone, Instant at, ControlChange change) {
-        Holder other = change.other();
+        LeaseHolder other = change.other();
         return new HistoryEvent(
                 drone,
                 at,

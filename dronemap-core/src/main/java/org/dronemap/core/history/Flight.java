@@ -26,9 +26,9 @@ public record Flight(
         @Nullable Instant end,
         State state,
         Instant heard,
-        Measures measures,
+        FlightStatistics measures,
         List<String> users,
-        @Nullable Operation operation,
+        @Nullable FlightOperation operation,
         @Nullable String notice,
         String notes) {
     private static final int MOST_USERS = 20;
@@ -43,13 +43,13 @@ public record Flight(
     }
 
     /** What conducted it: its id, and how people call it, such as: The virtual drone “Survey” of ann. */
-    public record Operation(String id, String words) {}
+    public record FlightOperation(String id, String words) {}
 
     public Flight {
         users = List.copyOf(users);
     }
 
-    Flight with(Measures now, Instant at) {
+    Flight with(FlightStatistics now, Instant at) {
         return new Flight(id, drone, droneName, start, end, state, at, now, users, operation, notice, notes);
     }
 
@@ -66,7 +66,7 @@ public record Flight(
         return new Flight(id, drone, droneName, start, end, state, heard, measures, all, operation, notice, notes);
     }
 
-    Flight conductedBy(Operation conductor) {
+    Flight conductedBy(FlightOperation conductor) {
         return new Flight(id, drone, droneName, start, end, state, heard, measures, users, conductor, notice, notes);
     }
 }

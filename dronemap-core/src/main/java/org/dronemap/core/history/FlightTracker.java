@@ -9,11 +9,11 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
-import org.dronemap.core.lease.Control;
-import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.ControlState;
+import org.dronemap.core.lease.LeaseHolder;
 import org.jspecify.annotations.Nullable;
 
-/** Makes flights of what one drone shows. Owned by the drone's {@link DroneWatch}. */
+/** Makes flights of what one drone shows. Owned by the drone's {@link DroneHistoryRecorder}. */
 final class FlightTracker {
     /** A drone that was silent for longer has begun another flight, if it flies. */
     private static final Duration SAME_FLIGHT = Duration.ofHours(1);
@@ -29,11 +29,11 @@ final class FlightTracker {
     private final Supplier<String> newIds;
     private final Consumer<Flight> keep;
     private @Nullable Flight flight;
-    private FlightMeter meter = new FlightMeter(Measures.NONE);
+    private FlightStatisticsBuilder meter = new FlightStatisticsBuilder(FlightStatistics.NONE);
     private Instant kept = Instant.MIN;
     private @Nullable Instant heardAgain;
     private @Nullable CommandRecord lastCommand;
-    private @Nullable Control control;
+    private @Nullable ControlState control;
 
     /** {@code open}: the flight that was under way before a restart, null: none. */
     FlightTracker(Supplier<String> newIds, Consumer<Flight> keep, @Nullable Flight open) {
@@ -41,7 +41,7 @@ final class FlightTracker {
         this.keep = keep;
         this.flight = open;
         if (open != null) {
-            meter = new FlightMeter(open.measures());
+            meter = new FlightStatisticsBuilder(open.measures());
         }
     }
 
@@ -70,7 +70,7 @@ final class FlightTracker {
         }
     }
 
-    void controlled(Control now) {
+    void controlled(ControlState now) {
         control = now;
         Flight open = flight;
         if (open != null) {
@@ -88,7 +88,7 @@ final class FlightTracker {
 
     private void begin(DroneState now) {
         Instant at = now.lastUpdate();
-        meter = new FlightMeter(Measures.NONE);
+        meter = new FlightStatisticsBuilder(FlightStatistics.NONE);
         meter.add(TelemetryPoint.of(now));
         Flight begun = new Flight(
                 newIds.get(),
@@ -117,12 +117,12 @@ final class FlightTracker {
     }
 
     private Flight conducted(Flight open) {
-        Control now = control;
+        ControlState now = control;
         if (now == null || now.tenure() == null) {
             return open;
         }
-        if (now.tenure().holder() instanceof Holder.Operation operation) {
-            return open.conductedBy(new Flight.Operation(operation.id(), operation.words()))
+        if (now.tenure().holder() instanceof LeaseHolder.Operation operation) {
+            return open.conductedBy(new Flight.FlightOperation(operation.id(), operation.words()))
                     .by(operation.user());
         }
         return open;

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param fullDays so long with all points; 0: never thinned
  * @param keepDays older days go altogether, points and events; 0: for ever
- * @param thinned of older days, what is kept of each stretch of this length: see {@link Thinning}
+ * @param thinned of older days, what is kept of each stretch of this length: see {@link TelemetryDownsampler}
  */
 public record Retention(int fullDays, int keepDays, Duration thinned) {
     /** All points for a month, one in ten seconds for a year. */

@@ -9,7 +9,7 @@ import org.dronemap.core.drone.DroneId;
  *
  * @param slots in how many the span is cut; a drawing needs no more than it is wide
  */
-public record SeriesQuery(DroneId drone, Span span, List<TelemetryField> fields, int slots) {
+public record SeriesQuery(DroneId drone, TimeRange span, List<TelemetryField> fields, int slots) {
     private static final long MICRO = 1_000;
 
     public SeriesQuery {

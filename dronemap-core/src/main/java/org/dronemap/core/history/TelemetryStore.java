@@ -14,13 +14,13 @@ public interface TelemetryStore {
     void append(List<TelemetryPoint> points, List<HistoryEvent> events);
 
     /** All points of a drone in the order of time, each moment once; {@code each} must not ask this store anything. */
-    void points(DroneId drone, Span span, Consumer<TelemetryPoint> each);
+    void points(DroneId drone, TimeRange span, Consumer<TelemetryPoint> each);
 
     /** In the order of time. */
     List<SeriesSlot> series(SeriesQuery query);
 
     /** Oldest first, at most {@code limit}. */
-    List<HistoryEvent> events(DroneId drone, Span span, int limit);
+    List<HistoryEvent> events(DroneId drone, TimeRange span, int limit);
 
     /** Makes room for the days to come, thins old days and drops older ones; what it cannot do now it does next time. */
     void tidy(Retention retention, Instant now);

@@ -39,9 +39,9 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
      * @param room the most points, or events, that wait
      * @param pause between two tries while the store does not take anything
      */
-    public record Rhythm(Duration every, int batch, int room, Duration pause) {
+    public record BatchSettings(Duration every, int batch, int room, Duration pause) {
         /** Well within a second to the disk; room for some seconds of thousands of drones. */
-        public static final Rhythm DEFAULT = new Rhythm(Duration.ofMillis(250), 20_000, 60_000, Duration.ofSeconds(2));
+        public static final BatchSettings DEFAULT = new BatchSettings(Duration.ofMillis(250), 20_000, 60_000, Duration.ofSeconds(2));
     }
 
     /** What is written at once. */
@@ -52,7 +52,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     }
 
     private final TelemetryStore store;
-    private final Rhythm rhythm;
+    private final BatchSettings rhythm;
     private final BlockingQueue<TelemetryPoint> points;
     private final BlockingQueue<HistoryEvent> events;
     private final LongAdder written = new LongAdder();
@@ -68,7 +68,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private int tries;
     private int refusals;
 
-    public TelemetryWriter(TelemetryStore store, Rhythm rhythm, Time time) {
+    public TelemetryWriter(TelemetryStore store, BatchSettings rhythm, Time time) {
         this.store = store;
         this.rhythm = rhythm;
         this.points = new ArrayBlockingQueue<>(rhythm.room());

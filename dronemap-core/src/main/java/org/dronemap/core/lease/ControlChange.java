@@ -11,8 +11,8 @@ import org.jspecify.annotations.Nullable;
  */
 public record ControlChange(
         Kind kind,
-        Holder by,
-        @Nullable Holder other,
+        LeaseHolder by,
+        @Nullable LeaseHolder other,
         @Nullable String reason) {
     public enum Kind {
         TAKEN,

@@ -36,7 +36,7 @@ public sealed interface LeaseEvent {
     record Release(String user) implements ByUser {}
 
     /** An operation wants control, if it is free; what it has already it keeps. */
-    record Engage(Holder.Operation by) implements LeaseEvent {}
+    record Engage(LeaseHolder.Operation by) implements LeaseEvent {}
 
     /** An operation is over. */
     record Disengage(String operation) implements LeaseEvent {}
@@ -51,7 +51,7 @@ public sealed interface LeaseEvent {
     record PilotActed(String what) implements LeaseEvent {}
 
     /** It is on the ground with its motors off: nobody is waited for. */
-    record CameDown() implements LeaseEvent {}
+    record Landed() implements LeaseEvent {}
 
     /** The flight of the pilot at the vehicle is over. */
     record PilotLeft() implements LeaseEvent {}

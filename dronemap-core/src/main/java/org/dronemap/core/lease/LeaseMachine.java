@@ -29,16 +29,16 @@ public final class LeaseMachine {
      * An explicit holder of an earlier process, who gets time to come back; or one who was lost in that, and then the time
      * until the return begins anew. The epoch is a new one.
      */
-    public Control restored(SavedLease lease, Moment now) {
+    public ControlState restored(SavedLease lease, ClockReading now) {
         if (lease.lapsed()) {
-            return freed(epochs.getAsLong(), new Lapse(lease.user(), lease.since(), now.nanos(), false));
+            return freed(epochs.getAsLong(), new LapsedLease(lease.user(), lease.since(), now.nanos(), false));
         }
-        Tenure tenure = new Tenure(
-                new Holder.Person(lease.user()), true, lease.since(), now.nanos() + RETURNING_NANOS, lease.epoch());
-        return new Control(epochs.getAsLong(), tenure, List.of(), null, null);
+        Lease tenure = new Lease(
+                new LeaseHolder.Person(lease.user()), true, lease.since(), now.nanos() + RETURNING_NANOS, lease.epoch());
+        return new ControlState(epochs.getAsLong(), tenure, List.of(), null, null);
     }
 
-    public LeaseStep apply(Control control, LeaseEvent event, Moment now) {
+    public LeaseStep apply(ControlState control, LeaseEvent event, ClockReading now) {
         if (event instanceof LeaseEvent.Command command) {
             return command(control, command, now);
         }
@@ -60,7 +60,7 @@ public final class LeaseMachine {
         return ofHolderOrPilot(control, event, now);
     }
 
-    private LeaseStep ofHolderOrPilot(Control control, LeaseEvent event, Moment now) {
+    private LeaseStep ofHolderOrPilot(ControlState control, LeaseEvent event, ClockReading now) {
         if (event instanceof LeaseEvent.Grant grant) {
             return grant(control, grant, now);
         }
@@ -85,7 +85,7 @@ public final class LeaseMachine {
         if (event instanceof LeaseEvent.Interrupt interrupt) {
             return interrupt(control, interrupt.why(), now);
         }
-        if (event instanceof LeaseEvent.CameDown) {
+        if (event instanceof LeaseEvent.Landed) {
             return LeaseStep.granted(control.withoutLapse());
         }
         if (event instanceof LeaseEvent.PilotActed pilot) {
@@ -94,8 +94,8 @@ public final class LeaseMachine {
         return pilotLeft(control);
     }
 
-    private LeaseStep command(Control control, LeaseEvent.Command command, Moment now) {
-        Tenure tenure = control.tenure();
+    private LeaseStep command(ControlState control, LeaseEvent.Command command, ClockReading now) {
+        Lease tenure = control.tenure();
         boolean holds = control.isHeldBy(command.user());
         if (command.epoch() != null && !control.isHeldBy(command.user(), command.epoch())) {
             return LeaseStep.denied(
@@ -109,31 +109,31 @@ public final class LeaseMachine {
         if (tenure != null) {
             return LeaseStep.granted(control.with(tenure.heard(now)));
         }
-        Holder holder = new Holder.Person(command.user());
+        LeaseHolder holder = new LeaseHolder.Person(command.user());
         return LeaseStep.granted(begin(control, holder, false, now), change(Kind.TAKEN, holder, null));
     }
 
-    private LeaseStep take(Control control, String user, Moment now) {
-        Tenure tenure = control.tenure();
-        Holder holder = new Holder.Person(user);
-        if (tenure == null || tenure.holder() instanceof Holder.Pilot) {
-            Holder before = tenure == null ? null : tenure.holder();
+    private LeaseStep take(ControlState control, String user, ClockReading now) {
+        Lease tenure = control.tenure();
+        LeaseHolder holder = new LeaseHolder.Person(user);
+        if (tenure == null || tenure.holder() instanceof LeaseHolder.Pilot) {
+            LeaseHolder before = tenure == null ? null : tenure.holder();
             return LeaseStep.granted(begin(control, holder, true, now), change(Kind.TAKEN, holder, before));
         }
         if (!tenure.holder().equals(holder)) {
             return LeaseStep.denied(control, LeaseDenial.HELD, control.sentence());
         }
         // Asked for again while it was explicit: from another window, and only one of them shall go on.
-        Control kept = tenure.explicit() ? begin(control, holder, true, now) : control.with(tenure.kept(now));
+        ControlState kept = tenure.explicit() ? begin(control, holder, true, now) : control.with(tenure.kept(now));
         return LeaseStep.granted(kept, change(Kind.TAKEN, holder, null));
     }
 
-    private LeaseStep request(Control control, LeaseEvent.Request request, Moment now) {
-        Tenure tenure = control.tenure();
-        if (tenure == null || !(tenure.holder() instanceof Holder.Person) || control.isHeldBy(request.user())) {
+    private LeaseStep request(ControlState control, LeaseEvent.Request request, ClockReading now) {
+        Lease tenure = control.tenure();
+        if (tenure == null || !(tenure.holder() instanceof LeaseHolder.Person) || control.isHeldBy(request.user())) {
             return take(control, request.user(), now);
         }
-        List<ControlRequest> requests =
+        List<LeaseRequest> requests =
                 new ArrayList<>(control.without(request.user()).requests());
         if (requests.size() >= MOST_REQUESTS) {
             return LeaseStep.denied(
@@ -141,24 +141,24 @@ public final class LeaseMachine {
                     LeaseDenial.REQUESTS_FULL,
                     "Too many have asked for control already. " + control.sentence());
         }
-        requests.add(new ControlRequest(request.user(), request.reason(), now.at(), now.nanos()));
+        requests.add(new LeaseRequest(request.user(), request.reason(), now.at(), now.nanos()));
         ControlChange asked =
-                new ControlChange(Kind.REQUESTED, new Holder.Person(request.user()), tenure.holder(), request.reason());
+                new ControlChange(Kind.REQUESTED, new LeaseHolder.Person(request.user()), tenure.holder(), request.reason());
         return new LeaseStep(control.withRequests(requests), new LeaseAnswer.Waiting(), List.of(asked));
     }
 
-    private LeaseStep takeOver(Control control, LeaseEvent.TakeOver event, Moment now) {
-        Tenure tenure = control.tenure();
+    private LeaseStep takeOver(ControlState control, LeaseEvent.TakeOver event, ClockReading now) {
+        Lease tenure = control.tenure();
         if (tenure == null || control.isHeldBy(event.user())) {
             return take(control, event.user(), now);
         }
-        Holder holder = new Holder.Person(event.user());
+        LeaseHolder holder = new LeaseHolder.Person(event.user());
         return LeaseStep.granted(
                 begin(control, holder, true, now),
                 new ControlChange(Kind.TAKEN_OVER, holder, tenure.holder(), event.reason()));
     }
 
-    private LeaseStep grant(Control control, LeaseEvent.Grant grant, Moment now) {
+    private LeaseStep grant(ControlState control, LeaseEvent.Grant grant, ClockReading now) {
         if (control.isHeldBy(grant.user()) && requestBy(control, grant.to()).isEmpty()) {
             return LeaseStep.denied(
                     control, LeaseDenial.NOT_ASKED, grant.to() + " does not ask for control (any more).");
@@ -166,8 +166,8 @@ public final class LeaseMachine {
         return handOver(control, grant.user(), grant.to(), now);
     }
 
-    private LeaseStep refuse(Control control, LeaseEvent.Refuse refuse) {
-        Tenure tenure = control.tenure();
+    private LeaseStep refuse(ControlState control, LeaseEvent.Refuse refuse) {
+        Lease tenure = control.tenure();
         if (tenure == null || !control.isHeldBy(refuse.user())) {
             return notYours(control);
         }
@@ -177,24 +177,24 @@ public final class LeaseMachine {
         }
         return LeaseStep.granted(
                 control.without(refuse.to()),
-                new ControlChange(Kind.REFUSED, tenure.holder(), new Holder.Person(refuse.to()), refuse.reason()));
+                new ControlChange(Kind.REFUSED, tenure.holder(), new LeaseHolder.Person(refuse.to()), refuse.reason()));
     }
 
     /** Implicit until the new holder acts: who gets it may not be looking. */
-    private LeaseStep handOver(Control control, String user, String to, Moment now) {
-        Tenure tenure = control.tenure();
+    private LeaseStep handOver(ControlState control, String user, String to, ClockReading now) {
+        Lease tenure = control.tenure();
         if (tenure == null || !control.isHeldBy(user)) {
             return notYours(control);
         }
         if (to.equals(user)) {
             return LeaseStep.denied(control, LeaseDenial.OWN, "You have control already.");
         }
-        Holder next = new Holder.Person(to);
+        LeaseHolder next = new LeaseHolder.Person(to);
         return LeaseStep.granted(begin(control, next, false, now), change(Kind.HANDED_OVER, tenure.holder(), next));
     }
 
-    private LeaseStep heartbeat(Control control, LeaseEvent.Heartbeat heartbeat, Moment now) {
-        Tenure tenure = control.tenure();
+    private LeaseStep heartbeat(ControlState control, LeaseEvent.Heartbeat heartbeat, ClockReading now) {
+        Lease tenure = control.tenure();
         if (tenure == null || !control.isHeldBy(heartbeat.user(), heartbeat.epoch())) {
             return LeaseStep.denied(
                     control,
@@ -210,8 +210,8 @@ public final class LeaseMachine {
         return LeaseStep.granted(control.with(tenure.heard(now)));
     }
 
-    private static LeaseStep release(Control control, String user, Moment now) {
-        Tenure tenure = control.tenure();
+    private static LeaseStep release(ControlState control, String user, ClockReading now) {
+        Lease tenure = control.tenure();
         if (tenure == null || !control.isHeldBy(user)) {
             return notYours(control);
         }
@@ -219,9 +219,9 @@ public final class LeaseMachine {
                 freed(control.epoch(), lapse(user, now)), change(Kind.RELEASED, tenure.holder(), null));
     }
 
-    private LeaseStep expel(Control control, String user, Moment now) {
-        Control rest = control.without(user);
-        Tenure tenure = rest.tenure();
+    private LeaseStep expel(ControlState control, String user, ClockReading now) {
+        ControlState rest = control.without(user);
+        Lease tenure = rest.tenure();
         if (tenure == null || !rest.isHeldBy(user)) {
             return LeaseStep.granted(rest);
         }
@@ -229,8 +229,8 @@ public final class LeaseMachine {
                 freed(epochs.getAsLong(), lapse(user, now)), change(Kind.EXPELLED, tenure.holder(), null));
     }
 
-    private LeaseStep engage(Control control, Holder.Operation operation, Moment now) {
-        Tenure tenure = control.tenure();
+    private LeaseStep engage(ControlState control, LeaseHolder.Operation operation, ClockReading now) {
+        Lease tenure = control.tenure();
         if (tenure != null) {
             return tenure.holder().isOperation(operation.id())
                     ? LeaseStep.granted(control)
@@ -239,51 +239,51 @@ public final class LeaseMachine {
         return LeaseStep.granted(begin(control, operation, true, now), change(Kind.TAKEN, operation, null));
     }
 
-    private static LeaseStep disengage(Control control, String operation, Moment now) {
-        Tenure tenure = control.tenure();
-        return tenure != null && tenure.holder() instanceof Holder.Operation holder && holder.isOperation(operation)
+    private static LeaseStep disengage(ControlState control, String operation, ClockReading now) {
+        Lease tenure = control.tenure();
+        return tenure != null && tenure.holder() instanceof LeaseHolder.Operation holder && holder.isOperation(operation)
                 ? LeaseStep.granted(
                         freed(control.epoch(), lapse(holder.user(), now)), change(Kind.RELEASED, holder, null))
                 : LeaseStep.granted(control);
     }
 
     /** With a new epoch: what the operation has sent and is not at the vehicle yet must not undo what interrupts it. */
-    private LeaseStep interrupt(Control control, String why, Moment now) {
-        Tenure tenure = control.tenure();
-        return tenure != null && tenure.holder() instanceof Holder.Operation holder
+    private LeaseStep interrupt(ControlState control, String why, ClockReading now) {
+        Lease tenure = control.tenure();
+        return tenure != null && tenure.holder() instanceof LeaseHolder.Operation holder
                 ? LeaseStep.granted(
-                        new Control(epochs.getAsLong(), null, List.of(), lapse(holder.user(), now), why),
+                        new ControlState(epochs.getAsLong(), null, List.of(), lapse(holder.user(), now), why),
                         change(Kind.RELEASED, holder, null))
                 : LeaseStep.granted(control);
     }
 
-    private LeaseStep pilotActed(Control control, String what, Moment now) {
-        Tenure tenure = control.tenure();
+    private LeaseStep pilotActed(ControlState control, String what, ClockReading now) {
+        Lease tenure = control.tenure();
         if (tenure == null) {
             // Nobody here is in the way; but a pilot is there now, whom no rule shall call back.
             return LeaseStep.granted(freed(control.epoch(), null));
         }
-        if (tenure.holder() instanceof Holder.Pilot) {
+        if (tenure.holder() instanceof LeaseHolder.Pilot) {
             return LeaseStep.granted(control.with(tenure.heard(now)));
         }
-        Holder pilot = new Holder.Pilot();
+        LeaseHolder pilot = new LeaseHolder.Pilot();
         return LeaseStep.granted(
                 begin(control, pilot, true, now), new ControlChange(Kind.PILOT_ACTED, pilot, tenure.holder(), what));
     }
 
-    private static LeaseStep pilotLeft(Control control) {
-        Tenure tenure = control.tenure();
-        if (tenure == null || !(tenure.holder() instanceof Holder.Pilot)) {
+    private static LeaseStep pilotLeft(ControlState control) {
+        Lease tenure = control.tenure();
+        if (tenure == null || !(tenure.holder() instanceof LeaseHolder.Pilot)) {
             return LeaseStep.granted(control);
         }
         return LeaseStep.granted(freed(control.epoch(), null), change(Kind.PILOT_LEFT, tenure.holder(), null));
     }
 
     /** Whether time alone changes anything by now. */
-    public boolean isDue(Control control, long nowNanos) {
-        Tenure tenure = control.tenure();
+    public boolean isDue(ControlState control, long nowNanos) {
+        Lease tenure = control.tenure();
         boolean over = tenure != null
-                && tenure.holder() instanceof Holder.Person
+                && tenure.holder() instanceof LeaseHolder.Person
                 && nowNanos - tenure.heardNanos() > patienceNanos(tenure);
         return over
                 || isReturnDue(control, nowNanos, false)
@@ -291,24 +291,24 @@ public final class LeaseMachine {
     }
 
     /** Whether its holder, who keeps control by signs, gave none for too long. */
-    public boolean isSilent(Control control, long nowNanos) {
-        Tenure tenure = control.tenure();
+    public boolean isSilent(ControlState control, long nowNanos) {
+        Lease tenure = control.tenure();
         return tenure != null
                 && tenure.explicit()
-                && tenure.holder() instanceof Holder.Person
+                && tenure.holder() instanceof LeaseHolder.Person
                 && nowNanos - tenure.heardNanos() > patienceNanos(tenure);
     }
 
-    private long patienceNanos(Tenure tenure) {
+    private long patienceNanos(Lease tenure) {
         return (tenure.explicit() ? rules.silence() : rules.idle()).toNanos();
     }
 
-    private boolean isOld(ControlRequest request, long nowNanos) {
+    private boolean isOld(LeaseRequest request, long nowNanos) {
         return nowNanos - request.nanos() > rules.asking().toNanos();
     }
 
-    private boolean isReturnDue(Control control, long nowNanos, boolean hurries) {
-        Lapse lapse = control.lapse();
+    private boolean isReturnDue(ControlState control, long nowNanos, boolean hurries) {
+        LapsedLease lapse = control.lapse();
         return lapse != null
                 && !lapse.returned()
                 && rules.onLoss() == LeaseRules.OnLoss.RETURN
@@ -316,17 +316,17 @@ public final class LeaseMachine {
                         || nowNanos - lapse.sinceNanos() >= rules.untilReturn().toNanos());
     }
 
-    private LeaseStep tick(Control control, LeaseEvent.Tick tick, Moment now) {
-        Control rest = control.withRequests(control.requests().stream()
+    private LeaseStep tick(ControlState control, LeaseEvent.Tick tick, ClockReading now) {
+        ControlState rest = control.withRequests(control.requests().stream()
                 .filter(request -> !isOld(request, now.nanos()))
                 .toList());
-        Tenure tenure = rest.tenure();
+        Lease tenure = rest.tenure();
         if (tenure == null) {
             return tick.heard() && isReturnDue(rest, now.nanos(), tick.hurries())
                     ? returning(rest)
                     : LeaseStep.granted(rest);
         }
-        if (!(tenure.holder() instanceof Holder.Person person)) {
+        if (!(tenure.holder() instanceof LeaseHolder.Person person)) {
             return LeaseStep.granted(rest);
         }
         if (tick.busy() && !tenure.explicit()) {
@@ -335,49 +335,49 @@ public final class LeaseMachine {
         if (now.nanos() - tenure.heardNanos() <= patienceNanos(tenure)) {
             return LeaseStep.granted(rest);
         }
-        Lapse lapse = lapse(person.name(), now);
+        LapsedLease lapse = lapse(person.name(), now);
         return tenure.explicit()
                 ? LeaseStep.granted(freed(epochs.getAsLong(), lapse), change(Kind.LOST, person, null))
                 : LeaseStep.granted(freed(rest.epoch(), lapse), change(Kind.EXPIRED, person, null));
     }
 
-    private static LeaseStep returning(Control control) {
-        Lapse lapse = Objects.requireNonNull(control.lapse());
-        Lapse returned = new Lapse(lapse.user(), lapse.at(), lapse.sinceNanos(), true);
+    private static LeaseStep returning(ControlState control) {
+        LapsedLease lapse = Objects.requireNonNull(control.lapse());
+        LapsedLease returned = new LapsedLease(lapse.user(), lapse.at(), lapse.sinceNanos(), true);
         return LeaseStep.granted(
-                new Control(control.epoch(), null, control.requests(), returned, null),
-                change(Kind.RETURN_DUE, new Holder.Person(lapse.user()), null));
+                new ControlState(control.epoch(), null, control.requests(), returned, null),
+                change(Kind.RETURN_DUE, new LeaseHolder.Person(lapse.user()), null));
     }
 
-    private Control begin(Control before, Holder holder, boolean explicit, Moment now) {
-        List<ControlRequest> others = holder instanceof Holder.Person person
+    private ControlState begin(ControlState before, LeaseHolder holder, boolean explicit, ClockReading now) {
+        List<LeaseRequest> others = holder instanceof LeaseHolder.Person person
                 ? before.without(person.name()).requests()
                 : List.of();
-        Tenure tenure = new Tenure(holder, explicit, now.at(), now.nanos(), null);
-        return new Control(epochs.getAsLong(), tenure, others, null, null);
+        Lease tenure = new Lease(holder, explicit, now.at(), now.nanos(), null);
+        return new ControlState(epochs.getAsLong(), tenure, others, null, null);
     }
 
     /** However control ends: what is in the air then is nobody's, and comes home unless somebody takes it. */
-    private static Lapse lapse(String user, Moment now) {
-        return new Lapse(user, now.at(), now.nanos(), false);
+    private static LapsedLease lapse(String user, ClockReading now) {
+        return new LapsedLease(user, now.at(), now.nanos(), false);
     }
 
     /** Whoever waited can take it now. */
-    private static Control freed(long epoch, @Nullable Lapse lapse) {
-        return new Control(epoch, null, List.of(), lapse, null);
+    private static ControlState freed(long epoch, @Nullable LapsedLease lapse) {
+        return new ControlState(epoch, null, List.of(), lapse, null);
     }
 
-    private static ControlChange change(Kind kind, Holder by, @Nullable Holder other) {
+    private static ControlChange change(Kind kind, LeaseHolder by, @Nullable LeaseHolder other) {
         return new ControlChange(kind, by, other, null);
     }
 
-    private static Optional<ControlRequest> requestBy(Control control, String user) {
+    private static Optional<LeaseRequest> requestBy(ControlState control, String user) {
         return control.requests().stream()
                 .filter(request -> request.by().equals(user))
                 .findFirst();
     }
 
-    private static LeaseStep notYours(Control control) {
+    private static LeaseStep notYours(ControlState control) {
         return LeaseStep.denied(control, LeaseDenial.NOT_HELD, "You do not have control. " + control.sentence());
     }
 }

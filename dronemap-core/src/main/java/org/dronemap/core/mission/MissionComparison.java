@@ -19,7 +19,7 @@ public final class MissionComparison {
     public static Optional<String> difference(List<MissionItem> expected, List<MissionItem> found) {
         List<String> parts = new ArrayList<>();
         if (expected.size() != found.size()) {
-            parts.add(Counted.of(found.size(), "item") + " instead of " + expected.size());
+            parts.add(CountText.of(found.size(), "item") + " instead of " + expected.size());
         }
         List<Integer> differing = new ArrayList<>();
         for (int index = 0; index < Math.min(expected.size(), found.size()); index++) {

@@ -29,7 +29,7 @@ public interface Operation<S, I> {
     }
 
     /** Who steers its drones between its decisions; empty: nobody does. Asked once, when it is taken up. */
-    default Optional<Guide<S>> guide(S state) {
+    default Optional<OperationGuidance<S>> guide(S state) {
         return Optional.empty();
     }
 
@@ -37,7 +37,7 @@ public interface Operation<S, I> {
     boolean isOver(S state);
 
     /** What matters of what is seen now. */
-    I looked(S state, Scene scene);
+    I looked(S state, OperationObservation scene);
 
     /** A command that it gave has ended. */
     I ended(DroneId drone, CommandId command, Outcome outcome, Instant at);
@@ -46,7 +46,7 @@ public interface Operation<S, I> {
     I resumed(Instant at);
 
     /** What follows. An input that changes nothing and asks for nothing is not written down. */
-    Decision<S, I> decide(S state, I input);
+    OperationDecision<S, I> decide(S state, I input);
 
     /** A drone's holder as people read it: the beginning of a sentence. */
     String words(S state);

@@ -14,5 +14,5 @@ public interface OperationCodec<S, I> {
     I input(String text);
 
     /** With the state that it leads to, or what vouches for it; is compared, never read. */
-    String decision(Decision<S, I> decision);
+    String decision(OperationDecision<S, I> decision);
 }

@@ -37,7 +37,7 @@ public interface RecordingArchive {
     /** What is heard of that drone from now on is another recording; returns once the one of before has ended. */
     void part(DroneId drone) throws IOException;
 
-    Room room();
+    DiskUsage room();
 
     /**
      * What the recordings take and may take.
@@ -46,7 +46,7 @@ public interface RecordingArchive {
      * @param removed how many were removed since the start to keep within this
      * @param notice the sentence about the last removal or failure; null when there was none
      */
-    record Room(
+    record DiskUsage(
             long usedBytes,
             long mostBytes,
             int keepDays,

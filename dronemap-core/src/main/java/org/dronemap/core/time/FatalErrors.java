@@ -17,15 +17,15 @@ public final class FatalErrors {
      */
     public static Thread onDuty(Thread thread) {
         thread.setUncaughtExceptionHandler((ended, why) ->
-                ended.getThreadGroup().uncaughtException(ended, why instanceof Error ? why : new DutyEnded(why)));
+                ended.getThreadGroup().uncaughtException(ended, why instanceof Error ? why : new EssentialThreadEnded(why)));
         return thread;
     }
 
     /** Something ended a thread that had a duty. */
-    private static final class DutyEnded extends Error {
+    private static final class EssentialThreadEnded extends Error {
         private static final long serialVersionUID = 1L;
 
-        DutyEnded(Throwable why) {
+        EssentialThreadEnded(Throwable why) {
             super(why.toString(), why);
         }
     }

@@ -6,18 +6,18 @@ import org.jspecify.annotations.Nullable;
 /** In stepped time. */
 final class SteppedLoop implements Loop {
     private final SteppedProcess time;
-    private final Agenda agenda;
-    private final Agenda.Owner owner;
+    private final SteppedEventQueue agenda;
+    private final SteppedEventQueue.Owner owner;
     private final Turn turn;
-    private Agenda.@Nullable Entry next;
+    private SteppedEventQueue.@Nullable Entry next;
     private boolean taking;
     private boolean woken;
     private boolean closed;
 
-    SteppedLoop(SteppedProcess time, Agenda agenda, Agenda.Life life, String name, Turn turn) {
+    SteppedLoop(SteppedProcess time, SteppedEventQueue agenda, SteppedEventQueue.Lifetime life, String name, Turn turn) {
         this.time = time;
         this.agenda = agenda;
-        this.owner = new Agenda.Owner(name, life);
+        this.owner = new SteppedEventQueue.Owner(name, life);
         this.turn = turn;
     }
 

@@ -15,11 +15,11 @@ final class SteppedProcess implements SteppedTime.Killable {
     private static final long LOOK_NANOS = 4_000_000;
 
     private final SteppedTime time;
-    private final Agenda agenda;
-    private final Agenda.Life life = new Agenda.Life();
-    private final Agenda.Owner waits = new Agenda.Owner("what waits", life);
+    private final SteppedEventQueue agenda;
+    private final SteppedEventQueue.Lifetime life = new SteppedEventQueue.Lifetime();
+    private final SteppedEventQueue.Owner waits = new SteppedEventQueue.Owner("what waits", life);
 
-    SteppedProcess(SteppedTime time, Agenda agenda) {
+    SteppedProcess(SteppedTime time, SteppedEventQueue agenda) {
         this.time = time;
         this.agenda = agenda;
     }
@@ -105,7 +105,7 @@ final class SteppedProcess implements SteppedTime.Killable {
     @Override
     public <T> CompletableFuture<T> within(CompletableFuture<T> what, Duration longest, T otherwise) {
         CompletableFuture<T> first = what.copy();
-        Agenda.Entry end = agenda.add(waits, time.nanos() + longest.toNanos(), () -> first.complete(otherwise));
+        SteppedEventQueue.Entry end = agenda.add(waits, time.nanos() + longest.toNanos(), () -> first.complete(otherwise));
         return first.whenComplete((value, failure) -> agenda.remove(end));
     }
 

@@ -23,7 +23,7 @@ public final class SteppedTime implements Time {
     private static final long MOST_AT_ONE_MOMENT = 1_000_000;
 
     private final Thread stepper = Thread.currentThread();
-    private final Agenda agenda = new Agenda();
+    private final SteppedEventQueue agenda = new SteppedEventQueue();
     private final Instant began;
     private final SplittableRandom random;
     private final SteppedProcess itself = new SteppedProcess(this, agenda);
@@ -61,7 +61,7 @@ public final class SteppedTime implements Time {
     public void settle() {
         requireStepper();
         long count = 0;
-        for (Agenda.Entry due = agenda.next(nowNanos); due != null; due = agenda.next(nowNanos)) {
+        for (SteppedEventQueue.Entry due = agenda.next(nowNanos); due != null; due = agenda.next(nowNanos)) {
             if (++count > MOST_AT_ONE_MOMENT) {
                 throw new IllegalStateException("There is no end of work at " + clock().instant());
             }
@@ -82,7 +82,7 @@ public final class SteppedTime implements Time {
 
     private boolean goOnUntil(BooleanSupplier holds, long untilNanos) {
         requireStepper();
-        for (Agenda.Entry due = agenda.next(untilNanos); due != null; due = agenda.next(untilNanos)) {
+        for (SteppedEventQueue.Entry due = agenda.next(untilNanos); due != null; due = agenda.next(untilNanos)) {
             nowNanos = Math.max(nowNanos, due.dueNanos());
             agenda.work(due);
             if (holds.getAsBoolean()) {

@@ -8,17 +8,17 @@ import java.util.concurrent.RejectedExecutionException;
 /** In stepped time. */
 final class SteppedWorker implements Worker {
     private final SteppedProcess time;
-    private final Agenda agenda;
-    private final Agenda.Owner owner;
+    private final SteppedEventQueue agenda;
+    private final SteppedEventQueue.Owner owner;
     private final int capacity;
-    private final Set<Agenda.Entry> due = new HashSet<>();
+    private final Set<SteppedEventQueue.Entry> due = new HashSet<>();
     private int waiting;
     private boolean closed;
 
-    SteppedWorker(SteppedProcess time, Agenda agenda, Agenda.Life life, String name, int capacity) {
+    SteppedWorker(SteppedProcess time, SteppedEventQueue agenda, SteppedEventQueue.Lifetime life, String name, int capacity) {
         this.time = time;
         this.agenda = agenda;
-        this.owner = new Agenda.Owner(name, life);
+        this.owner = new SteppedEventQueue.Owner(name, life);
         this.capacity = capacity;
     }
 
@@ -36,24 +36,24 @@ final class SteppedWorker implements Worker {
     }
 
     @Override
-    public Repetition after(Duration pause, Runnable work) {
+    public ScheduledTask after(Duration pause, Runnable work) {
         time.requireStepper();
         if (closed) {
             return () -> {};
         }
-        Agenda.Entry entry = add(time.nanos() + pause.toNanos(), work);
+        SteppedEventQueue.Entry entry = add(time.nanos() + pause.toNanos(), work);
         return () -> remove(entry);
     }
 
     @Override
-    public Repetition every(Duration first, Duration pause, Runnable work) {
+    public ScheduledTask every(Duration first, Duration pause, Runnable work) {
         Round round = new Round(pause, work);
         round.next(first);
         return round;
     }
 
-    private Agenda.Entry add(long dueNanos, Runnable work) {
-        Agenda.Entry[] added = new Agenda.Entry[1];
+    private SteppedEventQueue.Entry add(long dueNanos, Runnable work) {
+        SteppedEventQueue.Entry[] added = new SteppedEventQueue.Entry[1];
         added[0] = agenda.add(owner, dueNanos, () -> {
             due.remove(added[0]);
             work.run();
@@ -62,16 +62,16 @@ final class SteppedWorker implements Worker {
         return added[0];
     }
 
-    private void remove(Agenda.Entry entry) {
+    private void remove(SteppedEventQueue.Entry entry) {
         agenda.remove(entry);
         due.remove(entry);
     }
 
     /** Something that is done again and again. */
-    private final class Round implements Repetition {
+    private final class Round implements ScheduledTask {
         private final Duration pause;
         private final Runnable work;
-        private Repetition begun = () -> {};
+        private ScheduledTask begun = () -> {};
         private boolean calledOff;
 
         Round(Duration pause, Runnable work) {

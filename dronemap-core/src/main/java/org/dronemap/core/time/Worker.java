@@ -19,10 +19,10 @@ public interface Worker extends Executor, AutoCloseable {
     void execute(Runnable work);
 
     /** Once, after a pause; nothing happens any more when it is closed by then. */
-    Repetition after(Duration pause, Runnable work);
+    ScheduledTask after(Duration pause, Runnable work);
 
     /** Again and again: {@code first} from now on, and then {@code pause} after each end. */
-    Repetition every(Duration first, Duration pause, Runnable work);
+    ScheduledTask every(Duration first, Duration pause, Runnable work);
 
     /**
      * Does it and tells what came of it.

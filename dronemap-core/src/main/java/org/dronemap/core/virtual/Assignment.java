@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param changedAt when stage or command last changed
  */
 public record Assignment(
-        Choice choice,
+        DroneChoice choice,
         int first,
         @Nullable Double takeOffMeters,
         @Nullable CommandId command,

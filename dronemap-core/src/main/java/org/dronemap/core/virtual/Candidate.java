@@ -29,18 +29,18 @@ public record Candidate(
             .thenComparing(candidate -> candidate.drone().value());
 
     /** The first quantity by which it differs from another one. */
-    Quantity decidingAgainst(Candidate other) {
+    SelectionCriterion decidingAgainst(Candidate other) {
         if (distanceMeters != other.distanceMeters) {
-            return Quantity.DISTANCE;
+            return SelectionCriterion.DISTANCE;
         }
         if (batteryLeftPercent != other.batteryLeftPercent) {
-            return Quantity.BATTERY_LEFT;
+            return SelectionCriterion.BATTERY_LEFT;
         }
-        return lossPercent == other.lossPercent ? Quantity.ORDER : Quantity.LINK_LOSS;
+        return lossPercent == other.lossPercent ? SelectionCriterion.ORDER : SelectionCriterion.LINK_LOSS;
     }
 
     /** {@code place} is what it has in the order of ids. */
-    double value(Quantity quantity, int place) {
+    double value(SelectionCriterion quantity, int place) {
         return switch (quantity) {
             case DISTANCE -> distanceMeters;
             case BATTERY_LEFT -> batteryLeftPercent;

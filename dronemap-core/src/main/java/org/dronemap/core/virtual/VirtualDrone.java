@@ -24,20 +24,20 @@ public record VirtualDrone(
         String owner,
         String account,
         OrganisationId organisation,
-        Needs needs,
+        DroneRequirements needs,
         @Nullable Mission mission,
-        @Nullable Run run,
+        @Nullable VirtualRun run,
         List<DroneId> recalled,
         Instant createdAt) {
     public VirtualDrone {
         recalled = List.copyOf(recalled);
     }
 
-    public VirtualDrone with(@Nullable Run next) {
+    public VirtualDrone with(@Nullable VirtualRun next) {
         return new VirtualDrone(id, name, owner, account, organisation, needs, mission, next, recalled, createdAt);
     }
 
-    public VirtualDrone with(String newName, Needs newNeeds, @Nullable Mission planned) {
+    public VirtualDrone with(String newName, DroneRequirements newNeeds, @Nullable Mission planned) {
         return new VirtualDrone(id, newName, owner, account, organisation, newNeeds, planned, run, recalled, createdAt);
     }
 
@@ -61,7 +61,7 @@ public record VirtualDrone(
     }
 
     public boolean isWaiting() {
-        return run != null && run.stage() == Stage.QUEUED;
+        return run != null && run.stage() == VirtualRunStage.QUEUED;
     }
 
     /** From being asked for to the end. */

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
-import org.dronemap.core.geo.Outline;
-import org.dronemap.core.geo.Spot;
-import org.dronemap.core.geo.Stretch;
+import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.geo.PlanePolygon;
+import org.dronemap.core.geo.PlaneSegment;
 import org.dronemap.core.mission.FenceZone;
 
 /** Checks whether one area lies within another one; shared edges count as inside. */
@@ -14,7 +14,7 @@ final class AreaContainment {
     /** What rounding may do to a corner that lies on an edge. */
     private static final double SAME_METERS = 0.001;
 
-    private static final Spot CENTER = new Spot(0, 0);
+    private static final PlanePoint CENTER = new PlanePoint(0, 0);
     /** Halvings until nothing is left of 200 km. */
     private static final int STEPS = 80;
 
@@ -32,7 +32,7 @@ final class AreaContainment {
                             .allMatch(corner -> meters(disc.center(), corner) <= disc.radiusMeters() + SAME_METERS);
         }
         LocalPlane plane = new LocalPlane(corners(outer).get(0));
-        Outline outline = plane.outline(corners(outer));
+        PlanePolygon outline = plane.outline(corners(outer));
         return inner instanceof FenceZone.Circle circle
                 ? holds(outline, plane, corners(outer), circle)
                 : plane.outline(corners(inner)).edges().stream().allMatch(edge -> holds(outline, edge));
@@ -50,9 +50,9 @@ final class AreaContainment {
     }
 
     /** An area without holes holds whatever edge it holds: each piece between two meetings lies inside or outside. */
-    private static boolean holds(Outline outline, Stretch edge) {
+    private static boolean holds(PlanePolygon outline, PlaneSegment edge) {
         List<Double> shares = new ArrayList<>(List.of(0.0, 1.0));
-        for (Stretch other : outline.edges()) {
+        for (PlaneSegment other : outline.edges()) {
             if (edge.crosses(other)) {
                 shares.add(edge.crossingShare(other));
             }
@@ -69,12 +69,12 @@ final class AreaContainment {
         return covers(outline, edge.to());
     }
 
-    private static boolean covers(Outline outline, Spot spot) {
+    private static boolean covers(PlanePolygon outline, PlanePoint spot) {
         return outline.contains(spot)
                 || outline.edges().stream().anyMatch(edge -> edge.distanceMeters(spot) <= SAME_METERS);
     }
 
-    private static boolean holds(Outline outline, LocalPlane plane, List<Geodetic> corners, FenceZone.Circle circle) {
+    private static boolean holds(PlanePolygon outline, LocalPlane plane, List<Geodetic> corners, FenceZone.Circle circle) {
         if (!outline.contains(plane.spot(circle.center()))) {
             return false;
         }

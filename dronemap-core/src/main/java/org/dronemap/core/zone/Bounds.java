@@ -22,7 +22,7 @@ public record Bounds(@Nullable FenceZone area, AltitudeBand band) {
             if (!area.inside()) {
                 throw new IllegalArgumentException("flights stay within bounds: the area must be one to stay in");
             }
-            ShapeFaults.of(area).ifPresent(fault -> {
+            ShapeValidator.of(area).ifPresent(fault -> {
                 throw new IllegalArgumentException(fault);
             });
         }

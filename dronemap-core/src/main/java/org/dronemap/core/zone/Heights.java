@@ -23,7 +23,7 @@ public record Heights(List<Altitude> named, boolean toTheGround) {
     }
 
     /** As seen from a reference; anything where that cannot be said. */
-    Range from(Altitude.Reference reference, Levels levels) {
+    Range from(Altitude.Reference reference, HeightReferences levels) {
         if (named.isEmpty()) {
             return Range.ANY;
         }

@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.Optional;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
-import org.dronemap.core.geo.Outline;
-import org.dronemap.core.geo.Spot;
-import org.dronemap.core.geo.Stretch;
+import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.geo.PlanePolygon;
+import org.dronemap.core.geo.PlaneSegment;
 import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
 
@@ -27,16 +27,16 @@ final class LegCheck {
     private static final double MEAN_EARTH_RADIUS_METERS = 6_371_008.8;
 
     private final Leg leg;
-    private final Levels levels;
+    private final HeightReferences levels;
     private final LocalPlane plane;
-    private final Stretch stretch;
+    private final PlaneSegment stretch;
 
-    LegCheck(Leg leg, Levels levels) {
+    LegCheck(Leg leg, HeightReferences levels) {
         this.leg = leg;
         this.levels = levels;
         double middle = (leg.from().latitudeDegrees() + leg.to().latitudeDegrees()) / 2;
         this.plane = new LocalPlane(new Geodetic(middle, leg.from().longitudeDegrees()));
-        this.stretch = new Stretch(plane.spot(leg.from()), plane.spot(leg.to()));
+        this.stretch = new PlaneSegment(plane.spot(leg.from()), plane.spot(leg.to()));
     }
 
     /** Names leg, zone and distance; empty when the leg keeps to the zone. */
@@ -122,12 +122,12 @@ final class LegCheck {
             double gapMeters,
             double roomMeters) {}
 
-    private Contact meets(Outline outline) {
+    private Contact meets(PlanePolygon outline) {
         double crossing = Double.POSITIVE_INFINITY;
         double gap = Double.POSITIVE_INFINITY;
         double room = 0;
         double startGap = Double.POSITIVE_INFINITY;
-        for (Stretch edge : outline.edges()) {
+        for (PlaneSegment edge : outline.edges()) {
             double away = stretch.distanceMeters(edge);
             double needed = roomMeters(stretch.lengthMeters()) + bendMeters(edge.lengthMeters());
             startGap = Math.min(startGap, edge.distanceMeters(stretch.from()));
@@ -143,7 +143,7 @@ final class LegCheck {
     }
 
     private Contact meets(FenceZone.Circle circle) {
-        Stretch way = around(circle);
+        PlaneSegment way = around(circle);
         double radius = circle.radiusMeters();
         double gap = way.distanceMeters(CENTER) - radius;
         double crossing = gap > 0 ? Double.POSITIVE_INFINITY : metersToRim(way, radius);
@@ -154,7 +154,7 @@ final class LegCheck {
 
     /** A disc is convex: what begins and ends in it stays in it. */
     private Contact staysIn(FenceZone.Circle circle) {
-        Stretch way = around(circle);
+        PlaneSegment way = around(circle);
         double radius = circle.radiusMeters();
         double begins = way.from().distanceMeters(CENTER);
         double ends = way.to().distanceMeters(CENTER);
@@ -166,19 +166,19 @@ final class LegCheck {
         return new Contact(inside, Math.abs(begins - radius), crossing, Math.max(0, gap), circleRoomMeters(radius));
     }
 
-    private static final Spot CENTER = new Spot(0, 0);
+    private static final PlanePoint CENTER = new PlanePoint(0, 0);
 
-    private Stretch around(FenceZone.Circle circle) {
-        return new Stretch(
+    private PlaneSegment around(FenceZone.Circle circle) {
+        return new PlaneSegment(
                 LocalPlane.offset(circle.center(), leg.from()), LocalPlane.offset(circle.center(), leg.to()));
     }
 
-    private static Stretch backwards(Stretch way) {
-        return new Stretch(way.to(), way.from());
+    private static PlaneSegment backwards(PlaneSegment way) {
+        return new PlaneSegment(way.to(), way.from());
     }
 
     /** From the beginning of a way outside a disc to where it enters it. */
-    private static double metersToRim(Stretch way, double radius) {
+    private static double metersToRim(PlaneSegment way, double radius) {
         double share = way.nearestShare(CENTER);
         double across = way.at(share).distanceMeters(CENTER);
         double half = Math.sqrt(Math.max(0, radius * radius - across * across));
@@ -200,7 +200,7 @@ final class LegCheck {
         return lengthMeters * lengthMeters * Math.tan(Math.toRadians(steepest)) / (8 * MEAN_EARTH_RADIUS_METERS);
     }
 
-    private Outline outline(FenceZone shape) {
+    private PlanePolygon outline(FenceZone shape) {
         if (shape instanceof FenceZone.Polygon polygon) {
             return plane.outline(polygon.corners());
         }

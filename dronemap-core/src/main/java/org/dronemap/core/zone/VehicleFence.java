@@ -11,7 +11,7 @@ import org.dronemap.core.mission.FenceZone;
  * @param leftOut those with a floor or a ceiling, which the fences of vehicles do not know
  */
 public record VehicleFence(List<FenceZone> shapes, List<Zone> leftOut) {
-    public static VehicleFence of(ZoneBook book, DroneId drone, Instant now) {
+    public static VehicleFence of(ZoneRegistry book, DroneId drone, Instant now) {
         // Nobody's name is empty: zones for one user stay out.
         List<Zone> binding = book.binding("", drone, now, now);
         return new VehicleFence(

@@ -17,7 +17,7 @@ public record Zone(
         String name,
         FenceZone shape,
         AltitudeBand band,
-        Binding binding,
+        ZoneBinding binding,
         Validity validity,
         BreachAction onBreach,
         String changedBy,
@@ -29,7 +29,7 @@ public record Zone(
             String name,
             FenceZone shape,
             AltitudeBand band,
-            Binding binding,
+            ZoneBinding binding,
             Validity validity,
             BreachAction onBreach,
             String changedBy,
@@ -38,14 +38,14 @@ public record Zone(
     }
 
     public Zone {
-        ShapeFaults.of(shape).ifPresent(fault -> {
+        ShapeValidator.of(shape).ifPresent(fault -> {
             throw new IllegalArgumentException(fault);
         });
     }
 
     /** Binds whoever flies here, of whatever organisation. */
     public boolean isGlobal() {
-        return organisation.isHome() && binding instanceof Binding.Everybody;
+        return organisation.isHome() && binding instanceof ZoneBinding.Everybody;
     }
 
     /** "the no-fly zone “Airport”". */

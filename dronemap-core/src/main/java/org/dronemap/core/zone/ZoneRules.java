@@ -13,9 +13,9 @@ public final class ZoneRules {
     /** What comes into force while it flies counts already when it is sent off. */
     private static final Duration AHEAD = Duration.ofHours(1);
 
-    private final ZoneBook book;
+    private final ZoneRegistry book;
 
-    public ZoneRules(ZoneBook book) {
+    public ZoneRules(ZoneRegistry book) {
         this.book = book;
     }
 
@@ -24,7 +24,7 @@ public final class ZoneRules {
         List<Zone> zones = book.binding(user, drone.id(), now, now.plus(AHEAD));
         return zones.isEmpty()
                 ? Optional.empty()
-                : Loopholes.whyNot(zones, drone, command).or(() -> whyNot(zones, drone, Routes.of(drone, command)));
+                : DeferredRoutes.whyNot(zones, drone, command).or(() -> whyNot(zones, drone, CommandRoutes.of(drone, command)));
     }
 
     /** The same for bounds that hold whoever commands this, all of them; {@code words} is what they are called. */
@@ -32,10 +32,10 @@ public final class ZoneRules {
         if (bounds.isEmpty()) {
             return Optional.empty();
         }
-        Loopholes later = Loopholes.of(bounds, words, drone, command);
+        DeferredRoutes later = DeferredRoutes.of(bounds, words, drone, command);
         return Optional.ofNullable(later.why())
                 .or(() -> whyNot(
-                        Routes.of(drone, command),
+                        CommandRoutes.of(drone, command),
                         drone,
                         check -> firstOf(bounds, one -> check.whyNot(one, words)),
                         words))
@@ -49,13 +49,13 @@ public final class ZoneRules {
     /** What a return home would cross, for a warning: it is never forbidden. */
     public Optional<String> homewardDoubt(String user, DroneState drone, Instant now) {
         List<Zone> zones = book.binding(user, drone.id(), now, now);
-        return zones.isEmpty() ? Optional.empty() : sentence(zones, drone, Routes.home(drone));
+        return zones.isEmpty() ? Optional.empty() : sentence(zones, drone, CommandRoutes.home(drone));
     }
 
     /** What a landing where it is would touch; nobody else but a rule asks before it lands a drone. */
     public Optional<String> landingDoubt(String user, DroneState drone, Instant now) {
         List<Zone> zones = book.binding(user, drone.id(), now, now);
-        return zones.isEmpty() ? Optional.empty() : sentence(zones, drone, Routes.down(drone));
+        return zones.isEmpty() ? Optional.empty() : sentence(zones, drone, CommandRoutes.down(drone));
     }
 
     private static Optional<String> sentence(List<Zone> zones, DroneState drone, Route route) {
@@ -72,7 +72,7 @@ public final class ZoneRules {
 
     private static Optional<WayObjection> whyNot(
             Route route, DroneState drone, Function<LegCheck, Optional<WayObjection>> judge, String against) {
-        Levels levels = Levels.of(drone);
+        HeightReferences levels = HeightReferences.of(drone);
         Optional<WayObjection> why = firstOf(route.legs(), leg -> judge.apply(new LegCheck(leg, levels)));
         String doubt = route.doubt();
         return why.isPresent() || doubt == null

@@ -16,7 +16,7 @@ import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -25,9 +25,9 @@ class CloudManagerTest {
     private static final Watchdog QUICK =
             new Watchdog(Duration.ofMillis(100), Duration.ofMillis(100), Duration.ofMillis(200));
 
-    private final Lanes lanes = new Lanes(new SystemTime(), 2);
-    private final Journal journal = new Journal(new SystemTime());
-    private final Fixtures.HeapDroneStore store = new Fixtures.HeapDroneStore();
+    private final Lanes lanes = new Lanes(new RealTime(), 2);
+    private final StoreWriter journal = new StoreWriter(new RealTime());
+    private final CloudFixtures.InMemoryDroneStore store = new CloudFixtures.InMemoryDroneStore();
     private final AtomicInteger numbers = new AtomicInteger();
     private final CloudManager cloud = manager();
 
@@ -134,10 +134,10 @@ class CloudManagerTest {
 
     @Test
     void callsARecordingEndedAndNotLostWhenItIsOver() {
-        DroneLink link = Fixtures.bound(cloud.admit(new Claim(
+        DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(
                 new LinkSession(
-                        new DroneKey("replay", 1, 1), "replay", true, "ArduCopter 1", new Fixtures.RecordingChannel()),
-                Fixtures.copter(null),
+                        new DroneKey("replay", 1, 1), "replay", true, "ArduCopter 1", new CloudFixtures.RecordingChannel()),
+                CloudFixtures.copter(null),
                 null,
                 true,
                 0)));
@@ -156,26 +156,26 @@ class CloudManagerTest {
         return new CloudManager(
                 lanes,
                 QUICK,
-                new SystemTime(),
-                new CloudManager.Keeping(
+                new RealTime(),
+                new CloudManager.Persistence(
                         store,
-                        new Fixtures.HeapCommandStore(),
-                        new Fixtures.HeapLeaseStore(),
-                        new Fixtures.HeapOwnersStore(),
+                        new CloudFixtures.InMemoryCommandStore(),
+                        new CloudFixtures.InMemoryLeaseStore(),
+                        new CloudFixtures.InMemoryParameterOverrideStore(),
                         journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 
     private DroneLink connect(int port, @Nullable String uid) {
         LinkSession session = new LinkSession(
-                new DroneKey("127.0.0.1", port, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
-        DroneLink link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(uid), null, true, 0)));
+                new DroneKey("127.0.0.1", port, 1), "udp", false, "ArduCopter 1", new CloudFixtures.RecordingChannel());
+        DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(uid), null, true, 0)));
         onLane(link, () -> {});
         return link;
     }
 
     private static void hear(DroneLink link) {
-        onLane(link, () -> link.accept(new DroneEvent.ModeHeard("GUIDED", false)));
+        onLane(link, () -> link.accept(new DroneEvent.ModeReported("GUIDED", false)));
     }
 
     private static void keepAlive(DroneLink link) {

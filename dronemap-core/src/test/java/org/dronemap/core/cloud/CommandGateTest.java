@@ -3,7 +3,7 @@ package org.dronemap.core.cloud;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
-import static org.dronemap.core.cloud.Fixtures.refused;
+import static org.dronemap.core.cloud.CloudFixtures.refused;
 
 import java.time.Duration;
 import java.util.List;
@@ -23,20 +23,20 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.command.Setpoint;
-import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
-import org.dronemap.core.drone.OnBoard;
+import org.dronemap.core.drone.OnboardStorage;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,20 +48,20 @@ class CommandGateTest {
     private static final CommandGate.Source VIEWER = new CommandGate.Source(new Principal("vic", Role.VIEWER), "rest");
     private static final Command UPLOAD = new Command.UploadMission(new Mission(List.of(new MissionItem.Land())));
 
-    private final Lanes lanes = new Lanes(new SystemTime(), 2);
-    private final Journal journal = new Journal(new SystemTime());
-    private final Fixtures.HeapCommandStore store = new Fixtures.HeapCommandStore();
-    private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
+    private final Lanes lanes = new Lanes(new RealTime(), 2);
+    private final StoreWriter journal = new StoreWriter(new RealTime());
+    private final CloudFixtures.InMemoryCommandStore store = new CloudFixtures.InMemoryCommandStore();
+    private final CloudFixtures.RecordingChannel vehicle = new CloudFixtures.RecordingChannel();
     private final AtomicInteger numbers = new AtomicInteger();
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            new SystemTime(),
-            new CloudManager.Keeping(
-                    new Fixtures.HeapDroneStore(),
+            new RealTime(),
+            new CloudManager.Persistence(
+                    new CloudFixtures.InMemoryDroneStore(),
                     store,
-                    new Fixtures.HeapLeaseStore(),
-                    new Fixtures.HeapOwnersStore(),
+                    new CloudFixtures.InMemoryLeaseStore(),
+                    new CloudFixtures.InMemoryParameterOverrideStore(),
                     journal),
             () -> new DroneId("drone-" + numbers.incrementAndGet()));
     private final CommandGate gate = cloud.gate();
@@ -69,9 +69,9 @@ class CommandGateTest {
 
     @BeforeEach
     void connect() {
-        link = Fixtures.bound(cloud.admit(new Claim(session(false), Fixtures.copter(null), null, true, 0)));
-        hear(new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
-        hear(new DroneEvent.ModeHeard("GUIDED", false));
+        link = CloudFixtures.bound(cloud.admit(new Claim(session(false), CloudFixtures.copter(null), null, true, 0)));
+        hear(new DroneEvent.Identified(CloudFixtures.copter(null), CloudFixtures.ALL));
+        hear(new DroneEvent.ModeReported("GUIDED", false));
     }
 
     @AfterEach
@@ -147,11 +147,11 @@ class CommandGateTest {
 
     @Test
     void remembersTheParametersAndLogsOfADrone() {
-        assertThat(cloud.onBoard(link.id())).isEqualTo(OnBoard.UNKNOWN);
+        assertThat(cloud.onBoard(link.id())).isEqualTo(OnboardStorage.UNKNOWN);
         Parameter height = new Parameter("RTL_ALT", ParameterType.INT16, 1500);
 
         hear(new DroneEvent.ParametersRead(List.of(height)));
-        hear(new DroneEvent.ParameterHeard(height.withValue(2000)));
+        hear(new DroneEvent.ParameterReported(height.withValue(2000)));
         hear(new DroneEvent.LogsRead(List.of(new VehicleLog(1, null, 90))));
 
         await().until(() -> cloud.onBoard(link.id()).logs() != null);
@@ -161,7 +161,7 @@ class CommandGateTest {
 
     @Test
     void refusesWhatTheVehicleCannotDo() {
-        hear(new DroneEvent.Identified(Fixtures.copter(null), Capabilities.NONE));
+        hear(new DroneEvent.Identified(CloudFixtures.copter(null), Capabilities.NONE));
 
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("cannot-01"), new Command.Arm());
 
@@ -180,8 +180,8 @@ class CommandGateTest {
 
     @Test
     void doesNotSayThatAVehicleCannotWhatItWasNotAskedYet() {
-        link = Fixtures.bound(cloud.admit(new Claim(session(false, 5002), Fixtures.copter(null), null, true, 0)));
-        hear(new DroneEvent.ModeHeard("GUIDED", false));
+        link = CloudFixtures.bound(cloud.admit(new Claim(session(false, 5002), CloudFixtures.copter(null), null, true, 0)));
+        hear(new DroneEvent.ModeReported("GUIDED", false));
 
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("early-001"), new Command.Arm());
 
@@ -194,8 +194,8 @@ class CommandGateTest {
     @Test
     void neverCommandsARecording() {
         DroneLink recording =
-                Fixtures.bound(cloud.admit(new Claim(session(true), Fixtures.copter(null), null, true, 0)));
-        on(recording, new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
+                CloudFixtures.bound(cloud.admit(new Claim(session(true), CloudFixtures.copter(null), null, true, 0)));
+        on(recording, new DroneEvent.Identified(CloudFixtures.copter(null), CloudFixtures.ALL));
 
         CommandRecord refused = gate.submit(OPERATOR, recording.id(), id("replay-01"), new Command.Arm());
 
@@ -206,8 +206,8 @@ class CommandGateTest {
 
     @Test
     void letsANewerFlightCommandReplaceTheOlder() {
-        hear(new DroneEvent.ModeHeard("GUIDED", true));
-        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        hear(new DroneEvent.ModeReported("GUIDED", true));
+        hear(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
         CommandRecord mode = gate.submit(OPERATOR, link.id(), id("older-001"), new Command.SetMode("LOITER"));
         report(mode);
         CommandRecord land = gate.submit(OPERATOR, link.id(), id("newer-001"), new Command.Land());
@@ -268,8 +268,8 @@ class CommandGateTest {
 
     @Test
     void letsAHomeBeSetInTheMiddleOfAFlightCommand() {
-        hear(new DroneEvent.ModeHeard("GUIDED", true));
-        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        hear(new DroneEvent.ModeReported("GUIDED", true));
+        hear(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
         report(gate.submit(OPERATOR, link.id(), id("flight-01"), new Command.Land()));
 
         report(gate.submit(OPERATOR, link.id(), id("home-0001"), new Command.SetHome(null, null)));
@@ -289,7 +289,7 @@ class CommandGateTest {
 
     @Test
     void bringsADroneHomeEvenWhenNothingCanBeWritten() {
-        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.ModeReported("GUIDED", true));
         store.broken = true;
 
         CommandRecord home = gate.submit(OPERATOR, link.id(), id("nodisk-02"), new Command.ReturnToLaunch());
@@ -302,7 +302,7 @@ class CommandGateTest {
 
     @Test
     void bringsADroneHomeThoughTheStoreDoesNotAnswer() {
-        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.ModeReported("GUIDED", true));
         store.answers = new CountDownLatch(1);
 
         CompletableFuture<CommandRecord> given = CompletableFuture.supplyAsync(
@@ -322,10 +322,10 @@ class CommandGateTest {
     @Test
     void aRuleHoldsADroneThoughTheStoreDoesNotAnswer() {
         hear(new DroneEvent.Identified(
-                Fixtures.copter(null),
+                CloudFixtures.copter(null),
                 new Capabilities(Set.of(Capability.values()), List.of("LOITER"), Map.of("LOITER", Steering.STICKS))));
-        hear(new DroneEvent.ModeHeard("LOITER", true));
-        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        hear(new DroneEvent.ModeReported("LOITER", true));
+        hear(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
         assertThat(cloud.setpoints().steer(OPERATOR, link.id(), new Setpoint.Sticks(0.5, 0, 0, 0)))
                 .isEmpty();
         store.answers = new CountDownLatch(1);
@@ -343,7 +343,7 @@ class CommandGateTest {
 
     @Test
     void bringsNoDroneHomeTwiceForTheSameId() {
-        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.ModeReported("GUIDED", true));
         CommandRecord home = gate.submit(OPERATOR, link.id(), id("home-0002"), new Command.ReturnToLaunch());
         CompletableFuture<CommandRecord> end = gate.end(home.id());
         report(home).ended(new Outcome.Succeeded());
@@ -390,7 +390,7 @@ class CommandGateTest {
     }
 
     private void assertNothingSent() {
-        on(link, new DroneEvent.ModeHeard("GUIDED", false));
+        on(link, new DroneEvent.ModeReported("GUIDED", false));
         assertThat(vehicle.performed).isEmpty();
     }
 

@@ -27,7 +27,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.Test;
 
 /** Many threads want one drone, and take it from each other while commands are on their way. */
@@ -35,20 +35,20 @@ class ControlRaceTest {
     private static final int RACERS = 8;
     private static final int ROUNDS = 600;
 
-    private final Lanes lanes = new Lanes(new SystemTime(), 2);
-    private final Journal journal = new Journal(new SystemTime());
+    private final Lanes lanes = new Lanes(new RealTime(), 2);
+    private final StoreWriter journal = new StoreWriter(new RealTime());
     private final AtomicInteger numbers = new AtomicInteger();
-    private final Fixtures.HeapCommandStore store = new Fixtures.HeapCommandStore();
+    private final CloudFixtures.InMemoryCommandStore store = new CloudFixtures.InMemoryCommandStore();
     private final Stubborn vehicle = new Stubborn();
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            new SystemTime(),
-            new CloudManager.Keeping(
-                    new Fixtures.HeapDroneStore(),
+            new RealTime(),
+            new CloudManager.Persistence(
+                    new CloudFixtures.InMemoryDroneStore(),
                     store,
-                    new Fixtures.HeapLeaseStore(),
-                    new Fixtures.HeapOwnersStore(),
+                    new CloudFixtures.InMemoryLeaseStore(),
+                    new CloudFixtures.InMemoryParameterOverrideStore(),
                     journal),
             () -> new DroneId("drone-1"));
 
@@ -110,12 +110,12 @@ class ControlRaceTest {
     private DroneLink connect() {
         LinkSession session =
                 new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
-        DroneLink link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+        DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
         CompletableFuture<Void> done = new CompletableFuture<>();
         link.lane().execute(() -> {
-            link.accept(new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
-            link.accept(new DroneEvent.ModeHeard("GUIDED", true));
-            link.accept(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+            link.accept(new DroneEvent.Identified(CloudFixtures.copter(null), CloudFixtures.ALL));
+            link.accept(new DroneEvent.ModeReported("GUIDED", true));
+            link.accept(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
             link.lane().addTicker(() -> {
                 vehicle.tick();
                 link.heard();
@@ -136,12 +136,12 @@ class ControlRaceTest {
         private final List<Runnable> repeated = new ArrayList<>();
 
         @Override
-        public void steer(Mandate mandate, Setpoint setpoint) {
+        public void steer(SendAuthority mandate, Setpoint setpoint) {
             throw new AssertionError("nobody steers here");
         }
 
         @Override
-        public void perform(Mandate mandate, Command command, Report report) {
+        public void perform(SendAuthority mandate, Command command, Report report) {
             CommandRecord record = store.records.get(mandate.command());
             Sent sent = new Sent(record.by(), record.epoch() == null ? -1 : record.epoch());
             Runnable send = () -> mandate.fence().pass(() -> {

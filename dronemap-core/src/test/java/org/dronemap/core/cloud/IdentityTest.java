@@ -24,8 +24,8 @@ class IdentityTest {
 
     private final SteppedTime time = new SteppedTime(BEGAN);
     private final Lanes lanes = new Lanes(time, 2);
-    private final Journal journal = new Journal(time);
-    private final Fixtures.HeapDroneStore store = new Fixtures.HeapDroneStore();
+    private final StoreWriter journal = new StoreWriter(time);
+    private final CloudFixtures.InMemoryDroneStore store = new CloudFixtures.InMemoryDroneStore();
     private final AtomicInteger numbers = new AtomicInteger();
     private final CloudManager cloud = manager();
 
@@ -40,19 +40,19 @@ class IdentityTest {
                 lanes,
                 new Watchdog(Duration.ofMinutes(1), Duration.ofMinutes(1), Duration.ofMinutes(2)),
                 time,
-                new CloudManager.Keeping(
+                new CloudManager.Persistence(
                         store,
-                        new Fixtures.HeapCommandStore(),
-                        new Fixtures.HeapLeaseStore(),
-                        new Fixtures.HeapOwnersStore(),
+                        new CloudFixtures.InMemoryCommandStore(),
+                        new CloudFixtures.InMemoryLeaseStore(),
+                        new CloudFixtures.InMemoryParameterOverrideStore(),
                         journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 
     private static Claim claim(int port, @Nullable String uid, @Nullable Proof proof, boolean trusted) {
         LinkSession session = new LinkSession(
-                new DroneKey("192.0.2.7", port, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
-        return new Claim(session, Fixtures.copter(uid), proof, trusted, LONG_NANOS);
+                new DroneKey("192.0.2.7", port, 1), "udp", false, "ArduCopter 1", new CloudFixtures.RecordingChannel());
+        return new Claim(session, CloudFixtures.copter(uid), proof, trusted, LONG_NANOS);
     }
 
     /** Heard for so short a time that the drone may just have moved there. */
@@ -62,7 +62,7 @@ class IdentityTest {
     }
 
     private DroneLink letIn(int port, @Nullable String uid, @Nullable Proof proof) {
-        DroneLink link = Fixtures.bound(cloud.admit(claim(port, uid, proof, true)));
+        DroneLink link = CloudFixtures.bound(cloud.admit(claim(port, uid, proof, true)));
         onLane(link, () -> {});
         return link;
     }
@@ -73,7 +73,7 @@ class IdentityTest {
     }
 
     private void until(BooleanSupplier holds) {
-        Steps.until(time, holds);
+        SteppedUntil.until(time, holds);
     }
 
     private void keepAlive(DroneLink link) {
@@ -89,8 +89,8 @@ class IdentityTest {
         DroneLink before = letIn(5001, "aa01", null);
 
         long began = time.nanos();
-        assertThat(cloud.admit(newcomer())).isInstanceOf(Admission.Outside.class);
-        until(() -> cloud.admit(newcomer()) instanceof Admission.Bound bound
+        assertThat(cloud.admit(newcomer())).isInstanceOf(ClaimResult.NotAdmitted.class);
+        until(() -> cloud.admit(newcomer()) instanceof ClaimResult.Bound bound
                 && bound.link().id().equals(before.id()));
 
         assertThat(time.nanos() - began).isGreaterThan(1_200_000_000L);
@@ -101,8 +101,8 @@ class IdentityTest {
     void quarantinesWhoClaimsTheHardwareOfALiveDroneAndSaysSoOnce() {
         DroneLink real = letIn(5001, "aa01", null);
         keepAlive(real);
-        until(() -> cloud.admit(claim(6001, "aa01", null, true)) instanceof Admission.Outside
-                && cloud.waiting().stream().anyMatch(Waiting::isQuarantined));
+        until(() -> cloud.admit(claim(6001, "aa01", null, true)) instanceof ClaimResult.NotAdmitted
+                && cloud.waiting().stream().anyMatch(WaitingVehicle::isQuarantined));
         cloud.admit(claim(6001, "aa01", null, true));
         onLane(real, () -> {});
 
@@ -123,14 +123,14 @@ class IdentityTest {
         DroneLink real = letIn(5001, "aa01", null);
         onLane(real, () -> {});
         cloud.admit(claim(6001, "aa01", null, true));
-        assertThat(cloud.waiting()).singleElement().matches(Waiting::isQuarantined);
+        assertThat(cloud.waiting()).singleElement().matches(WaitingVehicle::isQuarantined);
 
         time.advance(Duration.ofMillis(1_700));
 
-        assertThat(cloud.admit(claim(6001, "aa01", null, true))).isInstanceOf(Admission.Outside.class);
+        assertThat(cloud.admit(claim(6001, "aa01", null, true))).isInstanceOf(ClaimResult.NotAdmitted.class);
         assertThat(cloud.admit(claim(7001, "aa01", null, true)))
                 .isInstanceOfSatisfying(
-                        Admission.Bound.class,
+                        ClaimResult.Bound.class,
                         bound -> assertThat(bound.link().id()).isEqualTo(real.id()));
     }
 
@@ -144,9 +144,9 @@ class IdentityTest {
         assertThat(second.id()).isEqualTo(first.id());
         assertThat(state(first).standing().strongest()).isEqualTo(Evidence.LINK);
         for (int port : new int[] {5001, 8001}) {
-            assertThat(cloud.admit(claim(port, "aa01", null, true))).isInstanceOf(Admission.Outside.class);
+            assertThat(cloud.admit(claim(port, "aa01", null, true))).isInstanceOf(ClaimResult.NotAdmitted.class);
         }
-        assertThat(cloud.waiting()).hasSize(2).allMatch(Waiting::isQuarantined);
+        assertThat(cloud.waiting()).hasSize(2).allMatch(WaitingVehicle::isQuarantined);
     }
 
     @Test
@@ -165,7 +165,7 @@ class IdentityTest {
         keepAlive(link);
 
         for (int port : new int[] {5001, 8001}) {
-            assertThat(cloud.admit(claim(port, "aa01", null, true))).isInstanceOf(Admission.Outside.class);
+            assertThat(cloud.admit(claim(port, "aa01", null, true))).isInstanceOf(ClaimResult.NotAdmitted.class);
         }
         assertThat(cloud.waiting())
                 .hasSize(2)
@@ -177,10 +177,10 @@ class IdentityTest {
         DroneLink first = letIn(5001, null, new Proof.OfLink("key 7"));
         keepAlive(first);
         LinkSession twin = new LinkSession(
-                new DroneKey("192.0.2.7", 6001, 2), "dtls", false, "ArduCopter 2", new Fixtures.RecordingChannel());
+                new DroneKey("192.0.2.7", 6001, 2), "dtls", false, "ArduCopter 2", new CloudFixtures.RecordingChannel());
 
-        assertThat(cloud.admit(new Claim(twin, Fixtures.copter(null), new Proof.OfLink("key 7"), true, LONG_NANOS)))
-                .isInstanceOf(Admission.Outside.class);
+        assertThat(cloud.admit(new Claim(twin, CloudFixtures.copter(null), new Proof.OfLink("key 7"), true, LONG_NANOS)))
+                .isInstanceOf(ClaimResult.NotAdmitted.class);
 
         assertThat(cloud.waiting())
                 .singleElement()
@@ -218,25 +218,25 @@ class IdentityTest {
 
         CloudManager restarted = manager();
 
-        assertThat(restarted.admit(claim(5001, "aa01", null, true))).isInstanceOf(Admission.Outside.class);
+        assertThat(restarted.admit(claim(5001, "aa01", null, true))).isInstanceOf(ClaimResult.NotAdmitted.class);
         assertThat(restarted.admit(claim(9001, null, new Proof.OfLink("key 7"), false)))
                 .isInstanceOfSatisfying(
-                        Admission.Bound.class,
+                        ClaimResult.Bound.class,
                         bound -> assertThat(bound.link().id()).isEqualTo(link.id()));
     }
 
     @Test
     void letsAStrangerWaitUntilSomebodyLetsItIn() {
-        assertThat(cloud.admit(claim(5001, "aa01", null, false))).isInstanceOf(Admission.Outside.class);
+        assertThat(cloud.admit(claim(5001, "aa01", null, false))).isInstanceOf(ClaimResult.NotAdmitted.class);
         assertThat(cloud.drones()).isEmpty();
-        Waiting waiting = cloud.waiting().get(0);
+        WaitingVehicle waiting = cloud.waiting().get(0);
         assertThat(waiting.isQuarantined()).isFalse();
 
         DroneState enrolled = cloud.letIn(waiting.id(), "Rescue 7").orElseThrow();
 
         assertThat(cloud.waiting()).isEmpty();
         assertThat(enrolled.name()).isEqualTo("Rescue 7");
-        assertThat(Fixtures.bound(cloud.admit(claim(5001, "aa01", null, false))).id())
+        assertThat(CloudFixtures.bound(cloud.admit(claim(5001, "aa01", null, false))).id())
                 .isEqualTo(enrolled.id());
         assertThat(cloud.letIn(waiting.id(), "again")).isEmpty();
     }
@@ -244,21 +244,21 @@ class IdentityTest {
     @Test
     void letsAStrangerWithALinkKeyInByItself() {
         assertThat(cloud.admit(claim(5001, null, new Proof.OfLink("key 8"), false)))
-                .isInstanceOf(Admission.Bound.class);
+                .isInstanceOf(ClaimResult.Bound.class);
     }
 
     @Test
     void keepsWhoWasLetInFromQuarantineADroneOfItsOwn() {
         DroneLink real = letIn(5001, "aa01", null);
         keepAlive(real);
-        until(() -> cloud.admit(claim(6001, "aa01", null, true)) instanceof Admission.Outside
-                && cloud.waiting().stream().anyMatch(Waiting::isQuarantined));
+        until(() -> cloud.admit(claim(6001, "aa01", null, true)) instanceof ClaimResult.NotAdmitted
+                && cloud.waiting().stream().anyMatch(WaitingVehicle::isQuarantined));
 
         DroneState twin = cloud.letIn(cloud.waiting().get(0).id(), null).orElseThrow();
 
         DroneLink link = letIn(6001, "aa01", null);
         assertThat(link.id()).isEqualTo(twin.id()).isNotEqualTo(real.id());
-        onLane(link, () -> link.accept(new DroneEvent.Identified(Fixtures.copter("aa01"), Fixtures.ALL)));
+        onLane(link, () -> link.accept(new DroneEvent.Identified(CloudFixtures.copter("aa01"), CloudFixtures.ALL)));
         assertThat(letIn(5001, "aa01", null).id()).isEqualTo(real.id());
     }
 
@@ -285,7 +285,7 @@ class IdentityTest {
         until(() -> !store.drones().isEmpty());
         CloudManager restarted = manager();
 
-        Fixtures.bound(restarted.admit(claim(5001, null, null, true))).withdraw();
+        CloudFixtures.bound(restarted.admit(claim(5001, null, null, true))).withdraw();
 
         assertThat(restarted.drones()).hasSize(1);
     }
@@ -295,9 +295,9 @@ class IdentityTest {
         Proof.OfLink key = new Proof.OfLink("v1");
 
         // No lane gets to its work in between.
-        DroneLink one = Fixtures.bound(cloud.admit(claim(8001, "aa01", key, true)));
-        DroneLink other = Fixtures.bound(cloud.admit(claim(8002, "aa01", key, true)));
-        DroneLink bare = Fixtures.bound(cloud.admit(claim(8003, null, key, true)));
+        DroneLink one = CloudFixtures.bound(cloud.admit(claim(8001, "aa01", key, true)));
+        DroneLink other = CloudFixtures.bound(cloud.admit(claim(8002, "aa01", key, true)));
+        DroneLink bare = CloudFixtures.bound(cloud.admit(claim(8003, null, key, true)));
 
         assertThat(other.id()).isEqualTo(one.id());
         assertThat(bare.id()).as("by the key alone").isEqualTo(one.id());
@@ -310,11 +310,11 @@ class IdentityTest {
         DroneId issuedFor = new DroneId("drobot0001");
         Proof.OfLink key = new Proof.OfLink("drobot0001", issuedFor);
 
-        DroneLink robot = Fixtures.bound(cloud.admit(claim(5001, null, key, false)));
+        DroneLink robot = CloudFixtures.bound(cloud.admit(claim(5001, null, key, false)));
 
         assertThat(robot.id()).isEqualTo(issuedFor).isNotEqualTo(before.id());
         assertThat(state(before).standing().strongest()).isEqualTo(Evidence.ADDRESS);
-        assertThat(Fixtures.bound(cloud.admit(claim(6001, null, key, false))).id())
+        assertThat(CloudFixtures.bound(cloud.admit(claim(6001, null, key, false))).id())
                 .isEqualTo(issuedFor);
     }
 }

@@ -12,12 +12,12 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class LaneTest {
-    private final Lane lane = new Lane(new SystemTime(), "lane-test", 8);
+    private final Lane lane = new Lane(new RealTime(), "lane-test", 8);
     private final CountDownLatch release = new CountDownLatch(1);
 
     @AfterEach

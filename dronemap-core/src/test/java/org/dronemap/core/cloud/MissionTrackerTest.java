@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.MissionPhase;
-import org.dronemap.core.event.DroneEvent.MissionCurrentHeard;
+import org.dronemap.core.event.DroneEvent.MissionCurrentReported;
 import org.dronemap.core.event.DroneEvent.MissionItemReached;
 import org.dronemap.core.event.DroneEvent.MissionRead;
 import org.dronemap.core.mission.MissionItem;
@@ -27,7 +27,7 @@ class MissionTrackerTest {
         MissionTracker tracker = new MissionTracker(null, kept::add);
 
         tracker.apply(new MissionRead(THREE, true));
-        tracker.apply(new MissionCurrentHeard(1, null));
+        tracker.apply(new MissionCurrentReported(1, null));
 
         assertThat(kept).containsExactly(new KnownMission(THREE, null), new KnownMission(THREE, 1));
         assertThat(tracker.progress().notice()).isNull();
@@ -39,7 +39,7 @@ class MissionTrackerTest {
 
         tracker.apply(new MissionRead(THREE, false));
 
-        assertThat(tracker.apply(new MissionCurrentHeard(3, null)))
+        assertThat(tracker.apply(new MissionCurrentReported(3, null)))
                 .contains("While the cloud was away the vehicle flew on from item 2 to item 4 of its mission.");
         assertThat(tracker.progress().reached()).containsExactly(0, 1, 2);
     }
@@ -48,7 +48,7 @@ class MissionTrackerTest {
     void saysSoAlsoWhenTheItemIsHeardBeforeTheMission() {
         MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
 
-        tracker.apply(new MissionCurrentHeard(3, null));
+        tracker.apply(new MissionCurrentReported(3, null));
 
         assertThat(tracker.apply(new MissionRead(THREE, false)))
                 .hasValueSatisfying(sentence -> assertThat(sentence).contains("flew on"));
@@ -164,8 +164,8 @@ class MissionTrackerTest {
         tracker.apply(new MissionItemReached(1));
         assertThat(tracker.progress().reached()).containsExactly(0, 1);
 
-        tracker.apply(new MissionCurrentHeard(2, null));
-        tracker.apply(new MissionCurrentHeard(0, null));
+        tracker.apply(new MissionCurrentReported(2, null));
+        tracker.apply(new MissionCurrentReported(0, null));
 
         assertThat(tracker.progress().reached()).isEmpty();
     }
@@ -177,9 +177,9 @@ class MissionTrackerTest {
         tracker.apply(new MissionItemReached(0));
         tracker.apply(new MissionItemReached(1));
         tracker.apply(new MissionItemReached(2));
-        tracker.apply(new MissionCurrentHeard(3, null));
+        tracker.apply(new MissionCurrentReported(3, null));
 
-        tracker.apply(new MissionCurrentHeard(1, null));
+        tracker.apply(new MissionCurrentReported(1, null));
 
         assertThat(tracker.progress().reached()).containsExactly(0);
     }
@@ -199,7 +199,7 @@ class MissionTrackerTest {
     void staysReachedWhenTheVehicleGoesToItsFirstItemAtTheEnd() {
         MissionTracker tracker = flown();
 
-        tracker.apply(new MissionCurrentHeard(0, MissionPhase.COMPLETE));
+        tracker.apply(new MissionCurrentReported(0, MissionPhase.COMPLETE));
 
         assertThat(tracker.progress().reached()).containsExactly(0, 1, 2, 3);
         assertThat(tracker.progress().phase()).isEqualTo(MissionPhase.COMPLETE);
@@ -209,9 +209,9 @@ class MissionTrackerTest {
     void countsTheLastItemAsReachedAtTheEndAlsoWhenThatMessageWasLost() {
         MissionTracker tracker = new MissionTracker(null, kept::add);
         tracker.apply(new MissionRead(THREE, true));
-        tracker.apply(new MissionCurrentHeard(3, MissionPhase.RUNNING));
+        tracker.apply(new MissionCurrentReported(3, MissionPhase.RUNNING));
 
-        tracker.apply(new MissionCurrentHeard(3, MissionPhase.COMPLETE));
+        tracker.apply(new MissionCurrentReported(3, MissionPhase.COMPLETE));
 
         assertThat(tracker.progress().reached()).containsExactly(3);
     }
@@ -219,9 +219,9 @@ class MissionTrackerTest {
     @Test
     void beginsAnewWhenAFinishedMissionIsFlownAgain() {
         MissionTracker tracker = flown();
-        tracker.apply(new MissionCurrentHeard(0, MissionPhase.COMPLETE));
+        tracker.apply(new MissionCurrentReported(0, MissionPhase.COMPLETE));
 
-        tracker.apply(new MissionCurrentHeard(0, MissionPhase.RUNNING));
+        tracker.apply(new MissionCurrentReported(0, MissionPhase.RUNNING));
         tracker.apply(new MissionItemReached(3));
 
         assertThat(tracker.progress().reached())
@@ -234,7 +234,7 @@ class MissionTrackerTest {
         MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
         tracker.apply(new MissionRead(THREE, false));
 
-        assertThat(tracker.apply(new MissionCurrentHeard(0, MissionPhase.COMPLETE)))
+        assertThat(tracker.apply(new MissionCurrentReported(0, MissionPhase.COMPLETE)))
                 .contains("While the cloud was away the vehicle flew its mission to the end.");
         assertThat(tracker.progress().reached()).containsExactly(0, 1, 2, 3);
     }
@@ -243,7 +243,7 @@ class MissionTrackerTest {
         MissionTracker tracker = new MissionTracker(null, kept::add);
         tracker.apply(new MissionRead(THREE, true));
         for (int index = 0; index < THREE.size(); index++) {
-            tracker.apply(new MissionCurrentHeard(index, MissionPhase.RUNNING));
+            tracker.apply(new MissionCurrentReported(index, MissionPhase.RUNNING));
             tracker.apply(new MissionItemReached(index));
         }
         return tracker;

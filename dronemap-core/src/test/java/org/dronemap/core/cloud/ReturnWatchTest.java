@@ -10,8 +10,8 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.Battery;
-import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Gps;
@@ -26,15 +26,15 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBinding;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** Each way by which a drone comes down that nobody takes. */
-class ReturnWatchTest extends GuidedFlight {
+class ReturnWatchTest extends GuidedFlightTestBase {
     private static final Command RETURN = new Command.ReturnToLaunch();
     private static final Command LAND = new Command.Land();
     private static final Outcome REFUSED = new Outcome.Refused("vehicle", "no", OutcomeCode.VEHICLE_REFUSED);
@@ -55,8 +55,8 @@ class ReturnWatchTest extends GuidedFlight {
 
     @BeforeEach
     void isFarFromHome() {
-        hear(new DroneEvent.Identified(Fixtures.copter(null), CAN));
-        hear(new DroneEvent.HomeHeard(new Home(FAR, 600)));
+        hear(new DroneEvent.Identified(CloudFixtures.copter(null), CAN));
+        hear(new DroneEvent.HomeReported(new Home(FAR, 600)));
         isCommandedBy(ANN);
     }
 
@@ -65,11 +65,11 @@ class ReturnWatchTest extends GuidedFlight {
     }
 
     private void isAt(Geodetic point, double meters) {
-        hear(new DroneEvent.PositionHeard(new Position(point, null, meters)));
+        hear(new DroneEvent.PositionReported(new Position(point, null, meters)));
     }
 
     private void has(int percent) {
-        hear(new DroneEvent.BatteryHeard(new Battery(percent, null, null)));
+        hear(new DroneEvent.BatteryReported(new Battery(percent, null, null)));
     }
 
     private void isToldTo(Command... commands) {
@@ -84,7 +84,7 @@ class ReturnWatchTest extends GuidedFlight {
     }
 
     private void standsStillFor(Duration how) {
-        Steps.throughout(time, how, () -> true);
+        SteppedUntil.throughout(time, how, () -> true);
     }
 
     private List<String> alarms() {
@@ -105,7 +105,7 @@ class ReturnWatchTest extends GuidedFlight {
                 "Crowd",
                 new FenceZone.Circle(false, place, meters),
                 AltitudeBand.ALL,
-                Binding.EVERYBODY,
+                ZoneBinding.EVERYBODY,
                 Validity.ALWAYS,
                 BreachAction.HOLD,
                 "ann",
@@ -116,7 +116,7 @@ class ReturnWatchTest extends GuidedFlight {
     void returnsAndIsWatchedUntilItIsDown() {
         isLeft();
         isToldTo(RETURN);
-        hear(new DroneEvent.ModeHeard("RTL", true));
+        hear(new DroneEvent.ModeReported("RTL", true));
         answers(new Outcome.Succeeded());
         for (int step = 0; step <= 30; step++) {
             isAt(new Geodetic(HERE.latitudeDegrees() + step * 0.01 / 30, HERE.longitudeDegrees()), 20);
@@ -134,7 +134,7 @@ class ReturnWatchTest extends GuidedFlight {
     void landsWhenItHangsAboveItsHome() {
         isLeft();
         isToldTo(RETURN);
-        hear(new DroneEvent.ModeHeard("RTL", true));
+        hear(new DroneEvent.ModeReported("RTL", true));
         answers(new Outcome.Succeeded());
         isAt(FAR, 20);
 
@@ -155,7 +155,7 @@ class ReturnWatchTest extends GuidedFlight {
 
     @Test
     void landsWhenItDoesNotKnowWhereItIs() {
-        hear(new DroneEvent.GpsHeard(new Gps(GpsFix.NONE, 0, null)));
+        hear(new DroneEvent.GpsReported(new Gps(GpsFix.NONE, 0, null)));
         isLeft();
 
         isToldTo(LAND);
@@ -257,7 +257,7 @@ class ReturnWatchTest extends GuidedFlight {
     @Test
     void callsForHelpAllTheSameWhereItsBatteryTellsNothing() {
         hear(new DroneEvent.Identified(
-                Fixtures.copter(null), new Capabilities(Set.of(Capability.ARM), List.of("GUIDED"), Map.of())));
+                CloudFixtures.copter(null), new Capabilities(Set.of(Capability.ARM), List.of("GUIDED"), Map.of())));
         isLeft();
 
         until(() -> alarms().contains(
@@ -290,7 +290,7 @@ class ReturnWatchTest extends GuidedFlight {
         apply(new LeaseEvent.Take("bob"));
         answers(REFUSED);
 
-        Steps.throughout(time, Duration.ofSeconds(5), () -> {
+        SteppedUntil.throughout(time, Duration.ofSeconds(5), () -> {
             apply(new LeaseEvent.Heartbeat("bob", control().epoch()));
             return vehicle.performed.size() == 1;
         });
@@ -300,9 +300,9 @@ class ReturnWatchTest extends GuidedFlight {
     void isLeftToAPilotAndToAnotherStation() {
         isLeft();
         awaitTick();
-        hear(new DroneEvent.ModeHeard("AUTO", true));
+        hear(new DroneEvent.ModeReported("AUTO", true));
 
-        Steps.throughout(time, Duration.ofSeconds(60), vehicle.performed::isEmpty);
+        SteppedUntil.throughout(time, Duration.ofSeconds(60), vehicle.performed::isEmpty);
         assertThat(control().lapse()).isNull();
     }
 }

@@ -6,33 +6,33 @@ import java.util.EnumSet;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.dronemap.core.access.EffectivePermissions;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class RoleRulesTest {
-    private final Lanes lanes = new Lanes(new SystemTime(), 1);
-    private final Journal journal = new Journal(new SystemTime());
+    private final Lanes lanes = new Lanes(new RealTime(), 1);
+    private final StoreWriter journal = new StoreWriter(new RealTime());
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            new SystemTime(),
-            new CloudManager.Keeping(
-                    new Fixtures.HeapDroneStore(),
-                    new Fixtures.HeapCommandStore(),
-                    new Fixtures.HeapLeaseStore(),
-                    new Fixtures.HeapOwnersStore(),
+            new RealTime(),
+            new CloudManager.Persistence(
+                    new CloudFixtures.InMemoryDroneStore(),
+                    new CloudFixtures.InMemoryCommandStore(),
+                    new CloudFixtures.InMemoryLeaseStore(),
+                    new CloudFixtures.InMemoryParameterOverrideStore(),
                     journal),
             () -> new DroneId("drone"));
 
@@ -86,7 +86,7 @@ class RoleRulesTest {
     }
 
     private static Principal byKey(@Nullable Set<DroneId> drones, Permission... permissions) {
-        return new Principal("ann", Role.OPERATOR, new KeyScope(drones, Set.of(permissions)), "key", Reach.EVERYWHERE);
+        return new Principal("ann", Role.OPERATOR, new KeyScope(drones, Set.of(permissions)), "key", EffectivePermissions.EVERYWHERE);
     }
 
     private Set<Capability> allowed(Role role, @Nullable Boolean armed) {
@@ -96,12 +96,12 @@ class RoleRulesTest {
     /** What that one may ask of a drone that said whether it is armed, or, by null, has not. */
     private Set<Capability> allowed(Principal principal, @Nullable Boolean armed) {
         LinkSession session = new LinkSession(
-                new DroneKey("127.0.0.1", 14_601, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
-        DroneLink link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+                new DroneKey("127.0.0.1", 14_601, 1), "udp", false, "ArduCopter 1", new CloudFixtures.RecordingChannel());
+        DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
         if (armed != null) {
             CompletableFuture<Void> done = new CompletableFuture<>();
             link.lane().execute(() -> {
-                link.accept(new DroneEvent.ModeHeard("GUIDED", armed));
+                link.accept(new DroneEvent.ModeReported("GUIDED", armed));
                 done.complete(null);
             });
             assertThat(done).succeedsWithin(5, TimeUnit.SECONDS);

@@ -15,8 +15,8 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
-import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -27,7 +27,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseRules;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -43,10 +43,10 @@ class SafetyTimesTest {
             List.of("GUIDED", "LOITER", "AUTO"),
             Map.of("GUIDED", Steering.ORDERS, "LOITER", Steering.STICKS));
 
-    private final SystemTime time = new SystemTime();
+    private final RealTime time = new RealTime();
     private final Lanes lanes = new Lanes(time, 2);
-    private final Journal journal = new Journal(time);
-    private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
+    private final StoreWriter journal = new StoreWriter(time);
+    private final CloudFixtures.RecordingChannel vehicle = new CloudFixtures.RecordingChannel();
 
     @AfterEach
     void close() {
@@ -118,11 +118,11 @@ class SafetyTimesTest {
                 lanes,
                 new CloudManager.Rules(watchdog, rules, 20),
                 time,
-                new CloudManager.Keeping(
-                        new Fixtures.HeapDroneStore(),
-                        new Fixtures.HeapCommandStore(),
-                        new Fixtures.HeapLeaseStore(),
-                        new Fixtures.HeapOwnersStore(),
+                new CloudManager.Persistence(
+                        new CloudFixtures.InMemoryDroneStore(),
+                        new CloudFixtures.InMemoryCommandStore(),
+                        new CloudFixtures.InMemoryLeaseStore(),
+                        new CloudFixtures.InMemoryParameterOverrideStore(),
                         journal),
                 () -> new DroneId("drone-1"));
     }
@@ -130,12 +130,12 @@ class SafetyTimesTest {
     private DroneLink hovering(CloudManager cloud) {
         LinkSession session =
                 new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
-        DroneLink link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+        DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
         onLane(link, () -> {
-            link.accept(new DroneEvent.Identified(Fixtures.copter(null), MODES));
-            link.accept(new DroneEvent.ModeHeard("GUIDED", true));
-            link.accept(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
-            link.accept(new DroneEvent.PositionHeard(new Position(new Geodetic(24.7, 46.7), null, 20.0)));
+            link.accept(new DroneEvent.Identified(CloudFixtures.copter(null), MODES));
+            link.accept(new DroneEvent.ModeReported("GUIDED", true));
+            link.accept(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
+            link.accept(new DroneEvent.PositionReported(new Position(new Geodetic(24.7, 46.7), null, 20.0)));
         });
         return link;
     }

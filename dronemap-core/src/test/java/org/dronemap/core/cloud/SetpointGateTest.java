@@ -18,11 +18,11 @@ import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Refusal;
-import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.command.Setpoint.Frame;
-import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -37,10 +37,10 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBinding;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -58,18 +58,18 @@ class SetpointGateTest {
 
     private final SteppedTime time = new SteppedTime(BEGAN);
     private final Lanes lanes = new Lanes(time, 1);
-    private final Journal journal = new Journal(time);
-    private final Fixtures.HeapCommandStore log = new Fixtures.HeapCommandStore();
-    private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
+    private final StoreWriter journal = new StoreWriter(time);
+    private final CloudFixtures.InMemoryCommandStore log = new CloudFixtures.InMemoryCommandStore();
+    private final CloudFixtures.RecordingChannel vehicle = new CloudFixtures.RecordingChannel();
     private final CloudManager cloud = new CloudManager(
             lanes,
             new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)),
             time,
-            new CloudManager.Keeping(
-                    new Fixtures.HeapDroneStore(),
+            new CloudManager.Persistence(
+                    new CloudFixtures.InMemoryDroneStore(),
                     log,
-                    new Fixtures.HeapLeaseStore(),
-                    new Fixtures.HeapOwnersStore(),
+                    new CloudFixtures.InMemoryLeaseStore(),
+                    new CloudFixtures.InMemoryParameterOverrideStore(),
                     journal),
             () -> new DroneId("drone-1"));
     private final SetpointGate setpoints = cloud.setpoints();
@@ -83,9 +83,9 @@ class SetpointGateTest {
     void fly() {
         LinkSession session =
                 new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
-        link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+        link = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
         hear(new DroneEvent.Identified(
-                Fixtures.copter(null),
+                CloudFixtures.copter(null),
                 new Capabilities(
                         Set.of(Capability.values()),
                         List.of("GUIDED", "BRAKE", "LOITER", "AUTO"),
@@ -98,11 +98,11 @@ class SetpointGateTest {
                                 Steering.STICKS,
                                 "AUTO",
                                 Steering.MISSION))));
-        hear(new DroneEvent.HomeHeard(new Home(HERE, 400.0)));
-        hear(new DroneEvent.PositionHeard(new Position(HERE, 420.0, 20.0)));
-        hear(new DroneEvent.MotionHeard(new Motion(0.0, null, 0.0, 0.0)));
-        hear(new DroneEvent.ModeHeard("GUIDED", true));
-        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        hear(new DroneEvent.HomeReported(new Home(HERE, 400.0)));
+        hear(new DroneEvent.PositionReported(new Position(HERE, 420.0, 20.0)));
+        hear(new DroneEvent.MotionReported(new Motion(0.0, null, 0.0, 0.0)));
+        hear(new DroneEvent.ModeReported("GUIDED", true));
+        hear(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
     }
 
     @AfterEach
@@ -158,7 +158,7 @@ class SetpointGateTest {
 
     @Test
     void handsOffTheSticksBringsItToAHoldAtOnce() {
-        hear(new DroneEvent.ModeHeard("LOITER", true));
+        hear(new DroneEvent.ModeReported("LOITER", true));
         assertThat(steer(ANN, PUSHED)).isEmpty();
         setpoints.letGo(ANN, link.id());
 
@@ -224,10 +224,10 @@ class SetpointGateTest {
                 .hasValueSatisfying(why -> assertThat(why).contains("look, not command"));
         assertThat(steer(ANN, PUSHED))
                 .contains("In GUIDED it is not to be steered so; change its mode to LOITER first.");
-        hear(new DroneEvent.ModeHeard("BRAKE", true));
+        hear(new DroneEvent.ModeReported("BRAKE", true));
         assertThat(steer(ANN, NORTHWARD))
                 .contains("In BRAKE it is not to be steered so; change its mode to GUIDED first.");
-        hear(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
+        hear(new DroneEvent.PhaseReported(FlightPhase.ON_GROUND));
         assertThat(steer(ANN, NORTHWARD)).contains("Take off first.");
 
         assertThat(steer(ANN, MIDDLE)).as("hands off the sticks").isPresent();
@@ -306,7 +306,7 @@ class SetpointGateTest {
     @Test
     void whereNobodyKnowsWhereSpeedsLeadNoneAreTakenAmongZones() {
         Setpoint ahead = new Setpoint.Velocity(Frame.VEHICLE, 3, 0, 0, Facing.ANY);
-        hear(new DroneEvent.MotionHeard(new Motion(0.0, null, 0.0, null)));
+        hear(new DroneEvent.MotionReported(new Motion(0.0, null, 0.0, null)));
         assertThat(steer(ANN, ahead)).isEmpty();
         cloud.zones().put(List.of(dam()));
 
@@ -320,7 +320,7 @@ class SetpointGateTest {
     @Test
     void whatHasNoModesStandsByZerosAlone() {
         hear(new DroneEvent.Identified(
-                Fixtures.copter(null), new Capabilities(Set.of(Capability.values()), List.of())));
+                CloudFixtures.copter(null), new Capabilities(Set.of(Capability.values()), List.of())));
         assertThat(steer(ANN, NORTHWARD)).isEmpty();
         setpoints.letGo(ANN, link.id());
 
@@ -339,7 +339,7 @@ class SetpointGateTest {
                 "the dam",
                 new FenceZone.Circle(false, new Geodetic(47.3979, 8.5456), 15),
                 AltitudeBand.ALL,
-                Binding.EVERYBODY,
+                ZoneBinding.EVERYBODY,
                 Validity.ALWAYS,
                 BreachAction.HOLD,
                 "ann",
@@ -356,7 +356,7 @@ class SetpointGateTest {
     }
 
     private void until(BooleanSupplier holds) {
-        Steps.until(time, holds);
+        SteppedUntil.until(time, holds);
     }
 
     private void awaitSaid(Predicate<List<Setpoint>> wanted) {

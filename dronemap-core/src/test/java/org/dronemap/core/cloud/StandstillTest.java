@@ -14,7 +14,7 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.junit.jupiter.api.Test;
 
 /** The process is stopped for a while, as by a paused virtual machine, and goes on: what was wanted before is not done then. */
-class StandstillTest extends GuidedFlight {
+class StandstillTest extends GuidedFlightTestBase {
     private static final Duration LONG = Duration.ofSeconds(20);
 
     /** On the lane: what is handed to it in the same turn waits behind. */
@@ -86,8 +86,8 @@ class StandstillTest extends GuidedFlight {
         apply(new LeaseEvent.Take("ann"));
         awaitTick();
         inOneTurnWithStandstill(() -> {});
-        hear(new DroneEvent.ModeHeard("LOITER", true));
+        hear(new DroneEvent.ModeReported("LOITER", true));
 
-        Steps.throughout(time, Duration.ofSeconds(10), vehicle.performed::isEmpty);
+        SteppedUntil.throughout(time, Duration.ofSeconds(10), vehicle.performed::isEmpty);
     }
 }

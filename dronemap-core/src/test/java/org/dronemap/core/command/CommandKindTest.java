@@ -15,7 +15,7 @@ class CommandKindTest {
     @Test
     void hasOneRecordWhereTheRulesLookIntoIt() {
         Map<Movement, List<CommandKind>> movements = by(CommandKind::movement, Movement.class);
-        Map<LaterChange, List<CommandKind>> changes = by(CommandKind::laterChange, LaterChange.class);
+        Map<DeferredEffect, List<CommandKind>> changes = by(CommandKind::laterChange, DeferredEffect.class);
 
         assertThat(movements)
                 .containsEntry(Movement.CLIMBS, List.of(CommandKind.TAKE_OFF))
@@ -23,9 +23,9 @@ class CommandKindTest {
                 .containsEntry(Movement.TAKES_MISSION, List.of(CommandKind.UPLOAD_MISSION))
                 .containsEntry(Movement.CHANGES_MODE, List.of(CommandKind.SET_MODE));
         assertThat(changes)
-                .containsEntry(LaterChange.HOME, List.of(CommandKind.SET_HOME))
-                .containsEntry(LaterChange.RALLY_POINTS, List.of(CommandKind.SET_RALLY_POINTS))
-                .containsEntry(LaterChange.MODE, List.of(CommandKind.SET_MODE));
+                .containsEntry(DeferredEffect.HOME, List.of(CommandKind.SET_HOME))
+                .containsEntry(DeferredEffect.RALLY_POINTS, List.of(CommandKind.SET_RALLY_POINTS))
+                .containsEntry(DeferredEffect.MODE, List.of(CommandKind.SET_MODE));
     }
 
     /** What moves a drone is what others have to give way to, and what only reads moves nothing. */

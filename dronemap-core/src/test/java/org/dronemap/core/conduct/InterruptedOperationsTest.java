@@ -19,7 +19,7 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.junit.jupiter.api.Test;
 
 /** Drones that somebody takes from an operation, or whose owner may no longer command them. */
-class InterruptedOperationsTest extends WatchHouse {
+class InterruptedOperationsTest extends OperationTestBase {
     @Test
     void seesWhoTookADroneAndGivesUpItsControl() {
         begin();
@@ -27,7 +27,7 @@ class InterruptedOperationsTest extends WatchHouse {
         cloud.controls().apply(link.id(), new LeaseEvent.TakeOver("bob", "look out"));
 
         await().until(() -> heard().stream().anyMatch(one -> one.startsWith("taken bob has had control of it")));
-        assertThat(operations.find(Watch.KIND, ID).orElseThrow().state().drones())
+        assertThat(operations.find(ArmingOperation.KIND, ID).orElseThrow().state().drones())
                 .isEmpty();
         assertThat(cloud.controls().control(link.id()).isHeldBy("bob")).isTrue();
     }
@@ -48,8 +48,8 @@ class InterruptedOperationsTest extends WatchHouse {
     @Test
     void letsGoOfADroneThatASupervisorBringsDown() {
         begin();
-        hear(new DroneEvent.ModeHeard("GUIDED", true));
-        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        hear(new DroneEvent.ModeReported("GUIDED", true));
+        hear(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
 
         cloud.gate()
                 .submit(
@@ -65,8 +65,8 @@ class InterruptedOperationsTest extends WatchHouse {
     @Test
     void actsNoMoreOnceASupervisorWentFirstThoughItsCommandWasOnItsWay() {
         begin();
-        hear(new DroneEvent.ModeHeard("GUIDED", true));
-        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        hear(new DroneEvent.ModeReported("GUIDED", true));
+        hear(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
         cloud.addListener(new CloudListener() {
             @Override
             public void commandChanged(CommandRecord command) {

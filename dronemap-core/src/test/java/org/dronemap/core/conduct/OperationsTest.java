@@ -23,7 +23,7 @@ import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.junit.jupiter.api.Test;
 
-class OperationsTest extends WatchHouse {
+class OperationsTest extends OperationTestBase {
     @Test
     void commandsUnderItsOwnControlAsWhoeverStartedIt() {
         begin();
@@ -57,8 +57,8 @@ class OperationsTest extends WatchHouse {
 
     @Test
     void beginsNoOperationOfAKindThatNobodyConducts() {
-        OperationKind<Watch.State, String> forgotten =
-                new OperationKind<>("forgotten", Watch.KIND.machine(), Watch.KIND.codec());
+        OperationKind<ArmingOperation.State, String> forgotten =
+                new OperationKind<>("forgotten", ArmingOperation.KIND.machine(), ArmingOperation.KIND.codec());
         SavedOperation begun = SavedOperation.begun(
                 ID,
                 forgotten.name(),
@@ -66,7 +66,7 @@ class OperationsTest extends WatchHouse {
                 "a watch",
                 Instant.now());
 
-        assertThatThrownBy(() -> operations.begin(forgotten, begun, Watch.of(link.id())))
+        assertThatThrownBy(() -> operations.begin(forgotten, begun, ArmingOperation.of(link.id())))
                 .isInstanceOf(Operations.Refused.class)
                 .hasMessageContaining("does not conduct operations of the kind forgotten");
 
@@ -121,7 +121,7 @@ class OperationsTest extends WatchHouse {
         assertThatThrownBy(this::begin).hasMessage("the connection broke");
 
         assertThat(isHeldByIt(link.id())).isFalse();
-        assertThat(operations.underWay(Watch.KIND)).isEmpty();
+        assertThat(operations.underWay(ArmingOperation.KIND)).isEmpty();
         await().until(() -> store.operations.isEmpty());
     }
 
@@ -198,7 +198,7 @@ class OperationsTest extends WatchHouse {
 
     @Test
     void hearsThatThereIsNoRoomForWorkingSomethingOut() {
-        Watch.Work.mayEnd = new CountDownLatch(1);
+        ArmingOperation.TestComputation.mayEnd = new CountDownLatch(1);
         begin();
 
         for (int i = 0; i < 19; i++) {
@@ -206,7 +206,7 @@ class OperationsTest extends WatchHouse {
         }
 
         await().until(() -> heard().contains("failed: Too much is being worked out already."));
-        Watch.Work.mayEnd.countDown();
+        ArmingOperation.TestComputation.mayEnd.countDown();
         await().until(() -> heard().contains("17"));
     }
 
@@ -228,8 +228,8 @@ class OperationsTest extends WatchHouse {
         wish("stop");
 
         assertThat(isHeldByIt(link.id())).isFalse();
-        assertThat(operations.underWay(Watch.KIND)).isEmpty();
-        assertThat(operations.find(Watch.KIND, ID).orElseThrow().saved().endedAt())
+        assertThat(operations.underWay(ArmingOperation.KIND)).isEmpty();
+        assertThat(operations.find(ArmingOperation.KIND, ID).orElseThrow().saved().endedAt())
                 .isNotNull();
         assertThatThrownBy(() -> wish("arm"))
                 .isInstanceOfSatisfying(
@@ -242,7 +242,7 @@ class OperationsTest extends WatchHouse {
         begin();
         SavedOperation broken = SavedOperation.begun(
                 new OperationId("w0"),
-                Watch.KIND.name(),
+                ArmingOperation.KIND.name(),
                 new SavedOperation.Owner("bob", "bob", OrganisationId.HOME),
                 "broken",
                 Instant.now().minusSeconds(60));

@@ -9,6 +9,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
@@ -17,7 +18,6 @@ import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
@@ -104,7 +104,7 @@ final class StateScript {
                 replay,
                 new LinkStatus(new DroneKey("127.0.0.1", 14601, 1), "udp", link, heard, LinkQuality.UNKNOWN, List.of()),
                 new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", null),
-                Standing.UNPROVED,
+                IdentityTrust.UNPROVED,
                 Capabilities.UNKNOWN,
                 mode,
                 armed,

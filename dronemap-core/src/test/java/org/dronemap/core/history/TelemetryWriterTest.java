@@ -5,16 +5,16 @@ import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class TelemetryWriterTest {
-    private static final TelemetryWriter.Rhythm QUICK =
-            new TelemetryWriter.Rhythm(Duration.ofMillis(10), 50, 100, Duration.ofMillis(10));
+    private static final TelemetryWriter.BatchSettings QUICK =
+            new TelemetryWriter.BatchSettings(Duration.ofMillis(10), 50, 100, Duration.ofMillis(10));
 
-    private final HeapTelemetryStore store = new HeapTelemetryStore();
-    private final TelemetryWriter writer = new TelemetryWriter(store, QUICK, new SystemTime());
+    private final FailingTelemetryStore store = new FailingTelemetryStore();
+    private final TelemetryWriter writer = new TelemetryWriter(store, QUICK, new RealTime());
     private final StateScript script = new StateScript();
 
     @AfterEach

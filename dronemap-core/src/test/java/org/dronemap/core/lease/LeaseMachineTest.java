@@ -15,7 +15,7 @@ class LeaseMachineTest {
 
     private final AtomicLong epochs = new AtomicLong(100);
     private final LeaseMachine machine = new LeaseMachine(LeaseRules.DEFAULT, epochs::incrementAndGet);
-    private Control control = Control.FREE;
+    private ControlState control = ControlState.FREE;
     private double seconds;
     private LeaseStep last = new LeaseStep(control, new LeaseAnswer.Granted(), List.of());
 
@@ -152,7 +152,7 @@ class LeaseMachineTest {
         granted(new LeaseEvent.Take("ann"));
         step(new LeaseEvent.Request("bob", "my turn"));
         assertThat(last.answer()).isEqualTo(new LeaseAnswer.Waiting());
-        assertThat(control.requests()).extracting(ControlRequest::by).containsExactly("bob");
+        assertThat(control.requests()).extracting(LeaseRequest::by).containsExactly("bob");
 
         assertThat(denied(new LeaseEvent.Grant("carl", "bob"))).startsWith("You do not have control. ann");
         granted(new LeaseEvent.Grant("ann", "bob"));
@@ -173,7 +173,7 @@ class LeaseMachineTest {
         assertThat(control.requests()).isEmpty();
         assertThat(last.changes())
                 .containsExactly(new ControlChange(
-                        Kind.REFUSED, new Holder.Person("ann"), new Holder.Person("bob"), "on final"));
+                        Kind.REFUSED, new LeaseHolder.Person("ann"), new LeaseHolder.Person("bob"), "on final"));
     }
 
     @Test
@@ -214,7 +214,7 @@ class LeaseMachineTest {
         assertThat(control.isHeldBy("sue")).isTrue();
         assertThat(last.changes())
                 .containsExactly(new ControlChange(
-                        Kind.TAKEN_OVER, new Holder.Person("sue"), new Holder.Person("ann"), "smoke"));
+                        Kind.TAKEN_OVER, new LeaseHolder.Person("sue"), new LeaseHolder.Person("ann"), "smoke"));
         assertThat(denied(new LeaseEvent.Heartbeat("ann", 101))).contains("sue has had control");
     }
 
@@ -271,7 +271,7 @@ class LeaseMachineTest {
     @Test
     void givesAHolderTimeToComeBackAfterARestart() {
         control = machine.restored(
-                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, false), new Moment(START, 0));
+                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, false), new ClockReading(START, 0));
 
         after(15, new LeaseEvent.Tick(false, true));
         assertThat(control.isHeldBy("ann")).isTrue();
@@ -283,7 +283,7 @@ class LeaseMachineTest {
     @Test
     void stillOwesTheReturnAfterARestart() {
         control = machine.restored(
-                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, true), new Moment(START, 0));
+                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, true), new ClockReading(START, 0));
         assertThat(control.tenure()).isNull();
         assertThat(control.epoch()).isEqualTo(101);
 
@@ -295,7 +295,7 @@ class LeaseMachineTest {
 
     @Test
     void knowsAHolderByTheEpochFromBeforeARestart() {
-        control = machine.restored(new SavedLease(new DroneId("d1"), "ann", START, 77, false), new Moment(START, 0));
+        control = machine.restored(new SavedLease(new DroneId("d1"), "ann", START, 77, false), new ClockReading(START, 0));
 
         granted(new LeaseEvent.Heartbeat("ann", 77));
         granted(new LeaseEvent.Command("ann", 77L));
@@ -315,7 +315,7 @@ class LeaseMachineTest {
     }
 
     private String denied(LeaseEvent event) {
-        Control before = control;
+        ControlState before = control;
         step(event);
         assertThat(control).isEqualTo(before);
         assertThat(last.answer()).isInstanceOf(LeaseAnswer.Denied.class);
@@ -324,7 +324,7 @@ class LeaseMachineTest {
 
     private void step(LeaseEvent event) {
         long nanos = Math.round(seconds * 1e9);
-        last = machine.apply(control, event, new Moment(START.plus(Duration.ofNanos(nanos)), nanos));
+        last = machine.apply(control, event, new ClockReading(START.plus(Duration.ofNanos(nanos)), nanos));
         control = last.control();
     }
 

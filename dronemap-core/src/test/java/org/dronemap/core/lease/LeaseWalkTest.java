@@ -15,15 +15,15 @@ class LeaseWalkTest {
     private static final int STEPS = 20_000;
     private static final String[] USERS = {"ann", "bob", "carl", "sue"};
 
-    private record Walk(List<LeaseEvent> events, List<Moment> moments, List<Control> controls) {}
+    private record Walk(List<LeaseEvent> events, List<ClockReading> moments, List<ControlState> controls) {}
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void neverHasTwoHoldersNorAnEpochTwice(long seed) {
         Walk walk = walk(seed);
-        Control before = Control.FREE;
+        ControlState before = ControlState.FREE;
         for (int i = 0; i < STEPS; i++) {
-            Control now = walk.controls().get(i);
+            ControlState now = walk.controls().get(i);
             LeaseEvent event = walk.events().get(i);
             assertThat(now.epoch()).as("step %d: %s", i, event).isGreaterThanOrEqualTo(before.epoch());
             if (isNewHolder(before, now)) {
@@ -44,7 +44,7 @@ class LeaseWalkTest {
         AtomicLong epochs = new AtomicLong(1_000_000);
         LeaseMachine machine = new LeaseMachine(LeaseRules.DEFAULT, epochs::incrementAndGet);
         for (int i = 0; i < STEPS; i += 7) {
-            Control now = walk.controls().get(i);
+            ControlState now = walk.controls().get(i);
             for (String user : USERS) {
                 LeaseStep asked = machine.apply(
                         now, new LeaseEvent.Command(user, null), walk.moments().get(i));
@@ -62,10 +62,10 @@ class LeaseWalkTest {
         AtomicLong epochs = new AtomicLong(1_000_000);
         LeaseMachine machine = new LeaseMachine(LeaseRules.DEFAULT, epochs::incrementAndGet);
         for (int i = 0; i < STEPS; i++) {
-            Control now = walk.controls().get(i);
-            Moment moment = walk.moments().get(i);
+            ControlState now = walk.controls().get(i);
+            ClockReading moment = walk.moments().get(i);
             boolean due = machine.isDue(now, moment.nanos());
-            Control then =
+            ControlState then =
                     machine.apply(now, new LeaseEvent.Tick(false, true), moment).control();
             assertThat(then.equals(now)).as("step %d: %s", i, now).isNotEqualTo(due);
         }
@@ -77,7 +77,7 @@ class LeaseWalkTest {
         assertThat(walk(seed)).isEqualTo(walk(seed));
     }
 
-    private static boolean isNewHolder(Control before, Control now) {
+    private static boolean isNewHolder(ControlState before, ControlState now) {
         return now.tenure() != null
                 && (before.tenure() == null
                         || !before.tenure().holder().equals(now.tenure().holder()));
@@ -88,11 +88,11 @@ class LeaseWalkTest {
         AtomicLong epochs = new AtomicLong();
         LeaseMachine machine = new LeaseMachine(LeaseRules.DEFAULT, epochs::incrementAndGet);
         Walk walk = new Walk(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
-        Control control = Control.FREE;
+        ControlState control = ControlState.FREE;
         long nanos = 0;
         for (int i = 0; i < STEPS; i++) {
             nanos += random.nextInt(20) == 0 ? random.nextLong(40_000_000_000L) : random.nextLong(2_000_000_000L);
-            Moment now = new Moment(Instant.EPOCH.plusNanos(nanos), nanos);
+            ClockReading now = new ClockReading(Instant.EPOCH.plusNanos(nanos), nanos);
             LeaseEvent event = any(random, control);
             control = machine.apply(control, event, now).control();
             walk.events().add(event);
@@ -102,7 +102,7 @@ class LeaseWalkTest {
         return walk;
     }
 
-    private static LeaseEvent any(Random random, Control control) {
+    private static LeaseEvent any(Random random, ControlState control) {
         String user = USERS[random.nextInt(USERS.length)];
         String other = USERS[random.nextInt(USERS.length)];
         long epoch = control.epoch() - random.nextInt(2);

@@ -5,10 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.Battery;
-import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -16,6 +16,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
@@ -23,7 +24,6 @@ import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.drone.Wind;
 import org.dronemap.core.geo.Geodetic;
@@ -97,7 +97,7 @@ final class VirtualFixtures {
             this.metersAway = metersAway;
         }
 
-        Drone carries(Share share, @Nullable Integer current, Integer... reached) {
+        Drone carries(VirtualTourSection share, @Nullable Integer current, Integer... reached) {
             mission = new MissionProgress(
                     share.mission().items(), null, current, MissionPhase.RUNNING, List.of(reached), null);
             return this;
@@ -123,7 +123,7 @@ final class VirtualFixtures {
                     false,
                     link(),
                     new Identification(kind, "ArduPilot", "ArduCopter", "4.5.6", "cafe01"),
-                    Standing.UNPROVED,
+                    IdentityTrust.UNPROVED,
                     new Capabilities(
                             can,
                             List.of("STABILIZE", "GUIDED", "AUTO", "RTL"),
@@ -165,15 +165,15 @@ final class VirtualFixtures {
         return new Mission(items);
     }
 
-    static Run asked(int waypoints) {
-        return Run.asked(1, mission(waypoints), CloudLoss.CONTINUE, NOW);
+    static VirtualRun asked(int waypoints) {
+        return VirtualRun.asked(1, mission(waypoints), MissionCloudLossPolicy.CONTINUE, NOW);
     }
 
-    static Choice choiceOf(String drone) {
-        return new Choice(new DroneId(drone), null, null, 0, 0, "some 10 %", List.of());
+    static DroneChoice choiceOf(String drone) {
+        return new DroneChoice(new DroneId(drone), null, null, 0, 0, "some 10 %", List.of());
     }
 
-    static Run bound(int waypoints, String drone) {
+    static VirtualRun bound(int waypoints, String drone) {
         return asked(waypoints).bound(choiceOf(drone), 20.0, NOW);
     }
 }

@@ -7,7 +7,7 @@ import java.util.Random;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
-import org.dronemap.core.geo.Spot;
+import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.FenceZone;
 import org.junit.jupiter.api.Test;
 import org.locationtech.jts.geom.Coordinate;
@@ -133,7 +133,7 @@ class AreaContainmentTest {
         double high = 2;
         for (int step = 0; step < 60; step++) {
             double middle = (low + high) / 2;
-            Spot seen = LocalPlane.offset(circle.center(), towards(circle, angle, middle));
+            PlanePoint seen = LocalPlane.offset(circle.center(), towards(circle, angle, middle));
             if (Math.hypot(seen.eastMeters(), seen.northMeters()) < circle.radiusMeters()) {
                 low = middle;
             } else {

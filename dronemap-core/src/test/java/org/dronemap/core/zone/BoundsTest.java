@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
@@ -62,7 +62,7 @@ class BoundsTest {
 
     @Test
     void startNoMissionOnBoardThatNobodyKnows() {
-        assertThat(why(NEAR, new Command.StartMission(CloudLoss.CONTINUE)))
+        assertThat(why(NEAR, new Command.StartMission(MissionCloudLossPolicy.CONTINUE)))
                 .isEqualTo("Which mission is on the vehicle is not known; so the way cannot be checked against the"
                         + " bounds.");
     }
@@ -139,7 +139,7 @@ class BoundsTest {
         assertThat(kind(new Bounds(null, LOW), higher)).isEqualTo(WayObjection.Kind.FORBIDDEN);
         assertThat(kind(new Bounds(null, LOW), goTo(0, 51))).isEqualTo(WayObjection.Kind.FORBIDDEN);
 
-        Command onBoard = new Command.StartMission(CloudLoss.CONTINUE);
+        Command onBoard = new Command.StartMission(MissionCloudLossPolicy.CONTINUE);
         assertThat(List.of(goTo(20, 20), onBoard, new GoToLocal(1, 2, null), new Command.SetMode("CIRCLE")))
                 .allSatisfy(command -> assertThat(kind(NEAR, command)).isEqualTo(WayObjection.Kind.NOT_CHECKABLE));
     }

@@ -4,8 +4,8 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -13,13 +13,13 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
@@ -53,10 +53,10 @@ final class ZoneFixtures {
     }
 
     static Zone zone(FenceZone shape, AltitudeBand band) {
-        return zone(shape, band, Binding.EVERYBODY, Validity.ALWAYS);
+        return zone(shape, band, ZoneBinding.EVERYBODY, Validity.ALWAYS);
     }
 
-    static Zone zone(FenceZone shape, AltitudeBand band, Binding binding, Validity validity) {
+    static Zone zone(FenceZone shape, AltitudeBand band, ZoneBinding binding, Validity validity) {
         return new Zone("z1", "Airport", shape, band, binding, validity, BreachAction.HOLD, "ann", NOW);
     }
 
@@ -76,7 +76,7 @@ final class ZoneFixtures {
                 false,
                 new LinkStatus(key, "udp", LinkState.LIVE, NOW, LinkQuality.UNKNOWN, List.of()),
                 new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", null),
-                Standing.UNPROVED,
+                IdentityTrust.UNPROVED,
                 new Capabilities(
                         Set.of(Capability.values()),
                         List.of("GUIDED", "AUTO", "CIRCLE"),

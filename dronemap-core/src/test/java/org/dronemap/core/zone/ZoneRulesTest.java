@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.util.List;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.FlightPhase;
@@ -19,9 +19,9 @@ import org.dronemap.core.mission.MissionItem;
 import org.junit.jupiter.api.Test;
 
 class ZoneRulesTest {
-    private static final Command START = new Command.StartMission(CloudLoss.CONTINUE);
+    private static final Command START = new Command.StartMission(MissionCloudLossPolicy.CONTINUE);
 
-    private final ZoneBook book = new ZoneBook();
+    private final ZoneRegistry book = new ZoneRegistry();
     private final ZoneRules rules = new ZoneRules(book);
 
     @Test
@@ -222,15 +222,15 @@ class ZoneRulesTest {
         Command through = goTo(0.01, 0, 20);
         DroneState drone = ZoneFixtures.flying(ZoneFixtures.HOME, 20);
 
-        book.put(List.of(ZoneFixtures.zone(shape, AltitudeBand.ALL, new Binding.OfUser("ann"), Validity.ALWAYS)));
+        book.put(List.of(ZoneFixtures.zone(shape, AltitudeBand.ALL, new ZoneBinding.OfUser("ann"), Validity.ALWAYS)));
         assertThat(why(drone, through)).isEqualTo("nothing");
-        book.put(List.of(ZoneFixtures.zone(shape, AltitudeBand.ALL, new Binding.OfUser("bob"), Validity.ALWAYS)));
+        book.put(List.of(ZoneFixtures.zone(shape, AltitudeBand.ALL, new ZoneBinding.OfUser("bob"), Validity.ALWAYS)));
         assertThat(why(drone, through)).contains("enters");
         book.put(List.of(ZoneFixtures.zone(
-                shape, AltitudeBand.ALL, new Binding.OfDrone(new DroneId("other")), Validity.ALWAYS)));
+                shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(new DroneId("other")), Validity.ALWAYS)));
         assertThat(why(drone, through)).isEqualTo("nothing");
         book.put(List.of(
-                ZoneFixtures.zone(shape, AltitudeBand.ALL, new Binding.OfDrone(ZoneFixtures.DRONE), Validity.ALWAYS)));
+                ZoneFixtures.zone(shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(ZoneFixtures.DRONE), Validity.ALWAYS)));
         assertThat(why(drone, through)).contains("enters");
         book.remove("z1");
         assertThat(why(drone, through)).isEqualTo("nothing");
@@ -247,13 +247,13 @@ class ZoneRulesTest {
         book.put(List.of(inForce(shape, Duration.ofMinutes(61))));
         assertThat(why(drone, through)).isEqualTo("nothing");
         book.put(List.of(
-                ZoneFixtures.zone(shape, AltitudeBand.ALL, Binding.EVERYBODY, new Validity(null, ZoneFixtures.NOW))));
+                ZoneFixtures.zone(shape, AltitudeBand.ALL, ZoneBinding.EVERYBODY, new Validity(null, ZoneFixtures.NOW))));
         assertThat(why(drone, through)).isEqualTo("nothing");
     }
 
     private static Zone inForce(FenceZone shape, Duration after) {
         return ZoneFixtures.zone(
-                shape, AltitudeBand.ALL, Binding.EVERYBODY, new Validity(ZoneFixtures.NOW.plus(after), null));
+                shape, AltitudeBand.ALL, ZoneBinding.EVERYBODY, new Validity(ZoneFixtures.NOW.plus(after), null));
     }
 
     private String why(DroneState drone, Command command) {

@@ -48,12 +48,12 @@ final class ZoneTrial {
     }
 
     private void one(DroneState drone, Command command, List<Zone> zones) {
-        ZoneBook book = new ZoneBook();
+        ZoneRegistry book = new ZoneRegistry();
         book.put(zones);
         boolean taken = new ZoneRules(book)
                 .whyNot("bob", drone, command, ZoneFixtures.NOW)
                 .isEmpty();
-        ExactJudge.Verdict verdict = new ExactJudge(drone).judge(command, zones);
+        ExactZoneOracle.Expectation verdict = new ExactZoneOracle(drone).judge(command, zones);
         tried++;
         if (taken) {
             accepted++;
@@ -116,13 +116,13 @@ final class ZoneTrial {
         int wanted = 1 + random.nextInt(3);
         while (zones.size() < wanted) {
             FenceZone shape = shape(middle);
-            if (ShapeFaults.of(shape).isEmpty()) {
+            if (ShapeValidator.of(shape).isEmpty()) {
                 zones.add(new Zone(
                         "z" + zones.size(),
                         "Z",
                         shape,
                         band(shape.inside()),
-                        Binding.EVERYBODY,
+                        ZoneBinding.EVERYBODY,
                         Validity.ALWAYS,
                         BreachAction.HOLD,
                         "ann",

@@ -23,15 +23,15 @@ public final class SignatureCheck {
         this.clock = clock;
     }
 
-    public Verdict judge(Frame frame) {
+    public SignatureVerdict judge(Frame frame) {
         if (!frame.signed()) {
-            return Verdict.UNSIGNED;
+            return SignatureVerdict.UNSIGNED;
         }
         if (!key.signed(frame)) {
-            return Verdict.BAD_SIGNATURE;
+            return SignatureVerdict.BAD_SIGNATURE;
         }
         int stream = frame.systemId() << 16 | frame.componentId() << 8 | frame.signatureLinkId();
-        Verdict verdict = time(lastOfStream.get(stream), frame.signatureTimestamp());
+        SignatureVerdict verdict = time(lastOfStream.get(stream), frame.signatureTimestamp());
         if (verdict.isValid()) {
             lastOfStream.put(stream, frame.signatureTimestamp());
             clock.follow(frame.signatureTimestamp());
@@ -39,13 +39,13 @@ public final class SignatureCheck {
         return verdict;
     }
 
-    private Verdict time(@Nullable Long last, long timestamp) {
+    private SignatureVerdict time(@Nullable Long last, long timestamp) {
         if (last != null) {
-            return timestamp > last ? Verdict.VALID : Verdict.REPLAYED;
+            return timestamp > last ? SignatureVerdict.VALID : SignatureVerdict.REPLAYED;
         }
         if (timestamp + MINUTE < clock.now()) {
-            return Verdict.TOO_OLD;
+            return SignatureVerdict.TOO_OLD;
         }
-        return lastOfStream.size() < MOST_STREAMS ? Verdict.VALID : Verdict.TOO_MANY_STREAMS;
+        return lastOfStream.size() < MOST_STREAMS ? SignatureVerdict.VALID : SignatureVerdict.TOO_MANY_STREAMS;
     }
 }

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
 import java.util.Arrays;
 import org.dronemap.mavlink.Frame;
-import org.dronemap.mavlink.Signature;
+import org.dronemap.mavlink.SignatureStripper;
 
 /**
  * Records of a tlog that wait to be written: 8 bytes big-endian microseconds since 1970 and one frame. Frames are kept
@@ -93,7 +93,7 @@ public final class TlogBuffer {
         if (frames == 0) {
             firstMicros = micros;
         }
-        length += TIME + Signature.strip(bytes, length + TIME, frameLength);
+        length += TIME + SignatureStripper.strip(bytes, length + TIME, frameLength);
         lastMicros = micros;
         frames++;
     }

@@ -32,7 +32,7 @@ final class DtlsServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(DtlsServerEndpoint.class);
     private static final int MOST_CONNECTIONS = 2_000;
     private static final int LINKS_PER_IDENTITY = 4;
-    private static final PeerBook.Limits LIMITS = new PeerBook.Limits(MOST_CONNECTIONS, LINKS_PER_IDENTITY);
+    private static final PeerRegistry.Limits LIMITS = new PeerRegistry.Limits(MOST_CONNECTIONS, LINKS_PER_IDENTITY);
     private static final int RECEIVE_BUFFER_BYTES = 4 * 1024 * 1024;
     private static final int CONNECTION_ID_BYTES = 6;
     private static final int MOST_WAITING_OUT = 2_000;
@@ -42,7 +42,7 @@ final class DtlsServerEndpoint implements Endpoint {
     private final DTLSConnector connector;
     private final boolean local;
     private final EndpointCounters counters = new EndpointCounters();
-    private final PeerBook<Handshake> peers;
+    private final PeerRegistry<Handshake> peers;
     private final Time time;
 
     /** The identity and time of one DTLS handshake, which tell one link of a vehicle from the next. */
@@ -53,7 +53,7 @@ final class DtlsServerEndpoint implements Endpoint {
         this.url = url;
         this.time = time;
         this.local = SocketAddresses.isLocal(address);
-        peers = new PeerBook<>(counters, handlers, LIMITS, time);
+        peers = new PeerRegistry<>(counters, handlers, LIMITS, time);
         connector = new DTLSConnector(config(address, keys));
         connector.setEndpointContextMatcher(new PrincipalEndpointContextMatcher());
         connector.setRawDataReceiver(this::received);
@@ -75,7 +75,7 @@ final class DtlsServerEndpoint implements Endpoint {
         DtlsConnectorConfig.Builder config = DtlsConnectorConfig.builder(new Configuration(DtlsConfig.DEFINITIONS));
         config.setAddress(address)
                 .set(DtlsConfig.DTLS_ROLE, DtlsRole.SERVER_ONLY)
-                .setAdvancedPskStore(new VehicleSecrets(keys))
+                .setAdvancedPskStore(new DtlsPskStore(keys))
                 .setConnectionIdGenerator(new SingleNodeConnectionIdGenerator(CONNECTION_ID_BYTES))
                 .set(DtlsConfig.DTLS_USE_HELLO_VERIFY_REQUEST, true)
                 .set(DtlsConfig.DTLS_SERVER_USE_SESSION_ID, false)
@@ -122,7 +122,7 @@ final class DtlsServerEndpoint implements Endpoint {
         }
         long now = time.nanos();
         Handshake handshake = new Handshake(identity.getIdentity(), handshakeMillis);
-        Seat seat = peers.find(handshake);
+        EndpointPeer seat = peers.find(handshake);
         if (seat == null) {
             seat = welcome(handshake, context, now);
         }
@@ -133,18 +133,18 @@ final class DtlsServerEndpoint implements Endpoint {
         peers.sweep(now);
     }
 
-    private @Nullable Seat welcome(Handshake handshake, EndpointContext context, long now) {
+    private @Nullable EndpointPeer welcome(Handshake handshake, EndpointContext context, long now) {
         peers.makeRoomFor(handshake.identity());
-        Seat.Place place = new Seat.Place(url.kind().transport(), local, true, Optional.of(handshake.identity()));
-        DtlsWire wire = new DtlsWire(connector, context, counters);
+        EndpointPeer.Origin place = new EndpointPeer.Origin(url.kind().transport(), local, true, Optional.of(handshake.identity()));
+        DtlsFrameSender wire = new DtlsFrameSender(connector, context, counters);
         return peers.add(
                 handshake,
                 handshake.identity(),
                 now,
-                welcome -> new Seat(place, PeerAddress.of(context.getPeerAddress()), wire, welcome));
+                welcome -> new EndpointPeer(place, PeerAddress.of(context.getPeerAddress()), wire, welcome));
     }
 
-    private void follow(Seat seat, EndpointContext context) {
+    private void follow(EndpointPeer seat, EndpointContext context) {
         PeerAddress address = PeerAddress.of(context.getPeerAddress());
         if (!address.equals(seat.address())) {
             LOG.info(
@@ -154,7 +154,7 @@ final class DtlsServerEndpoint implements Endpoint {
                     address);
             seat.movedTo(address);
         }
-        if (seat.wire() instanceof DtlsWire wire) {
+        if (seat.wire() instanceof DtlsFrameSender wire) {
             wire.now(context);
         }
     }

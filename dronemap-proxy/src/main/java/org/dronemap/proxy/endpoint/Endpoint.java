@@ -10,15 +10,15 @@ public interface Endpoint extends AutoCloseable {
     /**
      * Opens the door that the URL names; one that dials fails later, and tries again. The failure's message says what to do.
      */
-    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, Doors doors, Time time) throws IOException {
+    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, EndpointSecurity doors, Time time) throws IOException {
         return switch (url.kind()) {
             case UDPSERVER -> UdpServerEndpoint.open(url, handlers, time);
             case TCPSERVER -> TcpServerEndpoint.open(url, handlers, time);
-            case UDPCLIENT -> new DialledEndpoint(url, UdpLine::dial, handlers, time).start();
-            case TCPCLIENT -> new DialledEndpoint(url, TcpLine::dial, handlers, time).start();
-            case SERIAL -> new DialledEndpoint(url, at -> SerialLine.dial(at, time), handlers, time).start();
+            case UDPCLIENT -> new ClientEndpoint(url, UdpConnection::dial, handlers, time).start();
+            case TCPCLIENT -> new ClientEndpoint(url, TcpConnection::dial, handlers, time).start();
+            case SERIAL -> new ClientEndpoint(url, at -> SerialConnection.dial(at, time), handlers, time).start();
             case WSSERVER, WSSSERVER -> WebSocketServerEndpoint.open(url, handlers, doors, time);
-            case WSCLIENT, WSSCLIENT -> new DialledEndpoint(url, WebSocketLine::dial, handlers, time).start();
+            case WSCLIENT, WSSCLIENT -> new ClientEndpoint(url, WebSocketConnection::dial, handlers, time).start();
             case DTLSSERVER -> DtlsServerEndpoint.open(url, handlers, doors.keys(), time);
         };
     }

@@ -12,7 +12,7 @@ import org.dronemap.core.time.Time;
 public final class MemoryLink implements AutoCloseable {
     private final PeerAddress address;
     private final EndpointCounters counters = new EndpointCounters();
-    private final DatagramSeats<PeerAddress> seats;
+    private final DatagramPeers<PeerAddress> seats;
     private volatile boolean closed;
 
     /**
@@ -24,11 +24,11 @@ public final class MemoryLink implements AutoCloseable {
      */
     public MemoryLink(PeerHandler.Factory handlers, PeerAddress address, Consumer<byte[]> toPeer, Time time) {
         this.address = address;
-        Seat.Place place = new Seat.Place(EndpointUrl.parse("udpserver://127.0.0.1:0"), true, true);
-        seats = new DatagramSeats<>(
+        EndpointPeer.Origin place = new EndpointPeer.Origin(EndpointUrl.parse("udpserver://127.0.0.1:0"), true, true);
+        seats = new DatagramPeers<>(
                 counters,
                 handlers,
-                new DatagramSeats.Way<>(place, peer -> peer, (peer, frame) -> sent(toPeer, frame)),
+                new DatagramPeers.Outbound<>(place, peer -> peer, (peer, frame) -> sent(toPeer, frame)),
                 time);
     }
 

@@ -20,8 +20,8 @@ public interface PeerHandler {
         }
 
         /** How they speak. */
-        default Speech speech() {
-            return Speech.FRAMES;
+        default PeerMessageFormat speech() {
+            return PeerMessageFormat.FRAMES;
         }
 
         /** Whether WebSockets to that path are for it; what a path says may be a secret. */

@@ -18,7 +18,7 @@ public record PeerStatus(
         long dropped,
         int queue,
         long silentMillis) {
-    static PeerStatus of(Seat seat, long now) {
+    static PeerStatus of(EndpointPeer seat, long now) {
         PeerCounters counters = seat.counters();
         return new PeerStatus(
                 seat.address(),

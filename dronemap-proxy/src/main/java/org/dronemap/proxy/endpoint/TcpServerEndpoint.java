@@ -22,7 +22,7 @@ import org.slf4j.LoggerFactory;
  */
 final class TcpServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(TcpServerEndpoint.class);
-    private static final PeerBook.Limits LIMITS = new PeerBook.Limits(2_000, 1_000);
+    private static final PeerRegistry.Limits LIMITS = new PeerRegistry.Limits(2_000, 1_000);
     private static final int BYTES_A_TURN = 16_384;
     private static final long SELECT_MILLIS = 1_000;
     private static final long HELD_BACK_MILLIS = 10;
@@ -30,9 +30,9 @@ final class TcpServerEndpoint implements Endpoint {
     private final EndpointUrl url;
     private final ServerSocketChannel server;
     private final Selector selector;
-    private final Seat.Place place;
+    private final EndpointPeer.Origin place;
     private final EndpointCounters counters = new EndpointCounters();
-    private final PeerBook<SelectionKey> peers;
+    private final PeerRegistry<SelectionKey> peers;
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(BYTES_A_TURN);
     private final List<SelectionKey> heldBack = new ArrayList<>();
     private final Time time;
@@ -47,8 +47,8 @@ final class TcpServerEndpoint implements Endpoint {
         this.url = url.withPort(bound.getPort());
         this.server = server;
         this.selector = selector;
-        place = new Seat.Place(url, SocketAddresses.isLocal(bound), false);
-        peers = new PeerBook<>(counters, handlers, LIMITS, time);
+        place = new EndpointPeer.Origin(url, SocketAddresses.isLocal(bound), false);
+        peers = new PeerRegistry<>(counters, handlers, LIMITS, time);
         this.time = time;
     }
 
@@ -119,7 +119,7 @@ final class TcpServerEndpoint implements Endpoint {
 
     private void letGoOn(long now) {
         heldBack.removeIf(key -> {
-            Seat seat = peers.find(key);
+            EndpointPeer seat = peers.find(key);
             if (seat == null || !key.isValid()) {
                 return true;
             }
@@ -139,7 +139,7 @@ final class TcpServerEndpoint implements Endpoint {
             accept();
             return;
         }
-        Seat seat = peers.find(key);
+        EndpointPeer seat = peers.find(key);
         if (seat != null && key.channel() instanceof SocketChannel channel) {
             read(key, channel, seat);
         }
@@ -155,9 +155,9 @@ final class TcpServerEndpoint implements Endpoint {
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
             SelectionKey key = channel.register(selector, SelectionKey.OP_READ);
             PeerAddress address = PeerAddress.of((InetSocketAddress) channel.getRemoteAddress());
-            TcpWire wire = new TcpWire(channel);
-            Seat seat =
-                    peers.add(key, address.host(), time.nanos(), welcome -> new Seat(place, address, wire, welcome));
+            TcpFrameSender wire = new TcpFrameSender(channel);
+            EndpointPeer seat =
+                    peers.add(key, address.host(), time.nanos(), welcome -> new EndpointPeer(place, address, wire, welcome));
             if (seat == null) {
                 channel.close();
             }
@@ -166,7 +166,7 @@ final class TcpServerEndpoint implements Endpoint {
         }
     }
 
-    private void read(SelectionKey key, SocketChannel channel, Seat seat) {
+    private void read(SelectionKey key, SocketChannel channel, EndpointPeer seat) {
         long now = time.nanos();
         if (!seat.mayBeRead(now)) {
             key.interestOps(0);
@@ -187,7 +187,7 @@ final class TcpServerEndpoint implements Endpoint {
         }
     }
 
-    private void drop(SelectionKey key, Seat seat, String why) {
+    private void drop(SelectionKey key, EndpointPeer seat, String why) {
         LOG.info("{} lost its peer {}: {}", url, seat.address(), why);
         key.cancel();
         peers.remove(key);

@@ -11,7 +11,7 @@ import java.nio.channels.Selector;
 import java.util.List;
 import java.util.OptionalLong;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.time.WakeRhythm;
+import org.dronemap.core.time.WaitStrategy;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -28,8 +28,8 @@ final class UdpServerEndpoint implements Endpoint {
     private final DatagramChannel channel;
     private final Selector selector;
     private final EndpointCounters counters = new EndpointCounters();
-    private final DatagramSeats<InetSocketAddress> peers;
-    private final Intake intake;
+    private final DatagramPeers<InetSocketAddress> peers;
+    private final DatagramQueue intake;
     private volatile boolean closed;
     private volatile boolean over;
     private @Nullable Thread thread;
@@ -41,10 +41,10 @@ final class UdpServerEndpoint implements Endpoint {
         this.url = url.withPort(bound.getPort());
         this.channel = channel;
         this.selector = selector;
-        intake = new Intake(INTAKE_BYTES, INTAKE_DATAGRAMS, handlers.speech().longestDatagram());
-        Seat.Place place = new Seat.Place(this.url, SocketAddresses.isLocal(bound), true);
-        peers = new DatagramSeats<>(
-                counters, handlers, new DatagramSeats.Way<>(place, PeerAddress::of, this::send), time);
+        intake = new DatagramQueue(INTAKE_BYTES, INTAKE_DATAGRAMS, handlers.speech().longestDatagram());
+        EndpointPeer.Origin place = new EndpointPeer.Origin(this.url, SocketAddresses.isLocal(bound), true);
+        peers = new DatagramPeers<>(
+                counters, handlers, new DatagramPeers.Outbound<>(place, PeerAddress::of, this::send), time);
     }
 
     static UdpServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, Time time) throws IOException {
@@ -109,7 +109,7 @@ final class UdpServerEndpoint implements Endpoint {
     }
 
     private void serve() {
-        WakeRhythm rhythm = new WakeRhythm();
+        WaitStrategy rhythm = new WaitStrategy();
         try (selector) {
             channel.register(selector, SelectionKey.OP_READ);
             while (channel.isOpen()) {

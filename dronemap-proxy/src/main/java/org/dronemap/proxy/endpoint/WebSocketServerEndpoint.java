@@ -29,12 +29,12 @@ import org.slf4j.LoggerFactory;
  */
 final class WebSocketServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(WebSocketServerEndpoint.class);
-    private static final PeerBook.Limits LIMITS = new PeerBook.Limits(2_000, 1_000);
+    private static final PeerRegistry.Limits LIMITS = new PeerRegistry.Limits(2_000, 1_000);
     private static final Duration LONGEST_OPENING = Duration.ofSeconds(10);
 
     private final EndpointUrl url;
     private final EndpointCounters counters = new EndpointCounters();
-    private final PeerBook<WebSocket> peers;
+    private final PeerRegistry<WebSocket> peers;
     private final PeerHandler.Factory handlers;
     private final Server server;
     private final Time time;
@@ -43,18 +43,18 @@ final class WebSocketServerEndpoint implements Endpoint {
     private volatile boolean over;
 
     private WebSocketServerEndpoint(
-            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, Doors doors, Time time) {
+            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, EndpointSecurity doors, Time time) {
         this.url = url;
         this.handlers = handlers;
         this.time = time;
-        peers = new PeerBook<>(counters, handlers, LIMITS, time);
+        peers = new PeerRegistry<>(counters, handlers, LIMITS, time);
         boolean encrypted = url.kind() == EndpointUrl.Kind.WSSSERVER;
-        WebSocketDoor door =
-                new WebSocketDoor(doors.limits(), encrypted ? doors.tls() : () -> null, counters::refusedPeer, time);
-        server = new Server(address, new Seat.Place(url, SocketAddresses.isLocal(address), false), door);
+        BoundedWebSocketFactory door =
+                new BoundedWebSocketFactory(doors.limits(), encrypted ? doors.tls() : () -> null, counters::refusedPeer, time);
+        server = new Server(address, new EndpointPeer.Origin(url, SocketAddresses.isLocal(address), false), door);
     }
 
-    static WebSocketServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, Doors doors, Time time)
+    static WebSocketServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, EndpointSecurity doors, Time time)
             throws IOException {
         if (url.kind() == EndpointUrl.Kind.WSSSERVER && doors.tls().get() == null) {
             throw new IOException("Cannot listen on " + url
@@ -121,11 +121,11 @@ final class WebSocketServerEndpoint implements Endpoint {
 
     /** The library's server; with one worker all peers are served by one thread. */
     private final class Server extends WebSocketServer {
-        private final Seat.Place place;
+        private final EndpointPeer.Origin place;
         private final CompletableFuture<Integer> listening = new CompletableFuture<>();
 
-        Server(InetSocketAddress address, Seat.Place place, WebSocketDoor door) {
-            super(address, 1, List.<Draft>of(new BoundedDraft(handlers.speech().longestMessage())));
+        Server(InetSocketAddress address, EndpointPeer.Origin place, BoundedWebSocketFactory door) {
+            super(address, 1, List.<Draft>of(new BoundedWebSocketDraft(handlers.speech().longestMessage())));
             this.place = place;
             setWebSocketFactory(door);
             setReuseAddr(true);
@@ -167,10 +167,10 @@ final class WebSocketServerEndpoint implements Endpoint {
                 return;
             }
             PeerAddress address = PeerAddress.of(remote);
-            WebSocketQueue queue = new WebSocketQueue(socket, handlers.speech().text());
-            Seat.Place at = place.at(handshake.getResourceDescriptor());
-            Seat seat =
-                    peers.add(socket, address.host(), time.nanos(), welcome -> new Seat(at, address, queue, welcome));
+            WebSocketFrameSender queue = new WebSocketFrameSender(socket, handlers.speech().text());
+            EndpointPeer.Origin at = place.at(handshake.getResourceDescriptor());
+            EndpointPeer seat =
+                    peers.add(socket, address.host(), time.nanos(), welcome -> new EndpointPeer(at, address, queue, welcome));
             if (seat == null) {
                 socket.close(CloseFrame.TRY_AGAIN_LATER, "there is no room for more vehicles");
             }
@@ -178,12 +178,12 @@ final class WebSocketServerEndpoint implements Endpoint {
 
         @Override
         public void onMessage(WebSocket socket, ByteBuffer bytes) {
-            Seat seat = peers.find(socket);
+            EndpointPeer seat = peers.find(socket);
             long now = time.nanos();
             if (seat != null) {
                 seat.received(bytes, now);
                 if (!seat.isStranger()) {
-                    BoundedDraft.admit(socket);
+                    BoundedWebSocketDraft.admit(socket);
                 }
             }
             peers.sweep(now);

@@ -8,9 +8,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
-import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.EndpointRegistry;
+import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
-import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
@@ -26,9 +26,9 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     private final List<EndpointUrl> urls;
     private final OutletKeys keys;
     private final OutletCounts counts = new OutletCounts();
-    private final OutletRoom room;
+    private final OutletLoop room;
     private final RightsWatch rights;
-    private final Links links;
+    private final EndpointRegistry links;
     private final PersonalPorts ports;
     private final Map<DroneId, VehicleTap> vehicles = new ConcurrentHashMap<>();
 
@@ -36,17 +36,17 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
      * Opens nothing before {@link #start}; clients come in over listeners that prove nothing of their own but
      * DTLS, which users' programs open by name and key; of {@code doors} it takes the rest.
      */
-    public Outlet(List<EndpointUrl> urls, OutletPolicy policy, Doors doors) {
+    public Outlet(List<EndpointUrl> urls, OutletDependencies policy, EndpointSecurity doors) {
         this(urls, PortRange.NONE, policy, doors);
     }
 
     /** {@code personal}: where users may open ports of their own. */
-    public Outlet(List<EndpointUrl> urls, PortRange personal, OutletPolicy policy, Doors doors) {
+    public Outlet(List<EndpointUrl> urls, PortRange personal, OutletDependencies policy, EndpointSecurity doors) {
         this.urls = List.copyOf(urls);
         keys = new OutletKeys(policy.store(), policy.time());
         rights = new RightsWatch(policy.rights(), keys, policy.time());
-        room = new OutletRoom(policy, counts, vehicles, rights);
-        links = new Links(this, new Doors(keys::dtlsSecret, doors.tls(), doors.limits(), doors.watch()), policy.time());
+        room = new OutletLoop(policy, counts, vehicles, rights);
+        links = new EndpointRegistry(this, new EndpointSecurity(keys::dtlsSecret, doors.tls(), doors.limits(), doors.watch()), policy.time());
         ports = new PersonalPorts(this, urls, personal, policy);
     }
 
@@ -76,7 +76,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
 
     /** Where it really listens. */
     public List<EndpointUrl> endpoints() {
-        return links.all().stream().map(Links.LinkStatus::url).toList();
+        return links.all().stream().map(EndpointRegistry.Status::url).toList();
     }
 
     /** Whether that user has a passphrase. */
@@ -143,7 +143,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
 
     @Override
     public PeerHandler opened(Peer peer, PeerCounters counters) {
-        return new OutletPeer(this, keys, counts, peer, counters);
+        return new OutletPeerHandler(this, keys, counts, peer, counters);
     }
 
     @Override
@@ -152,7 +152,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     }
 
     /** A client sent something by its right; false when there was no room. */
-    boolean heard(Peer peer, Pass pass, Frame frame) {
+    boolean heard(Peer peer, OutletCredential pass, Frame frame) {
         return room.heard(peer, pass, frame);
     }
 

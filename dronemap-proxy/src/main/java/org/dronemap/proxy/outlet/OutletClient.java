@@ -33,14 +33,14 @@ final class OutletClient {
 
     private final String id;
     private final Peer peer;
-    private final Pass pass;
-    private final SystemNumbers numbers;
+    private final OutletCredential pass;
+    private final SystemIdRegistry numbers;
     private final Instant since;
     private final int systemId;
-    private final Outbox outbox = new Outbox();
+    private final ClientSendQueue outbox = new ClientSendQueue();
     private final Map<Integer, FrameWriter> writers = new HashMap<>();
-    private final Rate in = new Rate();
-    private final Rate out = new Rate();
+    private final PerSecondCounter in = new PerSecondCounter();
+    private final PerSecondCounter out = new PerSecondCounter();
     private final Set<DroneId> shown = new HashSet<>();
     private byte @Nullable [] ready;
     private int orders;
@@ -55,9 +55,9 @@ final class OutletClient {
     private volatile @Nullable Principal principal;
 
     /** The identity of a client: its credential, its own system id, and since when it is attached. */
-    record Entry(String id, Pass pass, int systemId, Instant since, long nowNanos) {}
+    record Entry(String id, OutletCredential pass, int systemId, Instant since, long nowNanos) {}
 
-    OutletClient(Entry entry, Peer peer, SystemNumbers numbers, Principal principal) {
+    OutletClient(Entry entry, Peer peer, SystemIdRegistry numbers, Principal principal) {
         this.id = entry.id();
         this.pass = entry.pass();
         this.systemId = entry.systemId();
@@ -72,7 +72,7 @@ final class OutletClient {
         return id;
     }
 
-    Pass pass() {
+    OutletCredential pass() {
         return pass;
     }
 
@@ -99,7 +99,7 @@ final class OutletClient {
         return systemId == OWN_SYSTEM ? OTHER_SYSTEM : OWN_SYSTEM;
     }
 
-    Outbox outbox() {
+    ClientSendQueue outbox() {
         return outbox;
     }
 
@@ -134,7 +134,7 @@ final class OutletClient {
     }
 
     /** Shows what a vehicle said; what finds no room waits as the newest of its kind, or as an event in order. */
-    void show(Letter.OfVehicle letter, boolean isEvent) {
+    void show(ClientMessage.OfVehicle letter, boolean isEvent) {
         if (!sees(letter.drone())) {
             return;
         }
@@ -148,7 +148,7 @@ final class OutletClient {
     }
 
     /** Says something of the cloud's own, after what waits already. */
-    void say(Letter letter) {
+    void say(ClientMessage letter) {
         outbox.add(letter);
         flush();
     }
@@ -164,11 +164,11 @@ final class OutletClient {
 
     /** A sign of life of the cloud itself, for whoever sees no vehicle. */
     void beat() {
-        say(new Letter.OfCloud(HEARTBEAT));
+        say(new ClientMessage.OfCloud(HEARTBEAT));
     }
 
     /** False when the link took no more before: nothing was begun. */
-    private boolean send(Letter letter) {
+    private boolean send(ClientMessage letter) {
         if (ready != null) {
             return false;
         }
@@ -189,15 +189,15 @@ final class OutletClient {
     }
 
     /** Null when it must not, or cannot, be shown any more. */
-    private byte @Nullable [] frame(Letter letter) {
-        if (letter instanceof Letter.OfVehicle vehicle) {
+    private byte @Nullable [] frame(ClientMessage letter) {
+        if (letter instanceof ClientMessage.OfVehicle vehicle) {
             return copy(vehicle);
         }
-        if (letter instanceof Letter.ForVehicle spoken) {
+        if (letter instanceof ClientMessage.ForVehicle spoken) {
             int number = numberOf(spoken.drone(), 0);
             return number == 0 ? null : frame(writer(number, spoken.component()), spoken.message());
         }
-        Message message = ((Letter.OfCloud) letter).message();
+        Message message = ((ClientMessage.OfCloud) letter).message();
         return frame(writer(cloudId(), OWN_COMPONENT), message);
     }
 
@@ -206,7 +206,7 @@ final class OutletClient {
         return signer == null ? writer.frame(message) : writer.frame(message, signer);
     }
 
-    private byte @Nullable [] copy(Letter.OfVehicle letter) {
+    private byte @Nullable [] copy(ClientMessage.OfVehicle letter) {
         int number = numberOf(letter.drone(), letter.frame().systemId());
         return number == 0
                 ? null
@@ -226,13 +226,13 @@ final class OutletClient {
             return 0;
         }
         shown.add(drone);
-        return number.getAsInt() == systemId ? SystemNumbers.SPARE : number.getAsInt();
+        return number.getAsInt() == systemId ? SystemIdRegistry.SPARE : number.getAsInt();
     }
 
     /** The drone that this program calls so, if its user may see it. */
     @Nullable
     DroneId drone(int number) {
-        int kept = number == SystemNumbers.SPARE ? systemId : number;
+        int kept = number == SystemIdRegistry.SPARE ? systemId : number;
         boolean itself = number == systemId;
         DroneId drone = itself ? null : numbers.drone(user(), kept);
         return drone != null && sees(drone) ? drone : null;

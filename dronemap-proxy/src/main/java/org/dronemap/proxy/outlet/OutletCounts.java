@@ -1,7 +1,7 @@
 package org.dronemap.proxy.outlet;
 
 import java.util.concurrent.atomic.LongAdder;
-import org.dronemap.mavlink.signing.Verdict;
+import org.dronemap.mavlink.signing.SignatureVerdict;
 
 /** Counters of the frames turned away at the outlet since its start. Any thread. */
 final class OutletCounts {
@@ -14,7 +14,7 @@ final class OutletCounts {
     private final LongAdder unread = new LongAdder();
     private final LongAdder notPassed = new LongAdder();
 
-    void refused(Verdict verdict) {
+    void refused(SignatureVerdict verdict) {
         switch (verdict) {
             case UNSIGNED -> unsigned.increment();
             case BAD_SIGNATURE -> badSignature.increment();

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * A port of one user's own for a program that cannot sign: bound to the first address within its range that speaks there, and
  * to that alone. Nothing there is proved, so that it lets nobody do more than look. Any thread.
  */
-final class PersonalPort implements Pass, PeerHandler.Factory {
+final class PersonalPort implements OutletCredential, PeerHandler.Factory {
     private final Outlet outlet;
     private final Terms terms;
     private final LongSupplier nanoTime;
@@ -96,18 +96,18 @@ final class PersonalPort implements Pass, PeerHandler.Factory {
 
     @Override
     public PeerHandler opened(Peer peer, PeerCounters counters) {
-        return new Visitor(peer, counters);
+        return new PortPeerHandler(peer, counters);
     }
 
     /** One address at this port. Owned by the endpoint's thread. */
-    private final class Visitor implements PeerHandler {
+    private final class PortPeerHandler implements PeerHandler {
         private final Peer peer;
         private final PeerCounters counters;
         private final FrameReader reader = new FrameReader();
         private long taken;
         private long countedBroken;
 
-        Visitor(Peer peer, PeerCounters counters) {
+        PortPeerHandler(Peer peer, PeerCounters counters) {
             this.peer = peer;
             this.counters = counters;
         }

@@ -10,9 +10,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.dronemap.core.time.Time;
-import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.Endpoint;
+import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.PeerAddress;
 import org.slf4j.Logger;
@@ -34,7 +34,7 @@ final class PersonalPorts implements AutoCloseable {
     private record Open(PersonalPort port, Endpoint endpoint) {}
 
     /** Where {@code urls} listen for datagrams, at the ports of {@code range}. */
-    PersonalPorts(Outlet outlet, List<EndpointUrl> urls, PortRange range, OutletPolicy policy) {
+    PersonalPorts(Outlet outlet, List<EndpointUrl> urls, PortRange range, OutletDependencies policy) {
         this.outlet = outlet;
         this.range = range;
         host = urls.stream()
@@ -70,7 +70,7 @@ final class PersonalPorts implements AutoCloseable {
         for (int number = range.first(); host.isPresent() && number <= range.last(); number++) {
             try {
                 EndpointUrl url = EndpointUrl.parse("udpserver://" + host.get() + ":" + number);
-                return Endpoint.open(url, port, Doors.of(DtlsKeys.none()), time);
+                return Endpoint.open(url, port, EndpointSecurity.of(DtlsKeys.none()), time);
             } catch (IOException taken) {
                 LOG.debug("{} is no port to open", number, taken);
             }

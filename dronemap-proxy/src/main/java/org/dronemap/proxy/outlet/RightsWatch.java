@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.ScheduledTask;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.time.Worker;
 import org.jspecify.annotations.Nullable;
@@ -35,8 +35,8 @@ final class RightsWatch implements AutoCloseable {
     }
 
     /** Looks at the clients that there are from now on, and does {@code often} as often. */
-    void start(OutletRoom room, Runnable often) {
-        Repetition unused = thread.every(RHYTHM, RHYTHM, () -> look(room, often));
+    void start(OutletLoop room, Runnable often) {
+        ScheduledTask unused = thread.every(RHYTHM, RHYTHM, () -> look(room, often));
     }
 
     /**
@@ -62,7 +62,7 @@ final class RightsWatch implements AutoCloseable {
         }
     }
 
-    private void look(OutletRoom room, Runnable often) {
+    private void look(OutletLoop room, Runnable often) {
         try {
             often.run();
             judge(room);
@@ -75,7 +75,7 @@ final class RightsWatch implements AutoCloseable {
     }
 
     /** On the thread that calls. */
-    void judge(OutletRoom room) {
+    void judge(OutletLoop room) {
         for (OutletClient client : room.clients()) {
             client.rightsAre(rights.principal(client.user()).orElse(null));
         }

@@ -9,15 +9,15 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.signing.OutgoingSigner;
 import org.dronemap.mavlink.signing.SignatureCheck;
+import org.dronemap.mavlink.signing.SignatureVerdict;
 import org.dronemap.mavlink.signing.SigningClock;
 import org.dronemap.mavlink.signing.SigningKey;
-import org.dronemap.mavlink.signing.Verdict;
 
 /**
  * One user's key for the outlet: judges what the user's programs send, from wherever, and signs what they get. A frame is
  * good once for all of them. Any thread: every method holds the object's lock.
  */
-final class UserKey implements FrameSigner, Pass {
+final class UserKey implements FrameSigner, OutletCredential {
     private static final int OUTLET_LINK = 0;
 
     private final String user;
@@ -87,9 +87,9 @@ final class UserKey implements FrameSigner, Pass {
         return key.signed(frame);
     }
 
-    synchronized Verdict judge(Frame frame) {
+    synchronized SignatureVerdict judge(Frame frame) {
         boolean early = frame.signed() && frame.signatureTimestamp() <= heardBefore && key.signed(frame);
-        return early ? Verdict.TOO_OLD : check.judge(frame);
+        return early ? SignatureVerdict.TOO_OLD : check.judge(frame);
     }
 
     @Override

@@ -3,7 +3,7 @@ package org.dronemap.proxy.outlet;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -50,7 +50,7 @@ final class VehicleTap implements FrameTap {
 
     @Override
     public void admitted(Frame frame) {
-        if (!DownlinkRules.passes(frame)) {
+        if (!ClientMessageFilter.passes(frame)) {
             return;
         }
         Integer kind = frame.messageId() << 8 | frame.componentId();
@@ -70,7 +70,7 @@ final class VehicleTap implements FrameTap {
     }
 
     @Override
-    public void said(byte[] frame, Mandate mandate) {
+    public void said(byte[] frame, SendAuthority mandate) {
         // What goes to vehicles is not for clients.
     }
 

@@ -20,7 +20,7 @@ final class FlightFile {
 
     private final Path file;
     private @Nullable FileChannel channel;
-    private @Nullable SentIndex sent;
+    private @Nullable SentFrameIndex sent;
     private long lastMicros;
     private @Nullable String failure;
     private volatile Recording recording;
@@ -40,7 +40,7 @@ final class FlightFile {
                     new Recording(id, drone, droneName, start, null, 0, 0, 0, Recording.State.RUNNING, null));
             try {
                 opened.channel = FileChannel.open(opened.file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-                opened.sent = SentIndex.open(files.sentPath(id));
+                opened.sent = SentFrameIndex.open(files.sentPath(id));
                 return opened;
             } catch (FileAlreadyExistsException e) {
                 LOG.debug("{} is there already", opened.file);
@@ -55,10 +55,10 @@ final class FlightFile {
         return recording;
     }
 
-    void append(Stretch stretch) {
+    void append(RecordingChunk stretch) {
         TlogBuffer records = stretch.records();
         FileChannel to = channel;
-        SentIndex index = sent;
+        SentFrameIndex index = sent;
         if (to == null || index == null) {
             count(0, 0, records.frames());
             return;

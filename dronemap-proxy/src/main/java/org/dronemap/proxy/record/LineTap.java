@@ -1,6 +1,6 @@
 package org.dronemap.proxy.record;
 
-import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
@@ -15,7 +15,7 @@ public interface LineTap {
         public void heard(@Nullable String text, int bytes) {}
 
         @Override
-        public void said(@Nullable String text, int bytes, Mandate mandate) {}
+        public void said(@Nullable String text, int bytes, SendAuthority mandate) {}
 
         @Override
         public void working(boolean now) {}
@@ -31,7 +31,7 @@ public interface LineTap {
     void heard(@Nullable String text, int bytes);
 
     /** A message went to it by that mandate. */
-    void said(@Nullable String text, int bytes, Mandate mandate);
+    void said(@Nullable String text, int bytes, SendAuthority mandate);
 
     /** Whether there is something to record: it is armed, moves, or is told what to do. */
     void working(boolean now);

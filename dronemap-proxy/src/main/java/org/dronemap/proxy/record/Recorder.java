@@ -16,12 +16,12 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
-import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.recording.RecordingStore;
-import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.ScheduledTask;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.time.Worker;
 import org.dronemap.proxy.session.FrameTap;
@@ -50,36 +50,36 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
 
     private final RecordingFiles files;
     private final RecordingPolicy policy;
-    private final Keeping keeping;
+    private final Dependencies keeping;
     private final Time time;
     private final LongSupplier freeBytes;
-    private final Room room = new Room(WAITING_BYTES);
-    private final Collection<Tape> tapes = new CopyOnWriteArrayList<>();
+    private final BufferBudget room = new BufferBudget(WAITING_BYTES);
+    private final Collection<RecordingBuffer> tapes = new CopyOnWriteArrayList<>();
     private final Map<String, FlightFile> unfinished = new ConcurrentHashMap<>();
-    private final Shelf shelf;
+    private final FileRecordingArchive shelf;
     private final Worker writer;
     private final AtomicBoolean closed = new AtomicBoolean();
     // Owned by the writer.
     private final Map<DroneId, FlightFile> open = new HashMap<>();
-    private final Map<DroneId, Tape> newest = new HashMap<>();
-    private Stretch spare = Tape.empty();
+    private final Map<DroneId, RecordingBuffer> newest = new HashMap<>();
+    private RecordingChunk spare = RecordingBuffer.empty();
     private int rounds;
 
     /** The store of recordings, the thread that writes to it, and the names of drones. */
-    public record Keeping(RecordingStore store, Journal journal, Function<DroneId, String> names) {}
+    public record Dependencies(RecordingStore store, StoreWriter journal, Function<DroneId, String> names) {}
 
-    public Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Time time) {
+    public Recorder(Path directory, RecordingPolicy policy, Dependencies keeping, Time time) {
         this(directory, policy, keeping, time, () -> usable(directory));
     }
 
-    Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Time time, LongSupplier freeBytes) {
+    Recorder(Path directory, RecordingPolicy policy, Dependencies keeping, Time time, LongSupplier freeBytes) {
         this.files = new RecordingFiles(directory);
         this.policy = policy;
         this.keeping = keeping;
         this.time = time;
         this.writer = time.worker("recorder", MOST_WAITING);
         this.freeBytes = freeBytes;
-        this.shelf = new Shelf(files, policy, keeping, time, this);
+        this.shelf = new FileRecordingArchive(files, policy, keeping, time, this);
     }
 
     /**
@@ -89,13 +89,13 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
      */
     public void start() throws IOException {
         Files.createDirectories(files.directory());
-        new Aftermath(keeping.store(), files, keeping.names()).clear();
+        new RecordingRecovery(keeping.store(), files, keeping.names()).clear();
         shelf.measure();
-        Repetition unused = writer.every(ROUND, ROUND, this::round);
+        ScheduledTask unused = writer.every(ROUND, ROUND, this::round);
     }
 
     /** What is recorded, for those who read it. */
-    public Shelf shelf() {
+    public FileRecordingArchive shelf() {
         return shelf;
     }
 
@@ -104,7 +104,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (policy.when() == RecordingPolicy.When.NEVER) {
             return FrameTap.NONE;
         }
-        FrameTape tape = new FrameTape(time.clock(), room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
+        FrameRecordingBuffer tape = new FrameRecordingBuffer(time.clock(), room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
         tapes.add(tape);
         return tape;
     }
@@ -114,7 +114,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (policy.when() == RecordingPolicy.When.NEVER) {
             return LineTap.NONE;
         }
-        LineTape tape = new LineTape(time.clock(), room, policy.when() == RecordingPolicy.When.ALWAYS);
+        LineRecordingBuffer tape = new LineRecordingBuffer(time.clock(), room, policy.when() == RecordingPolicy.When.ALWAYS);
         tapes.add(tape);
         return tape;
     }
@@ -139,7 +139,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     void part(DroneId drone) throws IOException {
         onWriter(() -> {
             writeAll(true);
-            tapes.stream().filter(tape -> drone.equals(tape.drone())).forEach(Tape::forgetBefore);
+            tapes.stream().filter(tape -> drone.equals(tape.drone())).forEach(RecordingBuffer::forgetBefore);
             FlightFile file = open.get(drone);
             if (file != null) {
                 finish(file, null);
@@ -167,7 +167,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
 
     private void round() {
         try {
-            List<Tape> over = tapes.stream().filter(Tape::isEnded).toList();
+            List<RecordingBuffer> over = tapes.stream().filter(RecordingBuffer::isEnded).toList();
             writeAll(false);
             for (FlightFile file : List.copyOf(open.values())) {
                 endWhenOver(file);
@@ -185,7 +185,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
 
     private void writeAll(boolean all) {
         newest.clear();
-        for (Tape tape : tapes) {
+        for (RecordingBuffer tape : tapes) {
             DroneId drone = tape.drone();
             if (drone != null) {
                 newest.merge(drone, tape, (a, b) -> b.heardMicros() > a.heardMicros() ? b : a);
@@ -194,13 +194,13 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         tapes.forEach(tape -> write(tape, all));
     }
 
-    private void write(Tape tape, boolean all) {
+    private void write(RecordingBuffer tape, boolean all) {
         DroneId drone = tape.drone();
         // One that was bound only since the round began has its turn in the next, or its file would be ended at once.
         if (drone == null || !newest.containsKey(drone)) {
             return;
         }
-        Stretch full = tape.take(spare, all);
+        RecordingChunk full = tape.take(spare, all);
         long drops = tape.takeDrops();
         FlightFile file = open.get(drone);
         // What still goes to an old address begins no new recording of the drone that came back from another.
@@ -226,8 +226,8 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         }
     }
 
-    private boolean mayBegin(DroneId drone, Tape tape) {
-        Tape latest = newest.get(drone);
+    private boolean mayBegin(DroneId drone, RecordingBuffer tape) {
+        RecordingBuffer latest = newest.get(drone);
         return latest == null || latest == tape || latest.isRecording();
     }
 
@@ -244,7 +244,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     }
 
     private void endWhenOver(FlightFile file) {
-        Tape tape = newest.get(file.recording().drone());
+        RecordingBuffer tape = newest.get(file.recording().drone());
         if (tape == null || tape.isOver()) {
             boolean lost = tape != null && tape.isEnded() && tape.isArmed();
             finish(file, lost ? CONTACT_LOST : null);
@@ -301,7 +301,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     private void endAll() {
         writeAll(true);
         for (FlightFile file : List.copyOf(open.values())) {
-            Tape tape = newest.get(file.recording().drone());
+            RecordingBuffer tape = newest.get(file.recording().drone());
             boolean flying = tape != null && tape.isArmed();
             finish(file, flying ? STOPPED : null);
         }

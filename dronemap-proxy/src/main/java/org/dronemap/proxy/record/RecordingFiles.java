@@ -94,7 +94,7 @@ record RecordingFiles(Path directory, String ending) {
                 channel.truncate(scan.wholeBytes());
             }
         }
-        SentIndex.repair(sentPath(known.id()), scan.wholeBytes());
+        SentFrameIndex.repair(sentPath(known.id()), scan.wholeBytes());
         Instant start = scan.frames() == 0 ? known.start() : FlightFile.instant(scan.firstMicros());
         Instant end = scan.frames() == 0 ? known.start() : FlightFile.instant(scan.lastMicros());
         return new Recording(

@@ -1,17 +1,17 @@
 package org.dronemap.proxy.roslink;
 
 import java.util.function.LongSupplier;
-import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
-import org.dronemap.proxy.roslink.wire.Header;
-import org.dronemap.proxy.roslink.wire.Order;
-import org.dronemap.proxy.roslink.wire.OrderWriter;
-import org.dronemap.proxy.roslink.wire.Packet;
-import org.dronemap.proxy.roslink.wire.SequenceWatch;
-import org.dronemap.proxy.session.LossMeter;
+import org.dronemap.proxy.roslink.wire.RobotOrder;
+import org.dronemap.proxy.roslink.wire.RobotOrderWriter;
+import org.dronemap.proxy.roslink.wire.RobotSequenceTracker;
+import org.dronemap.proxy.roslink.wire.RoslinkHeader;
+import org.dronemap.proxy.roslink.wire.RoslinkPacket;
+import org.dronemap.proxy.session.LinkQualityMeter;
 import org.dronemap.proxy.session.VehicleTraffic;
 import org.jspecify.annotations.Nullable;
 
@@ -22,18 +22,18 @@ import org.jspecify.annotations.Nullable;
 final class RobotLink {
     private final Peer peer;
     private final PeerCounters counters;
-    private final RobotName name;
+    private final RobotIdentity name;
     private final int systemId;
     private final LongSupplier nanoTime;
     private final long bornNanos;
-    private final OrderWriter writer = new OrderWriter();
+    private final RobotOrderWriter writer = new RobotOrderWriter();
     // Owned by the endpoint's thread; its counts are read by the lane. It knows copies, of which the other link has its
     // own.
-    private final SequenceWatch sequence = new SequenceWatch();
-    private volatile LossMeter.Counts counts = LossMeter.Counts.NONE;
+    private final RobotSequenceTracker sequence = new RobotSequenceTracker();
+    private volatile LinkQualityMeter.Counts counts = LinkQualityMeter.Counts.NONE;
     private volatile long sent;
     private volatile long lastHeardNanos;
-    private volatile Header header;
+    private volatile RoslinkHeader header;
     private volatile boolean broken;
     private volatile boolean cut;
     /** Of the robot's messages, before this link was one of its own. Written before the session is. */
@@ -41,9 +41,9 @@ final class RobotLink {
 
     private volatile @Nullable RobotSession session;
     // Owned by the lane.
-    private final LossMeter loss;
+    private final LinkQualityMeter loss;
 
-    RobotLink(Peer peer, PeerCounters counters, RobotName name, Header first, LongSupplier nanoTime) {
+    RobotLink(Peer peer, PeerCounters counters, RobotIdentity name, RoslinkHeader first, LongSupplier nanoTime) {
         this.peer = peer;
         this.counters = counters;
         this.name = name;
@@ -52,18 +52,18 @@ final class RobotLink {
         this.nanoTime = nanoTime;
         bornNanos = nanoTime.getAsLong();
         lastHeardNanos = bornNanos;
-        loss = new LossMeter(bornNanos);
+        loss = new LinkQualityMeter(bornNanos);
     }
 
     /** A message as its endpoint brought it; false for a copy. On the endpoint's thread. */
-    boolean arrived(Packet packet) {
+    boolean arrived(RoslinkPacket packet) {
         lastHeardNanos = nanoTime.getAsLong();
         header = packet.header();
         boolean isNew = sequence.isNew(packet.header());
         RobotSession owner = session;
         long lost = owner == null ? 0 : lost(owner.links().numbered(packet.header()));
         counters.lost(lost - counts.lost());
-        counts = new LossMeter.Counts(sequence.received(), lost, sequence.doubled());
+        counts = new LinkQualityMeter.Counts(sequence.received(), lost, sequence.doubled());
         return isNew;
     }
 
@@ -72,7 +72,7 @@ final class RobotLink {
         return peer.isDatagram() ? Math.max(0, ofRobot - lostBefore) : 0;
     }
 
-    RobotName name() {
+    RobotIdentity name() {
         return name;
     }
 
@@ -131,13 +131,13 @@ final class RobotLink {
 
     /** Sends as long as the mandate's fence lets it, in the shape and with the words of the robot's newest message. */
     @SuppressWarnings("NonAtomicVolatileUpdate") // the lane alone writes
-    void send(Order order, Mandate mandate) {
+    void send(RobotOrder order, SendAuthority mandate) {
         if (cut) {
             return;
         }
         mandate.fence().pass(() -> {
             sent++;
-            Header robot = header;
+            RoslinkHeader robot = header;
             byte[] message = writer.write(robot, order);
             peer.send(message);
             RobotSession owner = session;
@@ -154,11 +154,11 @@ final class RobotLink {
     }
 
     /** What came by another link since the newest message here is not missing any more. */
-    private LossMeter.Counts counted() {
-        LossMeter.Counts now = counts;
+    private LinkQualityMeter.Counts counted() {
+        LinkQualityMeter.Counts now = counts;
         RobotSession owner = session;
         long lost = owner == null ? 0 : lost(owner.links().lost());
-        return new LossMeter.Counts(now.received(), lost, now.doubled());
+        return new LinkQualityMeter.Counts(now.received(), lost, now.doubled());
     }
 
     LinkQuality quality() {
@@ -168,7 +168,7 @@ final class RobotLink {
     /** What went over it so far. Any thread. */
     VehicleTraffic traffic() {
         RobotSession owner = session;
-        LossMeter.Counts now = counted();
+        LinkQualityMeter.Counts now = counted();
         return new VehicleTraffic(
                 key(),
                 transport(),

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.LinkReport;
-import org.dronemap.proxy.roslink.wire.Header;
-import org.dronemap.proxy.roslink.wire.SequenceWatch;
+import org.dronemap.proxy.roslink.wire.RobotSequenceTracker;
+import org.dronemap.proxy.roslink.wire.RoslinkHeader;
 
 /**
  * The links of one robot: at most one of each transport, all from one host. Another one takes a place only when the one there
@@ -17,7 +17,7 @@ final class RobotLinks {
     static final long SILENT_NANOS = 2_500_000_000L;
 
     private final List<RobotLink> links = new ArrayList<>();
-    private SequenceWatch numbers = new SequenceWatch();
+    private RobotSequenceTracker numbers = new RobotSequenceTracker();
     private long lostEarlier;
 
     RobotLinks(RobotLink first) {
@@ -25,7 +25,7 @@ final class RobotLinks {
     }
 
     /** A message came by one of them; how many of the robot's messages are missing. */
-    synchronized long numbered(Header header) {
+    synchronized long numbered(RoslinkHeader header) {
         numbers.isNew(header);
         return lost();
     }
@@ -56,7 +56,7 @@ final class RobotLinks {
         links.add(newer);
         // What came by it before is not missing, though nobody kept its numbers.
         lostEarlier += numbers.lost();
-        numbers = new SequenceWatch();
+        numbers = new RobotSequenceTracker();
         return Optional.empty();
     }
 

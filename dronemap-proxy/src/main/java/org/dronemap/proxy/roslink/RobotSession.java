@@ -7,7 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.core.cloud.DroneLink;
 import org.dronemap.core.cloud.Lane;
-import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -21,10 +21,10 @@ import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.core.process.PeerName;
-import org.dronemap.proxy.roslink.wire.Order;
-import org.dronemap.proxy.roslink.wire.Packet;
+import org.dronemap.core.process.PeerPattern;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
+import org.dronemap.proxy.roslink.wire.RobotOrder;
+import org.dronemap.proxy.roslink.wire.RoslinkPacket;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -32,34 +32,34 @@ import org.jspecify.annotations.Nullable;
  */
 final class RobotSession implements VehicleChannel, Lane.Ticker {
     private static final long GIVEN_UP_NANOS = 120_000_000_000L;
-    private static final DroneEvent DRIVES_ON = new DroneEvent.TextHeard(
+    private static final DroneEvent DRIVES_ON = new DroneEvent.TextReported(
             Severity.ALERT, "It was told to stand still five seconds ago and reports that it moves. Stop it by hand.");
 
-    private final RobotTable table;
-    private final RobotName name;
+    private final RobotSessionRegistry table;
+    private final RobotIdentity name;
     private final String mark;
-    private final RobotTape tape;
+    private final RobotRecordingTap tape;
     private final RobotLinks links;
-    private final RobotTelemetry telemetry;
-    private final Map<CommandId, Errand> errands = new LinkedHashMap<>();
-    private final Standstill standstill;
-    private final OwnHeartbeat heartbeat;
+    private final RobotTelemetryTranslator telemetry;
+    private final Map<CommandId, RobotCommandExchange> errands = new LinkedHashMap<>();
+    private final ZeroVelocitySender standstill;
+    private final CloudHeartbeatSender heartbeat;
     private volatile @Nullable DroneLink drone;
     private volatile boolean over;
     private @Nullable LinkReport told;
 
-    RobotSession(RobotTable table, RobotLink first, RobotType type) {
+    RobotSession(RobotSessionRegistry table, RobotLink first, RobotType type) {
         this.table = table;
         this.name = first.name();
         DroneKey key = first.key();
-        mark = new PeerName(key.address(), key.port(), key.systemId()).text();
+        mark = new PeerPattern(key.address(), key.port(), key.systemId()).text();
         tape = table.tape();
         links = new RobotLinks(first);
-        standstill = new Standstill(
-                type.words().flies(), order -> links.best().send(order, Mandate.HOUSEKEEPING), () -> tell(DRIVES_ON));
+        standstill = new ZeroVelocitySender(
+                type.words().flies(), order -> links.best().send(order, SendAuthority.HOUSEKEEPING), () -> tell(DRIVES_ON));
         // On each link: a fail-safe of the robot's own may look at either.
-        heartbeat = new OwnHeartbeat(order -> links.all().forEach(link -> link.send(order, Mandate.HOUSEKEEPING)));
-        telemetry = new RobotTelemetry(
+        heartbeat = new CloudHeartbeatSender(order -> links.all().forEach(link -> link.send(order, SendAuthority.HOUSEKEEPING)));
+        telemetry = new RobotTelemetryTranslator(
                 type, name.hardware(), this::tell, () -> table.refusals().unreadable());
     }
 
@@ -69,11 +69,11 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     }
 
     /** Any thread. */
-    RobotTape tape() {
+    RobotRecordingTap tape() {
         return tape;
     }
 
-    RobotName name() {
+    RobotIdentity name() {
         return name;
     }
 
@@ -107,12 +107,12 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     }
 
     /** Takes a message in; false when there was no room. Any thread. */
-    boolean offer(Packet packet) {
+    boolean offer(RoslinkPacket packet) {
         DroneLink bound = drone;
         return bound != null && bound.lane().offer(() -> table.atWork().at(mark, () -> take(bound, packet)));
     }
 
-    private void take(DroneLink bound, Packet packet) {
+    private void take(DroneLink bound, RoslinkPacket packet) {
         if (over || isGone(bound)) {
             return;
         }
@@ -122,7 +122,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         long now = table.now();
         standstill.heard(message, telemetry.facts());
         List.copyOf(errands.values()).forEach(errand -> errand.heard(message, telemetry.facts(), now));
-        errands.values().removeIf(Errand::isOver);
+        errands.values().removeIf(RobotCommandExchange::isOver);
     }
 
     /** Its drone was removed, or answers to another session. */
@@ -152,7 +152,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         standstill.tick(now);
         heartbeat.tick(now);
         List.copyOf(errands.values()).forEach(errand -> errand.tick(telemetry.facts(), now));
-        errands.values().removeIf(Errand::isOver);
+        errands.values().removeIf(RobotCommandExchange::isOver);
         tape.working(isWorking());
         links.measure(now);
         LinkReport report = links.report();
@@ -166,8 +166,8 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     }
 
     private boolean isWorking() {
-        RobotFacts facts = telemetry.facts();
-        boolean moves = facts.speed() != null && !Aim.Still.isStill(facts);
+        RobotStatus facts = telemetry.facts();
+        boolean moves = facts.speed() != null && !RobotGoal.Stopped.isStill(facts);
         return !errands.isEmpty() || Boolean.TRUE.equals(facts.armed()) || moves;
     }
 
@@ -192,13 +192,13 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     }
 
     @Override
-    public void perform(Mandate mandate, Command command, Report report) {
+    public void perform(SendAuthority mandate, Command command, Report report) {
         if (over) {
             report.ended(new Outcome.Refused(
                     "cloud", new Refusal(OutcomeCode.LINK_MISSING, "The robot has no link to the cloud.")));
             return;
         }
-        Optional<Aim> aim = Aim.of(command);
+        Optional<RobotGoal> aim = RobotGoal.of(command);
         if (aim.isEmpty()) {
             report.ended(new Outcome.Refused(
                     "vehicle",
@@ -208,16 +208,16 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
             return;
         }
         tape.working(true);
-        standstill.commanded(aim.get() instanceof Aim.Still, table.now());
+        standstill.commanded(aim.get() instanceof RobotGoal.Stopped, table.now());
         CommandId id = Objects.requireNonNull(mandate.command());
         errands.put(
                 id,
-                new Errand(
+                new RobotCommandExchange(
                         aim.get(), telemetry.facts(), order -> links.best().send(order, mandate), report, table.now()));
     }
 
     @Override
-    public void steer(Mandate mandate, Setpoint setpoint) {
+    public void steer(SendAuthority mandate, Setpoint setpoint) {
         if (over) {
             return;
         }
@@ -227,7 +227,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         }
     }
 
-    private void steer(Mandate mandate, Setpoint.Velocity velocity) {
+    private void steer(SendAuthority mandate, Setpoint.Velocity velocity) {
         if (!velocity.isStill()) {
             tape.working(true);
         }
@@ -243,14 +243,14 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
      * Robots count to their left, upwards and in radians to the left, always as they stand themselves: the gate lets nobody
      * count from north, since nobody knows where they look.
      */
-    private static Order twist(Setpoint.Velocity velocity) {
+    private static RobotOrder twist(Setpoint.Velocity velocity) {
         if (velocity.isStill()) {
-            return Order.Twist.STOP;
+            return RobotOrder.Twist.STOP;
         }
         double left = velocity.facing() instanceof Setpoint.Facing.Turning turning
                 ? 0.0 - Math.toRadians(turning.degreesPerSecond())
                 : 0;
-        return new Order.Twist(velocity.forward(), 0.0 - velocity.right(), 0.0 - velocity.down(), 0, 0, left);
+        return new RobotOrder.Twist(velocity.forward(), 0.0 - velocity.right(), 0.0 - velocity.down(), 0, 0, left);
     }
 
     @Override

@@ -5,27 +5,27 @@ import org.jspecify.annotations.Nullable;
 
 /** The type of a robot, by the number in its heartbeat. */
 enum RobotType {
-    GENERIC(0, "robot", VehicleKind.UNKNOWN, Words.NONE),
-    FIXED_WING(1, "fixed wing", VehicleKind.FIXED_WING, Words.MAVROS),
+    GENERIC(0, "robot", VehicleKind.UNKNOWN, Dialect.NONE),
+    FIXED_WING(1, "fixed wing", VehicleKind.FIXED_WING, Dialect.MAVROS),
     /** Not in the protocol's list, but in a launch file of its drone. */
-    GAPTER(2, "Gapter", VehicleKind.MULTICOPTER, Words.MAVROS),
-    QUADROTOR(3, "quadrotor", VehicleKind.MULTICOPTER, Words.MAVROS),
-    COAXIAL(4, "coaxial helicopter", VehicleKind.HELICOPTER, Words.MAVROS),
-    HELICOPTER(5, "helicopter", VehicleKind.HELICOPTER, Words.MAVROS),
-    HEXAROTOR(6, "hexarotor", VehicleKind.MULTICOPTER, Words.MAVROS),
-    TURTLEBOT(8, "TurtleBot", VehicleKind.ROVER, Words.WHEELS),
-    PARROT(9, "AR.Drone", VehicleKind.MULTICOPTER, Words.AR_DRONE),
-    BEBOP(10, "Bebop", VehicleKind.MULTICOPTER, Words.AR_DRONE),
-    ERLE_COPTER(11, "Erle-Copter", VehicleKind.MULTICOPTER, Words.MAVROS),
-    RIA_E100(12, "RIA E100", VehicleKind.ROVER, Words.WHEELS);
+    GAPTER(2, "Gapter", VehicleKind.MULTICOPTER, Dialect.MAVROS),
+    QUADROTOR(3, "quadrotor", VehicleKind.MULTICOPTER, Dialect.MAVROS),
+    COAXIAL(4, "coaxial helicopter", VehicleKind.HELICOPTER, Dialect.MAVROS),
+    HELICOPTER(5, "helicopter", VehicleKind.HELICOPTER, Dialect.MAVROS),
+    HEXAROTOR(6, "hexarotor", VehicleKind.MULTICOPTER, Dialect.MAVROS),
+    TURTLEBOT(8, "TurtleBot", VehicleKind.ROVER, Dialect.WHEELS),
+    PARROT(9, "AR.Drone", VehicleKind.MULTICOPTER, Dialect.AR_DRONE),
+    BEBOP(10, "Bebop", VehicleKind.MULTICOPTER, Dialect.AR_DRONE),
+    ERLE_COPTER(11, "Erle-Copter", VehicleKind.MULTICOPTER, Dialect.MAVROS),
+    RIA_E100(12, "RIA E100", VehicleKind.ROVER, Dialect.WHEELS);
 
     private final int number;
     private final String label;
     private final VehicleKind kind;
-    private final Words words;
+    private final Dialect words;
 
     /** The dialect of a robot's bridge: how it reports state and height, and which orders it takes. */
-    enum Words {
+    enum Dialect {
         /** Nothing is known of them. */
         NONE,
         /** A ground robot: its z is a yaw. */
@@ -40,7 +40,7 @@ enum RobotType {
         }
     }
 
-    RobotType(int number, String label, VehicleKind kind, Words words) {
+    RobotType(int number, String label, VehicleKind kind, Dialect words) {
         this.number = number;
         this.label = label;
         this.kind = kind;
@@ -66,7 +66,7 @@ enum RobotType {
         return kind;
     }
 
-    Words words() {
+    Dialect words() {
         return words;
     }
 }

@@ -6,9 +6,9 @@ import java.util.function.Supplier;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.time.Time;
-import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.EndpointRegistry;
+import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
-import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.session.Enrolment;
@@ -17,8 +17,8 @@ import org.dronemap.proxy.session.VehicleTraffic;
 /** The links to robots: opens the configured endpoints and keeps them until closed. Any thread. */
 public final class RoslinkProxy implements AutoCloseable {
     private final List<EndpointUrl> urls;
-    private final RobotTable table;
-    private final Links links;
+    private final RobotSessionRegistry table;
+    private final EndpointRegistry links;
 
     /**
      * The rules and collaborators that sessions of robots are made with.
@@ -28,12 +28,12 @@ public final class RoslinkProxy implements AutoCloseable {
      * @param doors what links are guarded with
      * @param enrolment from where those that show no such key come in by themselves
      */
-    public record Policy(RobotKeys keys, Supplier<LineTap> taps, Doors doors, Enrolment enrolment) {}
+    public record Policy(RobotKeys keys, Supplier<LineTap> taps, EndpointSecurity doors, Enrolment enrolment) {}
 
     public RoslinkProxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy, Time time) {
         this.urls = List.copyOf(urls);
-        table = new RobotTable(cloud, lanes, policy, time::nanos);
-        links = new Links(table, policy.doors(), time);
+        table = new RobotSessionRegistry(cloud, lanes, policy, time::nanos);
+        links = new EndpointRegistry(table, policy.doors(), time);
     }
 
     /**
@@ -68,7 +68,7 @@ public final class RoslinkProxy implements AutoCloseable {
         return table;
     }
 
-    public List<Links.LinkStatus> endpoints() {
+    public List<EndpointRegistry.Status> endpoints() {
         return links.all();
     }
 

@@ -9,7 +9,7 @@ public enum Enrolment {
     /** From nowhere. */
     NOWHERE;
 
-    boolean admits(LinkLabel label) {
+    boolean admits(LinkOrigin label) {
         return this == NOWHERE ? label.replay() : admits(label.local());
     }
 

@@ -1,7 +1,7 @@
 package org.dronemap.proxy.session;
 
 import java.util.List;
-import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -14,7 +14,7 @@ public interface FrameTap {
         public void heard(Frame frame) {}
 
         @Override
-        public void said(byte[] frame, Mandate mandate) {}
+        public void said(byte[] frame, SendAuthority mandate) {}
 
         @Override
         public void bound(DroneId drone) {}
@@ -33,7 +33,7 @@ public interface FrameTap {
     default void missionRead(List<MissionItemInt> items) {}
 
     /** A frame, which belongs to the caller, went to the vehicle by that mandate. */
-    void said(byte[] frame, Mandate mandate);
+    void said(byte[] frame, SendAuthority mandate);
 
     /** From now on the session speaks for this drone. */
     void bound(DroneId drone);
@@ -43,7 +43,7 @@ public interface FrameTap {
 
     /** Both hear, the first one first. */
     static FrameTap both(FrameTap first, FrameTap second) {
-        return first == NONE ? second : new TwoTaps(first, second);
+        return first == NONE ? second : new CompositeFrameTap(first, second);
     }
 
     /** Makes a tap for each session; {@code componentId} is the autopilot's. */

@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.mavlink.Frame;
-import org.dronemap.proxy.mavlink.procedure.RoundTrip;
+import org.dronemap.proxy.mavlink.procedure.RoundTripEstimator;
 import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
 
 /**
@@ -16,14 +16,14 @@ final class LinkMeter {
 
     // Owned by the endpoint's thread.
     private final Map<Integer, SequenceGaps> components = new HashMap<>();
-    private volatile LossMeter.Counts counts = LossMeter.Counts.NONE;
+    private volatile LinkQualityMeter.Counts counts = LinkQualityMeter.Counts.NONE;
 
     private final RoundTripProbe probe;
-    private final LossMeter loss;
+    private final LinkQualityMeter loss;
 
     LinkMeter(RoundTripProbe probe, long nowNanos) {
         this.probe = probe;
-        loss = new LossMeter(nowNanos);
+        loss = new LinkQualityMeter(nowNanos);
     }
 
     /** Any frame of the vehicle, as it leaves the socket; on the endpoint's thread. */
@@ -40,15 +40,15 @@ final class LinkMeter {
         long lostBefore = gaps.lost();
         long doubledBefore = gaps.doubled();
         gaps.heard(frame.sequence(), nowNanos);
-        LossMeter.Counts before = counts;
-        counts = new LossMeter.Counts(
+        LinkQualityMeter.Counts before = counts;
+        counts = new LinkQualityMeter.Counts(
                 before.received() + gaps.received() - receivedBefore,
                 before.lost() + gaps.lost() - lostBefore,
                 before.doubled() + gaps.doubled() - doubledBefore);
     }
 
     /** Any thread. */
-    LossMeter.Counts counts() {
+    LinkQualityMeter.Counts counts() {
         return counts;
     }
 
@@ -66,7 +66,7 @@ final class LinkMeter {
         return loss.tick(nowNanos, counts, probe.roundTrip().smoothedMillis());
     }
 
-    RoundTrip roundTrip() {
+    RoundTripEstimator roundTrip() {
         return probe.roundTrip();
     }
 

@@ -11,14 +11,14 @@ import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.MavMissionType;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
-import org.dronemap.proxy.mavlink.procedure.MissionKind;
-import org.dronemap.proxy.mavlink.procedure.MissionStamp;
-import org.dronemap.proxy.mavlink.procedure.Target;
-import org.dronemap.proxy.mavlink.translate.Autopilot;
+import org.dronemap.proxy.mavlink.procedure.MissionOpaqueId;
+import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 import org.dronemap.proxy.mavlink.translate.MissionCodec;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
-import org.dronemap.proxy.mavlink.translate.WireItems;
+import org.dronemap.proxy.mavlink.translate.WireMissionItems;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,12 +34,12 @@ final class MissionWatch {
 
     private static final int ITEMS_OF_A_LOOK = 20;
 
-    private final Target target;
-    private final Autopilot autopilot;
+    private final MavlinkTarget target;
+    private final AutopilotAdapter autopilot;
     private final VehicleStatus status;
     private final Consumer<DroneEvent> out;
     private final Consumer<List<MissionItemInt>> onRead;
-    private final MissionStamps stamps = new MissionStamps();
+    private final MissionIdTracker stamps = new MissionIdTracker();
     private @Nullable MissionDownload reading;
     private boolean readingWhole;
     private boolean wanted = true;
@@ -54,8 +54,8 @@ final class MissionWatch {
 
     /** {@code out} hears what the mission means, {@code onRead} each time what it is on the wire. */
     MissionWatch(
-            Target target,
-            Autopilot autopilot,
+            MavlinkTarget target,
+            AutopilotAdapter autopilot,
             VehicleStatus status,
             Consumer<DroneEvent> out,
             Consumer<List<MissionItemInt>> onRead) {
@@ -86,7 +86,7 @@ final class MissionWatch {
             disturb();
             return;
         }
-        boolean newStamp = stamps.heard(MissionStamp.of(frame));
+        boolean newStamp = stamps.heard(MissionOpaqueId.of(frame));
         boolean hinted = hintsAtChange(frame);
         boolean changed = newStamp || hinted;
         MissionDownload current = reading;
@@ -152,11 +152,11 @@ final class MissionWatch {
         readingWhole = wanted || known == null || timeToRead;
         MissionDownload next;
         if (readingWhole) {
-            next = MissionDownload.whole(target, MissionKind.MISSION);
+            next = MissionDownload.whole(target, MavMissionType.MISSION);
         } else if (isLong && !stamps.given()) {
-            next = MissionDownload.part(target, MissionKind.MISSION, lookedUpTo, ITEMS_OF_A_LOOK);
+            next = MissionDownload.part(target, MavMissionType.MISSION, lookedUpTo, ITEMS_OF_A_LOOK);
         } else {
-            next = MissionDownload.count(target, MissionKind.MISSION);
+            next = MissionDownload.count(target, MavMissionType.MISSION);
         }
         reading = next;
         changedMeanwhile = false;
@@ -200,7 +200,7 @@ final class MissionWatch {
                 : first + seen.items().size();
         for (int index = 0; index < seen.items().size(); index++) {
             boolean own = first + index >= autopilot.itemsBeforeMission();
-            if (own && !WireItems.same(held.get(first + index), seen.items().get(index))) {
+            if (own && !WireMissionItems.same(held.get(first + index), seen.items().get(index))) {
                 return false;
             }
         }
@@ -209,7 +209,7 @@ final class MissionWatch {
 
     private void take(MissionDownload read, boolean asUploaded) {
         List<MissionItem> mission = MissionCodec.fromWire(read.items(), autopilot.itemsBeforeMission());
-        String hash = read.isExact() ? WireItems.hash(read.items(), autopilot.itemsBeforeMission()) : null;
+        String hash = read.isExact() ? WireMissionItems.hash(read.items(), autopilot.itemsBeforeMission()) : null;
         stamps.read(read.stamp());
         lookedUpTo = 0;
         status.missionRead(read.items());

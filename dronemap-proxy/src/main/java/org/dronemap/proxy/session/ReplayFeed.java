@@ -14,12 +14,12 @@ import org.dronemap.proxy.endpoint.PeerAddress;
 public final class ReplayFeed {
     private static final String TRANSPORT = "replay";
 
-    private final SessionTable table;
+    private final VehicleSessionRegistry table;
     private final int number;
     private final Map<Integer, VehicleLink> links = new LinkedHashMap<>();
-    private final Beforehand beforehand = new Beforehand();
+    private final EarlyVersions beforehand = new EarlyVersions();
 
-    ReplayFeed(SessionTable table, int number) {
+    ReplayFeed(VehicleSessionRegistry table, int number) {
         this.table = table;
         this.number = number;
     }
@@ -31,8 +31,8 @@ public final class ReplayFeed {
         synchronized (links) {
             link = links.get(systemId);
             if (link == null) {
-                LinkLabel label = LinkLabel.ofReplay(TRANSPORT, number, systemId);
-                link = table.open(label, new Downlink(new Nobody(number)), frame)
+                LinkOrigin label = LinkOrigin.ofReplay(TRANSPORT, number, systemId);
+                link = table.open(label, new VehicleSender(new DiscardingPeer(number)), frame)
                         .orElse(null);
                 if (link == null) {
                     beforehand.heard(frame);
@@ -71,7 +71,7 @@ public final class ReplayFeed {
     }
 
     /** A peer of a replay that discards all that is sent to it. */
-    private record Nobody(int number) implements Peer {
+    private record DiscardingPeer(int number) implements Peer {
         @Override
         public PeerAddress address() {
             return new PeerAddress(TRANSPORT, number);

@@ -1,10 +1,10 @@
 package org.dronemap.proxy.session;
 
 import org.dronemap.core.cloud.VehicleChannel;
-import org.dronemap.proxy.mavlink.procedure.Observer;
+import org.dronemap.proxy.mavlink.procedure.ExchangeObserver;
 
 /** Reports how far an exchange is to whoever gave the command. */
-record ReportingObserver(VehicleChannel.Report report) implements Observer {
+record ReportingObserver(VehicleChannel.Report report) implements ExchangeObserver {
     @Override
     public void accepted() {
         report.accepted();

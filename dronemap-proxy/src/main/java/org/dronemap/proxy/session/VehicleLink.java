@@ -2,16 +2,16 @@ package org.dronemap.proxy.session;
 
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.LongSupplier;
-import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.Proof;
+import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 import org.dronemap.proxy.endpoint.PeerAddress;
-import org.dronemap.proxy.mavlink.procedure.RoundTrip;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
+import org.dronemap.proxy.mavlink.procedure.RoundTripEstimator;
 import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
-import org.dronemap.proxy.mavlink.procedure.Target;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  * may change when the vehicle is recognised. Sending and measuring belong to the session's lane.
  */
 final class VehicleLink {
-    private final LinkLabel label;
-    private final Downlink downlink;
+    private final LinkOrigin label;
+    private final VehicleSender downlink;
     private final LinkMeter meter;
     private final LongSupplier nanoTime;
     private final LongAdder dropped = new LongAdder();
@@ -30,15 +30,15 @@ final class VehicleLink {
     private volatile boolean cut;
     private volatile boolean broken;
 
-    VehicleLink(LinkLabel label, Downlink downlink, Frame first, LongSupplier nanoTime) {
+    VehicleLink(LinkOrigin label, VehicleSender downlink, Frame first, LongSupplier nanoTime) {
         this.label = label;
         this.downlink = downlink;
         this.nanoTime = nanoTime;
         lastHeardNanos = nanoTime.getAsLong();
         proof = label.identity() == null ? null : new Proof.OfLink(label.identity());
-        Target target =
-                new Target(first.systemId(), first.componentId(), message -> send(message, Mandate.HOUSEKEEPING));
-        meter = new LinkMeter(new RoundTripProbe(target, new RoundTrip()), lastHeardNanos);
+        MavlinkTarget target =
+                new MavlinkTarget(first.systemId(), first.componentId(), message -> send(message, SendAuthority.HOUSEKEEPING));
+        meter = new LinkMeter(new RoundTripProbe(target, new RoundTripEstimator()), lastHeardNanos);
     }
 
     /** Takes a frame in as its endpoint brought it; false when there was no room. On the endpoint's thread. */
@@ -86,7 +86,7 @@ final class VehicleLink {
         return cut || owner == null || owner.isOver();
     }
 
-    void send(Message message, Mandate mandate) {
+    void send(Message message, SendAuthority mandate) {
         if (!label.replay() && !cut) {
             downlink.send(message, mandate, nanoTime.getAsLong());
         }
@@ -114,11 +114,11 @@ final class VehicleLink {
         return new DroneKey(address.host(), address.port(), label.key().systemId());
     }
 
-    LinkLabel label() {
+    LinkOrigin label() {
         return label;
     }
 
-    Downlink downlink() {
+    VehicleSender downlink() {
         return downlink;
     }
 
@@ -134,7 +134,7 @@ final class VehicleLink {
     /** What went over it so far. Any thread. */
     VehicleTraffic traffic() {
         VehicleSession owner = session;
-        LossMeter.Counts counts = meter.counts();
+        LinkQualityMeter.Counts counts = meter.counts();
         return new VehicleTraffic(
                 key(),
                 label.transport(),

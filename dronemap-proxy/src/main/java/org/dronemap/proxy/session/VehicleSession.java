@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.cloud.DroneLink;
 import org.dronemap.core.cloud.Lane;
-import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -13,7 +13,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.SetupSigning;
-import org.dronemap.proxy.signing.Admission;
+import org.dronemap.proxy.signing.FrameAdmission;
 import org.dronemap.proxy.signing.LinkGuard;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -31,18 +31,18 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private static final long GIVEN_UP_NANOS = 120 * SECOND_NANOS;
     private static final long TALKATIVE_NANOS = 3 * SECOND_NANOS;
 
-    private final Surroundings surroundings;
-    private final LinkLabel label;
-    private final LinkChoice links;
-    private final Echoes echoes = new Echoes();
+    private final SessionDependencies surroundings;
+    private final LinkOrigin label;
+    private final LinkSelector links;
+    private final DuplicateFrameFilter echoes = new DuplicateFrameFilter();
     private final LinkGuard guard;
     private final Runnable onEnd;
     private final FrameTap tap;
-    private final Mailbox mailbox;
+    private final SessionFrameQueue mailbox;
     private final int componentId;
-    private final Conversation conversation;
-    private final Introduction introduction;
-    private final EarlyNews news = new EarlyNews();
+    private final AutopilotChannel conversation;
+    private final DroneBinder introduction;
+    private final EarlyEvents news = new EarlyEvents();
     private Lane lane;
     private volatile @Nullable DroneLink link;
     private boolean moving;
@@ -53,21 +53,21 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private volatile boolean played;
 
     /** {@code first} made the session; {@code onEnd} hears once that it is over. */
-    VehicleSession(Surroundings surroundings, VehicleLink firstLink, Frame first, Runnable onEnd) {
+    VehicleSession(SessionDependencies surroundings, VehicleLink firstLink, Frame first, Runnable onEnd) {
         this.surroundings = surroundings;
         this.label = firstLink.label();
-        this.links = new LinkChoice(firstLink);
+        this.links = new LinkSelector(firstLink);
         this.onEnd = onEnd;
         guard = surroundings.keyrings().guard(label.signingLinkId(), links::isSafe);
         firstLink.downlink().guardedBy(guard);
         componentId = first.componentId();
         tap = label.replay() ? FrameTap.NONE : surroundings.taps().open(componentId);
         firstLink.downlink().tapBy(tap);
-        conversation = new Conversation(links, first, this::tell, tap::missionRead, surroundings.nanoTime());
-        introduction = new Introduction(surroundings, links, conversation);
+        conversation = new AutopilotChannel(links, first, this::tell, tap::missionRead, surroundings.nanoTime());
+        introduction = new DroneBinder(surroundings, links, conversation);
         lane = surroundings.lanes().registry();
         String mark = label.peer().text();
-        mailbox = new Mailbox(lane, frame -> surroundings.watch().atWork().at(mark, () -> take(frame)));
+        mailbox = new SessionFrameQueue(lane, frame -> surroundings.watch().atWork().at(mark, () -> take(frame)));
         lastHeardNanos = surroundings.now();
         Lane registry = lane;
         registry.execute(() -> registry.addTicker(this));
@@ -91,12 +91,12 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             return;
         }
         long now = surroundings.now();
-        Admission admission = admit(frame, now);
-        if (admission == Admission.REFUSED) {
+        FrameAdmission admission = admit(frame, now);
+        if (admission == FrameAdmission.REFUSED) {
             return;
         }
         tap.admitted(frame);
-        if (frame.componentId() != componentId || admission == Admission.ASIDE) {
+        if (frame.componentId() != componentId || admission == FrameAdmission.ASIDE) {
             // Other components speak for themselves; their sentences are shown while the autopilot lives.
             if (now - lastHeardNanos < 2 * SECOND_NANOS) {
                 conversation.overheard(frame, now);
@@ -118,14 +118,14 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         }
     }
 
-    private Admission admit(Frame frame, long now) {
+    private FrameAdmission admit(Frame frame, long now) {
         if (label.replay()) {
-            return Admission.ADMITTED;
+            return FrameAdmission.ADMITTED;
         }
         if (links.isRedundant() && echoes.isEcho(frame)) {
-            return Admission.REFUSED;
+            return FrameAdmission.REFUSED;
         }
-        Admission admission = guard.judge(frame, now);
+        FrameAdmission admission = guard.judge(frame, now);
         guard.signer().ifPresent(links.best()::signedBy);
         if (guard.contradicts()) {
             loseDrone("The key of another drone signs on this link; look at the drone.");
@@ -319,7 +319,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     }
 
     private void tell(DroneEvent event) {
-        if (event instanceof DroneEvent.TextHeard text) {
+        if (event instanceof DroneEvent.TextReported text) {
             guard.said(text.text());
         }
         DroneLink bound = link;
@@ -365,12 +365,12 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     }
 
     @Override
-    public void perform(Mandate mandate, Command command, Report report) {
+    public void perform(SendAuthority mandate, Command command, Report report) {
         conversation.perform(mandate, command, report);
     }
 
     @Override
-    public void steer(Mandate mandate, Setpoint setpoint) {
+    public void steer(SendAuthority mandate, Setpoint setpoint) {
         conversation.steer(mandate, setpoint);
     }
 

@@ -19,11 +19,11 @@ final class KeyChange {
     private static final Pattern REFUSAL = Pattern.compile(
             "(?i)(error|fail|won't|denied|refuse|not allowed).*sign|sign.*(fail|denied|refuse|not allowed)");
 
-    private final ChangeKind kind;
+    private final KeyChangeKind kind;
     private int tries;
     private long lastTryNanos;
     private boolean heardOldSince;
-    private @Nullable ChangeResult result;
+    private @Nullable KeyChangeResult result;
 
     /** The key that a valid frame was signed with. */
     enum Use {
@@ -32,11 +32,11 @@ final class KeyChange {
         NONE
     }
 
-    KeyChange(ChangeKind kind) {
+    KeyChange(KeyChangeKind kind) {
         this.kind = kind;
     }
 
-    ChangeKind kind() {
+    KeyChangeKind kind() {
         return kind;
     }
 
@@ -57,9 +57,9 @@ final class KeyChange {
             return;
         }
         result = heardOldSince
-                ? new ChangeResult.Failed(
-                        ChangeFault.NOT_DONE, "The vehicle was asked " + TRIES + " times and goes on as before.")
-                : new ChangeResult.Unknown("The vehicle was asked " + TRIES + " times and was not heard since.");
+                ? new KeyChangeResult.Failed(
+                        KeyChangeFault.NOT_DONE, "The vehicle was asked " + TRIES + " times and goes on as before.")
+                : new KeyChangeResult.Unknown("The vehicle was asked " + TRIES + " times and was not heard since.");
     }
 
     /** A frame of the vehicle that is beyond doubt, and how it was signed. */
@@ -67,8 +67,8 @@ final class KeyChange {
         if (result != null || tries == 0) {
             return;
         }
-        if (use == (kind == ChangeKind.REVOKE ? Use.NONE : Use.NEW)) {
-            result = new ChangeResult.Done();
+        if (use == (kind == KeyChangeKind.REVOKE ? Use.NONE : Use.NEW)) {
+            result = new KeyChangeResult.Done();
         } else if (nowNanos - lastTryNanos > IN_FLIGHT_NANOS) {
             heardOldSince = true;
         }
@@ -77,17 +77,17 @@ final class KeyChange {
     /** The vehicle says something; a complaint about signing is its answer. */
     void said(String text) {
         if (result == null && tries > 0 && REFUSAL.matcher(text).find()) {
-            result = new ChangeResult.Failed(ChangeFault.REFUSED, "The vehicle says: " + text);
+            result = new KeyChangeResult.Failed(KeyChangeFault.REFUSED, "The vehicle says: " + text);
         }
     }
 
     /** True while what goes out could be signed with the wrong key. */
     boolean holds(long nowNanos) {
-        return result == null && kind != ChangeKind.INSTALL && tries > 0 && nowNanos - lastTryNanos < HOLD_NANOS;
+        return result == null && kind != KeyChangeKind.INSTALL && tries > 0 && nowNanos - lastTryNanos < HOLD_NANOS;
     }
 
     @Nullable
-    ChangeResult result() {
+    KeyChangeResult result() {
         return result;
     }
 }

@@ -12,8 +12,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.message.RadioStatus;
+import org.dronemap.mavlink.signing.SignatureVerdict;
 import org.dronemap.mavlink.signing.SigningClock;
-import org.dronemap.mavlink.signing.Verdict;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,32 +27,32 @@ final class Keyring {
     private static final int RADIO = 166;
 
     private final DroneId drone;
-    private final Keeper keeper;
+    private final Callbacks keeper;
     private final SigningClock clock;
-    private final Refusals refusals = new Refusals();
+    private final SignatureRefusals refusals = new SignatureRefusals();
     private final Set<LinkGuard> links;
     private int systemId;
     private LinkPolicy policy;
-    private @Nullable HeldKey current;
-    private @Nullable HeldKey next;
-    private @Nullable HeldKey previous;
+    private @Nullable ActiveKey current;
+    private @Nullable ActiveKey next;
+    private @Nullable ActiveKey previous;
     private long previousUntilNanos;
     private boolean proven;
     private @Nullable KeyChange change;
     private boolean changeConfirmed;
-    private CompletableFuture<ChangeResult> changeEnd = new CompletableFuture<>();
+    private CompletableFuture<KeyChangeResult> changeEnd = new CompletableFuture<>();
     private long stampedNanos;
 
     /**
      * The callbacks of a keyring, none of which may wait. {@code keep} runs its second argument when that is durable.
      */
-    record Keeper(BiConsumer<LinkSecurity, Runnable> keep, Consumer<LinkSecurity> stamp, Consumer<String> warn) {}
+    record Callbacks(BiConsumer<LinkSecurity, Runnable> keep, Consumer<LinkSecurity> stamp, Consumer<String> warn) {}
 
     /** A key for the vehicle, or null to take its key away, and the time that its signatures begin with. */
     record Request(@Nullable LinkKey key, long timestamp) {}
 
     /** {@code links}: those that are bound to the drone now; others change the set at any time. */
-    Keyring(LinkSecurity security, int systemId, InstantSource wall, Keeper keeper, Set<LinkGuard> links) {
+    Keyring(LinkSecurity security, int systemId, InstantSource wall, Callbacks keeper, Set<LinkGuard> links) {
         this.drone = security.drone();
         this.links = links;
         this.systemId = systemId;
@@ -66,8 +66,8 @@ final class Keyring {
         proven = security.proven();
     }
 
-    private @Nullable HeldKey held(@Nullable LinkKey key) {
-        return key == null ? null : new HeldKey(key, clock);
+    private @Nullable ActiveKey held(@Nullable LinkKey key) {
+        return key == null ? null : new ActiveKey(key, clock);
     }
 
     DroneId drone() {
@@ -78,7 +78,7 @@ final class Keyring {
         return new LinkSecurity(drone, policy, keyOf(current), keyOf(next), proven, clock.now());
     }
 
-    private static @Nullable LinkKey keyOf(@Nullable HeldKey held) {
+    private static @Nullable LinkKey keyOf(@Nullable ActiveKey held) {
         return held == null ? null : held.key();
     }
 
@@ -110,41 +110,41 @@ final class Keyring {
     }
 
     /** What becomes of a frame that came in this drone's name. */
-    synchronized Admission admit(Frame frame, long nowNanos) {
-        Verdict verdict = judge(frame, nowNanos);
+    synchronized FrameAdmission admit(Frame frame, long nowNanos) {
+        SignatureVerdict verdict = judge(frame, nowNanos);
         if (verdict.isValid()) {
             refusals.valid();
-            return Admission.PROVEN;
+            return FrameAdmission.PROVEN;
         }
         boolean open = policy == LinkPolicy.OFF
-                || (policy == LinkPolicy.OPTIONAL && (verdict == Verdict.UNSIGNED || !proven))
-                || (verdict == Verdict.UNSIGNED && change != null && change.kind() == ChangeKind.REVOKE);
+                || (policy == LinkPolicy.OPTIONAL && (verdict == SignatureVerdict.UNSIGNED || !proven))
+                || (verdict == SignatureVerdict.UNSIGNED && change != null && change.kind() == KeyChangeKind.REVOKE);
         if (open) {
-            return Admission.ADMITTED;
+            return FrameAdmission.ADMITTED;
         }
-        if (verdict == Verdict.UNSIGNED && (frame.messageId() == RadioStatus.ID || frame.messageId() == RADIO)) {
-            return Admission.ASIDE;
+        if (verdict == SignatureVerdict.UNSIGNED && (frame.messageId() == RadioStatus.ID || frame.messageId() == RADIO)) {
+            return FrameAdmission.ASIDE;
         }
         refusals.refused(verdict, nowNanos).ifPresent(keeper.warn());
-        return Admission.REFUSED;
+        return FrameAdmission.REFUSED;
     }
 
-    private Verdict judge(Frame frame, long nowNanos) {
+    private SignatureVerdict judge(Frame frame, long nowNanos) {
         if (!frame.signed()) {
             tellChange(frame, KeyChange.Use.NONE, nowNanos);
-            return Verdict.UNSIGNED;
+            return SignatureVerdict.UNSIGNED;
         }
-        Verdict verdict = verdict(current, frame);
+        SignatureVerdict verdict = verdict(current, frame);
         KeyChange.Use use = KeyChange.Use.OLD;
         if (verdict.isValid()) {
-            use = change != null && change.kind() == ChangeKind.INSTALL ? KeyChange.Use.NEW : use;
+            use = change != null && change.kind() == KeyChangeKind.INSTALL ? KeyChange.Use.NEW : use;
             prove();
-        } else if (verdict == Verdict.BAD_SIGNATURE) {
+        } else if (verdict == SignatureVerdict.BAD_SIGNATURE) {
             verdict = verdict(next, frame);
             if (verdict.isValid()) {
                 use = KeyChange.Use.NEW;
                 adopt(nowNanos);
-            } else if (verdict == Verdict.BAD_SIGNATURE && nowNanos - previousUntilNanos < 0) {
+            } else if (verdict == SignatureVerdict.BAD_SIGNATURE && nowNanos - previousUntilNanos < 0) {
                 verdict = verdict(previous, frame);
             }
         }
@@ -161,8 +161,8 @@ final class Keyring {
         }
     }
 
-    private static Verdict verdict(@Nullable HeldKey held, Frame frame) {
-        return held == null ? Verdict.BAD_SIGNATURE : held.judge(frame);
+    private static SignatureVerdict verdict(@Nullable ActiveKey held, Frame frame) {
+        return held == null ? SignatureVerdict.BAD_SIGNATURE : held.judge(frame);
     }
 
     private void prove() {
@@ -225,8 +225,8 @@ final class Keyring {
         if (!due) {
             return null;
         }
-        LinkKey wanted = keyOf(now.kind() == ChangeKind.ROTATE ? next : current);
-        return now.kind() == ChangeKind.REVOKE || wanted == null
+        LinkKey wanted = keyOf(now.kind() == KeyChangeKind.ROTATE ? next : current);
+        return now.kind() == KeyChangeKind.REVOKE || wanted == null
                 ? new Request(null, 0)
                 : new Request(wanted, clock.next());
     }
@@ -266,23 +266,23 @@ final class Keyring {
     }
 
     /** Why a change cannot begin now; null: it can. */
-    synchronized ChangeResult.@Nullable Failed obstacle(ChangeKind kind, boolean confirmed) {
+    synchronized KeyChangeResult.@Nullable Failed obstacle(KeyChangeKind kind, boolean confirmed) {
         if (change != null) {
-            return new ChangeResult.Failed(ChangeFault.CHANGING, "The key of this drone is being changed already.");
+            return new KeyChangeResult.Failed(KeyChangeFault.CHANGING, "The key of this drone is being changed already.");
         }
         if (current == null) {
-            return new ChangeResult.Failed(ChangeFault.NO_KEY, "There is no key for this drone; make one first.");
+            return new KeyChangeResult.Failed(KeyChangeFault.NO_KEY, "There is no key for this drone; make one first.");
         }
-        if (kind == ChangeKind.ROTATE && !proven) {
-            return new ChangeResult.Failed(
-                    ChangeFault.NOT_PROVEN, "The vehicle was never heard using its key; install that first.");
+        if (kind == KeyChangeKind.ROTATE && !proven) {
+            return new KeyChangeResult.Failed(
+                    KeyChangeFault.NOT_PROVEN, "The vehicle was never heard using its key; install that first.");
         }
         if (links.isEmpty()) {
-            return new ChangeResult.Failed(ChangeFault.NO_LINK, "The drone has no link now.");
+            return new KeyChangeResult.Failed(KeyChangeFault.NO_LINK, "The drone has no link now.");
         }
-        if (kind != ChangeKind.REVOKE && !confirmed && !hasSafeLink()) {
-            return new ChangeResult.Failed(
-                    ChangeFault.LINK_NOT_SAFE,
+        if (kind != KeyChangeKind.REVOKE && !confirmed && !hasSafeLink()) {
+            return new KeyChangeResult.Failed(
+                    KeyChangeFault.LINK_NOT_SAFE,
                     "The link could be listened to, and who hears the key can command the drone. Use a serial line, DTLS"
                             + " or a connection on this machine, or confirm that this link is safe.");
         }
@@ -290,27 +290,27 @@ final class Keyring {
     }
 
     /** Begins once {@code newKey} is durable; it is null but for a rotation. */
-    synchronized CompletableFuture<ChangeResult> begin(ChangeKind kind, @Nullable LinkKey newKey, boolean confirmed) {
+    synchronized CompletableFuture<KeyChangeResult> begin(KeyChangeKind kind, @Nullable LinkKey newKey, boolean confirmed) {
         next = newKey == null ? next : held(newKey);
         change = new KeyChange(kind);
-        changeConfirmed = confirmed || kind == ChangeKind.REVOKE;
+        changeConfirmed = confirmed || kind == KeyChangeKind.REVOKE;
         changeEnd = new CompletableFuture<>();
         return changeEnd;
     }
 
     private void settle() {
-        ChangeResult result = change == null ? null : change.result();
+        KeyChangeResult result = change == null ? null : change.result();
         if (change == null || result == null) {
             return;
         }
-        ChangeKind kind = change.kind();
+        KeyChangeKind kind = change.kind();
         change = null;
-        if (result instanceof ChangeResult.Done && kind == ChangeKind.REVOKE) {
+        if (result instanceof KeyChangeResult.Done && kind == KeyChangeKind.REVOKE) {
             clear();
-        } else if (result instanceof ChangeResult.Failed && kind == ChangeKind.ROTATE) {
+        } else if (result instanceof KeyChangeResult.Failed && kind == KeyChangeKind.ROTATE) {
             next = null;
         }
-        CompletableFuture<ChangeResult> end = changeEnd;
+        CompletableFuture<KeyChangeResult> end = changeEnd;
         keeper.keep().accept(security(), () -> end.complete(result));
     }
 }

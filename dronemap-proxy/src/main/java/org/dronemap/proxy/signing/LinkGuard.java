@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 public final class LinkGuard {
     private static final long BETWEEN_SEARCHES_NANOS = 100_000_000L;
 
-    private final Keyrings keyrings;
+    private final KeyringRegistry keyrings;
     private final int linkId;
     private final BooleanSupplier safe;
     private @Nullable DroneId bound;
@@ -28,7 +28,7 @@ public final class LinkGuard {
     private long lastSearchNanos;
     private boolean searched;
 
-    LinkGuard(Keyrings keyrings, int linkId, BooleanSupplier safe) {
+    LinkGuard(KeyringRegistry keyrings, int linkId, BooleanSupplier safe) {
         this.keyrings = keyrings;
         this.linkId = linkId;
         this.safe = safe;
@@ -39,19 +39,19 @@ public final class LinkGuard {
         return safe.getAsBoolean();
     }
 
-    public Admission judge(Frame frame, long nowNanos) {
+    public FrameAdmission judge(Frame frame, long nowNanos) {
         if (frame.messageId() == SetupSigning.ID) {
-            return Admission.REFUSED;
+            return FrameAdmission.REFUSED;
         }
         if (!proven) {
             search(frame, nowNanos);
         }
         Keyring ring = keyring();
         if (ring == null) {
-            return Admission.ADMITTED;
+            return FrameAdmission.ADMITTED;
         }
-        Admission admission = ring.admit(frame, nowNanos);
-        proven |= admission == Admission.PROVEN;
+        FrameAdmission admission = ring.admit(frame, nowNanos);
+        proven |= admission == FrameAdmission.PROVEN;
         return admission;
     }
 

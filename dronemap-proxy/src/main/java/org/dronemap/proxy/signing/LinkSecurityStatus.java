@@ -17,6 +17,6 @@ public record LinkSecurityStatus(
         @Nullable String fingerprint,
         boolean proven,
         @Nullable String nextFingerprint,
-        @Nullable ChangeKind change,
-        FrameCounts counts,
+        @Nullable KeyChangeKind change,
+        SignatureCounts counts,
         @Nullable Boolean safeLink) {}

@@ -13,7 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.proxy.TestCloud;
 import org.eclipse.californium.elements.AddressEndpointContext;
 import org.eclipse.californium.elements.RawData;
@@ -32,7 +32,7 @@ class DtlsServerEndpointTest {
     private static final Duration PATIENCE = Duration.ofSeconds(10);
     private static final byte[] SECRET = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
 
-    private final Gathering gathering = new Gathering();
+    private final CountingPeerHandlers gathering = new CountingPeerHandlers();
     private final Map<String, byte[]> keys = new ConcurrentHashMap<>(Map.of("copter", SECRET, "plane", SECRET));
     private Endpoint endpoint;
 
@@ -41,8 +41,8 @@ class DtlsServerEndpointTest {
         endpoint = Endpoint.open(
                 EndpointUrl.parse("dtlsserver://127.0.0.1:0"),
                 gathering,
-                Doors.of(identity -> Optional.ofNullable(keys.get(identity)).map(byte[]::clone)),
-                new SystemTime());
+                EndpointSecurity.of(identity -> Optional.ofNullable(keys.get(identity)).map(byte[]::clone)),
+                new RealTime());
     }
 
     @AfterEach

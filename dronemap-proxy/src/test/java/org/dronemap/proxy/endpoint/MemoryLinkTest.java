@@ -16,7 +16,7 @@ class MemoryLinkTest {
     private static final PeerAddress ADDRESS = new PeerAddress("127.0.0.1", 14_551);
 
     private final SteppedTime time = new SteppedTime(Instant.EPOCH);
-    private final Gathering gathering = new Gathering();
+    private final CountingPeerHandlers gathering = new CountingPeerHandlers();
     private final List<byte[]> told = new ArrayList<>();
     private final FrameWriter writer = new FrameWriter(1, 1, 2);
     private final MemoryLink link = new MemoryLink(gathering, ADDRESS, told::add, time);
@@ -33,7 +33,7 @@ class MemoryLinkTest {
         link.received(heartbeat());
 
         assertThat(gathering.guests()).hasSize(1);
-        Gathering.Guest guest = gathering.guests().get(0);
+        CountingPeerHandlers.CountingPeer guest = gathering.guests().get(0);
         assertThat(guest.frames()).isEqualTo(2);
         assertThat(guest.peer().address()).isEqualTo(ADDRESS);
         assertThat(guest.peer().transport()).isEqualTo("udp");
@@ -65,7 +65,7 @@ class MemoryLinkTest {
     @Test
     void carriesNothingAfterItsClose() {
         link.received(heartbeat());
-        Gathering.Guest guest = gathering.guests().get(0);
+        CountingPeerHandlers.CountingPeer guest = gathering.guests().get(0);
         link.close();
 
         assertThat(guest.isClosed()).isTrue();

@@ -12,7 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.proxy.TestCloud;
 import org.junit.jupiter.api.Test;
 
@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 class WebSocketEndpointTest {
     private static final Duration PATIENCE = Duration.ofSeconds(10);
 
-    private final Gathering gathering = new Gathering();
+    private final CountingPeerHandlers gathering = new CountingPeerHandlers();
 
     /** Keeps what comes, and that it ended. */
     private static final class Vehicle implements WebSocket.Listener {
@@ -42,7 +42,7 @@ class WebSocketEndpointTest {
     }
 
     private Endpoint open(String url) throws IOException {
-        return Endpoint.open(EndpointUrl.parse(url), gathering, Doors.of(DtlsKeys.none()), new SystemTime());
+        return Endpoint.open(EndpointUrl.parse(url), gathering, EndpointSecurity.of(DtlsKeys.none()), new RealTime());
     }
 
     private static CompletableFuture<WebSocket> connect(Endpoint endpoint, Vehicle vehicle, String... headers) {
@@ -112,9 +112,9 @@ class WebSocketEndpointTest {
 
     @Test
     void dialsAWebSocketAndComesBackWhenItBreaks() throws Exception {
-        Gathering far = new Gathering();
-        EndpointUrl url = EndpointUrl.parse("wsserver://127.0.0.1:" + QuietPorts.free());
-        Endpoint vehicles = Endpoint.open(url, far, Doors.of(DtlsKeys.none()), new SystemTime());
+        CountingPeerHandlers far = new CountingPeerHandlers();
+        EndpointUrl url = EndpointUrl.parse("wsserver://127.0.0.1:" + UnusedPorts.free());
+        Endpoint vehicles = Endpoint.open(url, far, EndpointSecurity.of(DtlsKeys.none()), new RealTime());
         try (Endpoint endpoint = open("wsclient://127.0.0.1:" + url.port() + "/vehicle")) {
             TestCloud.await(PATIENCE, () -> far.bytes() >= 3, () -> "not greeted");
             TestCloud.await(PATIENCE, () -> gathering.bytes() >= 1, () -> "not answered");
@@ -125,7 +125,7 @@ class WebSocketEndpointTest {
                     () -> endpoint.state().phase() == EndpointState.Phase.FAILED,
                     () -> "it is " + endpoint.state());
 
-            vehicles = Endpoint.open(url, far, Doors.of(DtlsKeys.none()), new SystemTime());
+            vehicles = Endpoint.open(url, far, EndpointSecurity.of(DtlsKeys.none()), new RealTime());
             TestCloud.await(
                     PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "it is " + endpoint.state());
         } finally {

@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.LogSink;
-import org.dronemap.core.command.OwnersKeeper;
-import org.dronemap.core.command.PutBack;
+import org.dronemap.core.command.ParameterOverrideRecorder;
+import org.dronemap.core.command.RestoreParameters;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
@@ -20,7 +20,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
-import org.dronemap.core.parameter.OwnersValue;
+import org.dronemap.core.parameter.OverriddenParameter;
 import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
@@ -32,8 +32,8 @@ public final class CommandSamples {
     private static final FenceZone FENCE =
             new FenceZone.Polygon(true, List.of(HERE, new Geodetic(47.5, 8.5), new Geodetic(47.4, 8.6)));
 
-    private static final List<OwnersValue> KEPT =
-            List.of(new OwnersValue("FS_GCS_ENABLE", 0, 1), new OwnersValue("FS_OPTIONS", 0, 16, 18));
+    private static final List<OverriddenParameter> KEPT =
+            List.of(new OverriddenParameter("FS_GCS_ENABLE", 0, 1), new OverriddenParameter("FS_OPTIONS", 0, 16, 18));
 
     private static final Map<Class<?>, Object> PARTS =
             Map.of(int.class, 12, double.class, 12.0, boolean.class, true, String.class, "GUIDED");
@@ -52,7 +52,7 @@ public final class CommandSamples {
                         new Command.SetHome(HERE, new Altitude(500, Altitude.Reference.AMSL)));
             case SET_PARAMETERS -> Stream.of(new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1_500))));
             case SET_CLOUD_LOSS -> Stream.of(new SetCloudLoss(20, KEPT, new Agreeing()));
-            case PUT_BACK -> Stream.of(new PutBack(KEPT, new Agreeing()));
+            case PUT_BACK -> Stream.of(new RestoreParameters(KEPT, new Agreeing()));
             case DOWNLOAD_LOG -> Stream.of(new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()));
             case SET_FENCE -> Stream.of(new Command.SetFence(List.of(FENCE)));
             case SET_RALLY_POINTS -> Stream.of(new Command.SetRallyPoints(List.of(new RallyPoint(HERE, 30))));
@@ -104,14 +104,14 @@ public final class CommandSamples {
     }
 
     /** Keeps nothing, and says that it does. */
-    private static final class Agreeing implements OwnersKeeper {
+    private static final class Agreeing implements ParameterOverrideRecorder {
         @Override
         public double returnMeters(double owners) {
             return owners + 5;
         }
 
         @Override
-        public CompletableFuture<Void> keep(Plan plan) {
+        public CompletableFuture<Void> keep(OverridePlan plan) {
             return CompletableFuture.completedFuture(null);
         }
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The same for a long time: {@code DRONEMAP_FUZZ_MINUTES} for each target, 60 unless it says otherwise. */
 @Tag("soak")
 class FuzzSoakTest {
-    private static final Map<String, Function<Budget, Long>> TARGETS = Map.of(
+    private static final Map<String, Function<FuzzBudget, Long>> TARGETS = Map.of(
             "frame reader", ReaderFuzz::run,
             "translators", TranslatorFuzz::run,
             "procedures", ProcedureFuzz::run,
@@ -26,6 +26,6 @@ class FuzzSoakTest {
         Duration length =
                 Duration.ofMinutes(Long.parseLong(System.getenv().getOrDefault("DRONEMAP_FUZZ_MINUTES", "60")));
 
-        assertThat(TARGETS.get(target).apply(Budget.lasting(target, length))).isPositive();
+        assertThat(TARGETS.get(target).apply(FuzzBudget.lasting(target, length))).isPositive();
     }
 }

@@ -8,31 +8,31 @@ import org.junit.jupiter.api.Test;
 class FuzzTest {
     @Test
     void theFrameReaderFindsGoodFramesBehindAnything() {
-        assertThat(ReaderFuzz.run(Budget.rounds("frame reader", 100_000))).isPositive();
+        assertThat(ReaderFuzz.run(FuzzBudget.rounds("frame reader", 100_000))).isPositive();
     }
 
     @Test
     void theTranslatorsMakeSenseOfAnyPayload() {
-        assertThat(TranslatorFuzz.run(Budget.rounds("translators", 80_000))).isPositive();
+        assertThat(TranslatorFuzz.run(FuzzBudget.rounds("translators", 80_000))).isPositive();
     }
 
     @Test
     void everyCommandEndsWhateverTheVehicleAnswers() {
-        assertThat(ProcedureFuzz.run(Budget.rounds("procedures", 1_500))).isPositive();
+        assertThat(ProcedureFuzz.run(FuzzBudget.rounds("procedures", 1_500))).isPositive();
     }
 
     @Test
     void onlyARightSignatureThatIsNewIsBelieved() {
-        assertThat(SigningFuzz.run(Budget.rounds("signing", 60_000))).isPositive();
+        assertThat(SigningFuzz.run(FuzzBudget.rounds("signing", 60_000))).isPositive();
     }
 
     @Test
     void sessionsSurviveHostileVehicles() {
-        assertThat(SessionFuzz.run(Budget.rounds("sessions", 30_000))).isPositive();
+        assertThat(SessionFuzz.run(FuzzBudget.rounds("sessions", 30_000))).isPositive();
     }
 
     @Test
     void anythingInJsonIsAMessageOfARobotOrSaysWhyItIsNone() {
-        assertThat(PacketFuzz.run(Budget.rounds("messages of robots", 6_000))).isPositive();
+        assertThat(PacketFuzz.run(FuzzBudget.rounds("messages of robots", 6_000))).isPositive();
     }
 }

@@ -7,13 +7,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Random;
 import org.dronemap.proxy.roslink.wire.Base64Text;
-import org.dronemap.proxy.roslink.wire.Order;
-import org.dronemap.proxy.roslink.wire.OrderWriter;
-import org.dronemap.proxy.roslink.wire.Packet;
-import org.dronemap.proxy.roslink.wire.PacketReader;
-import org.dronemap.proxy.roslink.wire.Reading;
+import org.dronemap.proxy.roslink.wire.PacketReadResult;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
-import org.dronemap.proxy.roslink.wire.SequenceWatch;
+import org.dronemap.proxy.roslink.wire.RobotOrder;
+import org.dronemap.proxy.roslink.wire.RobotOrderWriter;
+import org.dronemap.proxy.roslink.wire.RobotSequenceTracker;
+import org.dronemap.proxy.roslink.wire.RoslinkPacket;
+import org.dronemap.proxy.roslink.wire.RoslinkPacketReader;
 
 /** Messages of robots, cut, spliced and with anything for a value: each is a message or says why it is none. */
 final class PacketFuzz {
@@ -74,17 +74,17 @@ final class PacketFuzz {
     private static final int WARM_UP = 2_000;
 
     private final Random random;
-    private final PacketReader reader = new PacketReader();
-    private final OrderWriter writer = new OrderWriter();
-    private SequenceWatch watch = new SequenceWatch();
+    private final RoslinkPacketReader reader = new RoslinkPacketReader();
+    private final RobotOrderWriter writer = new RobotOrderWriter();
+    private RobotSequenceTracker watch = new RobotSequenceTracker();
 
     private PacketFuzz(Random random) {
         this.random = random;
     }
 
-    static long run(Budget budget) {
+    static long run(FuzzBudget budget) {
         PacketFuzz fuzz = new PacketFuzz(budget.random());
-        FlatHeap heap = new FlatHeap();
+        HeapGrowthCheck heap = new HeapGrowthCheck();
         long rounds = 0;
         long good = 0;
         while (budget.isLeft()) {
@@ -93,7 +93,7 @@ final class PacketFuzz {
             if (rounds++ < WARM_UP) {
                 wasGood[0] = fuzz.feed(input);
             } else {
-                SlowInput.check(budget.name(), input, () -> wasGood[0] = fuzz.feed(input));
+                SlowInputCheck.check(budget.name(), input, () -> wasGood[0] = fuzz.feed(input));
             }
             good += wasGood[0] ? 1 : 0;
         }
@@ -105,21 +105,21 @@ final class PacketFuzz {
     /** True for a message. */
     private boolean feed(byte[] input) {
         ByteBuffer buffer = ByteBuffer.wrap(input);
-        Reading reading = reader.read(buffer);
+        PacketReadResult reading = reader.read(buffer);
         assertThat(buffer.hasRemaining()).isFalse();
-        if (!(reading instanceof Reading.Good good)) {
+        if (!(reading instanceof PacketReadResult.Good good)) {
             return false;
         }
-        Packet packet = good.packet();
+        RoslinkPacket packet = good.packet();
         watch.isNew(packet.header());
         if (random.nextInt(1_000) == 0) {
-            watch = new SequenceWatch();
+            watch = new RobotSequenceTracker();
         }
         if (packet.message() instanceof RobotMessage.Image image) {
             Base64Text.decode(image.base64());
         }
-        byte[] answer = writer.write(packet.header(), Order.Twist.STOP);
-        assertThat(reader.read(ByteBuffer.wrap(answer))).isInstanceOf(Reading.Good.class);
+        byte[] answer = writer.write(packet.header(), RobotOrder.Twist.STOP);
+        assertThat(reader.read(ByteBuffer.wrap(answer))).isInstanceOf(PacketReadResult.Good.class);
         return true;
     }
 

@@ -12,12 +12,12 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
-import org.dronemap.proxy.mavlink.procedure.Observer;
-import org.dronemap.proxy.mavlink.procedure.Target;
-import org.dronemap.proxy.mavlink.translate.Autopilot;
-import org.dronemap.proxy.mavlink.translate.Cockpit;
+import org.dronemap.proxy.mavlink.procedure.ExchangeObserver;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
+import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
+import org.dronemap.proxy.mavlink.translate.CommandContext;
 import org.dronemap.proxy.mavlink.translate.ParameterTable;
-import org.dronemap.proxy.mavlink.translate.Telemetry;
+import org.dronemap.proxy.mavlink.translate.TelemetryTranslator;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
 
 /** Every command on every autopilot while the vehicle answers nonsense: it ends, and sends no endless stream. */
@@ -38,15 +38,15 @@ final class ProcedureFuzz {
     private long now = 1_000 * SECOND;
     private int rounds;
 
-    private ProcedureFuzz(Budget budget) {
+    private ProcedureFuzz(FuzzBudget budget) {
         random = budget.random();
         hostile = new HostileFrames(random, 1);
         name = budget.name();
     }
 
-    static long run(Budget budget) {
+    static long run(FuzzBudget budget) {
         ProcedureFuzz fuzz = new ProcedureFuzz(budget);
-        FlatHeap heap = new FlatHeap();
+        HeapGrowthCheck heap = new HeapGrowthCheck();
         while (budget.isLeft()) {
             fuzz.round();
         }
@@ -59,20 +59,20 @@ final class ProcedureFuzz {
         int type = TYPES[random.nextInt(TYPES.length)];
         Heartbeat heartbeat =
                 new Heartbeat(type, AUTOPILOTS[random.nextInt(AUTOPILOTS.length)], 81, random.nextInt(30), 4, 3);
-        Autopilot autopilot = Autopilot.of(heartbeat);
+        AutopilotAdapter autopilot = AutopilotAdapter.of(heartbeat);
         Command command = COMMANDS.get(random.nextInt(COMMANDS.size()));
         if (!autopilot.capabilities().commands().contains(command.needs())) {
             return;
         }
         AtomicLong sent = new AtomicLong();
         VehicleStatus status = new VehicleStatus(type, 0);
-        Telemetry telemetry = new Telemetry(autopilot, status, event -> {});
-        Target target = new Target(1, 1, message -> sent.incrementAndGet());
-        Cockpit cockpit = new Cockpit(
+        TelemetryTranslator telemetry = new TelemetryTranslator(autopilot, status, event -> {});
+        MavlinkTarget target = new MavlinkTarget(1, 1, message -> sent.incrementAndGet());
+        CommandContext cockpit = new CommandContext(
                 status,
                 new ParameterTable(autopilot, event -> {}),
                 target,
-                Observer.NONE,
+                ExchangeObserver.NONE,
                 event -> {},
                 items -> {},
                 sentence -> {});
@@ -84,7 +84,7 @@ final class ProcedureFuzz {
         endsInSilence(exchange, command);
     }
 
-    private void disturb(Exchange exchange, Telemetry telemetry, AtomicLong sent) {
+    private void disturb(Exchange exchange, TelemetryTranslator telemetry, AtomicLong sent) {
         long before = sent.get();
         byte[] bytes = hostile.next();
         List<Frame> frames = HostileFrames.parsed(bytes);
@@ -95,7 +95,7 @@ final class ProcedureFuzz {
         if (rounds < WARM_UP) {
             work.run();
         } else {
-            SlowInput.check(name, bytes, work);
+            SlowInputCheck.check(name, bytes, work);
         }
         if (random.nextInt(20) == 0) {
             exchange.said(Severity.values()[random.nextInt(Severity.values().length)], "PreArm: " + bytes.length, now);

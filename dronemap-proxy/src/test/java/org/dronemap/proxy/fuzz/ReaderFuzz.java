@@ -27,16 +27,16 @@ final class ReaderFuzz {
         hostile = new HostileFrames(random, 3);
     }
 
-    static long run(Budget budget) {
+    static long run(FuzzBudget budget) {
         ReaderFuzz fuzz = new ReaderFuzz(budget.random());
-        FlatHeap heap = new FlatHeap();
+        HeapGrowthCheck heap = new HeapGrowthCheck();
         long rounds = 0;
         while (budget.isLeft()) {
             byte[] input = fuzz.input();
             if (rounds++ < WARM_UP) {
                 fuzz.feed(fuzz.reader, input);
             } else {
-                SlowInput.check(budget.name(), input, () -> fuzz.feed(fuzz.reader, input));
+                SlowInputCheck.check(budget.name(), input, () -> fuzz.feed(fuzz.reader, input));
             }
             fuzz.findsWhatIsGood(input, budget.name());
         }

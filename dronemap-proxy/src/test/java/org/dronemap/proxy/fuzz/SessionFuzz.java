@@ -28,7 +28,7 @@ final class SessionFuzz {
     private final AtomicLong sent = new AtomicLong();
 
     /** Swallows what is sent. */
-    private record Deaf(int port, AtomicLong sent) implements Peer {
+    private record DiscardingPeer(int port, AtomicLong sent) implements Peer {
         @Override
         public PeerAddress address() {
             return new PeerAddress(isLocal() ? "127.0.0.1" : "192.0.2.1", port);
@@ -60,11 +60,11 @@ final class SessionFuzz {
         this.cloud = cloud;
         hostile = new HostileFrames(random, SYSTEMS);
         for (int port = 1; port <= PEERS; port++) {
-            peers.add(cloud.opened(new Deaf(port, sent)));
+            peers.add(cloud.opened(new DiscardingPeer(port, sent)));
         }
     }
 
-    static long run(Budget budget) {
+    static long run(FuzzBudget budget) {
         try (TestCloud cloud = new TestCloud(0)) {
             SessionFuzz fuzz = new SessionFuzz(budget.random(), cloud);
             long rounds = 0;
@@ -72,10 +72,10 @@ final class SessionFuzz {
                 fuzz.deliver(fuzz.bytes());
             }
             fuzz.settles();
-            FlatHeap heap = new FlatHeap();
+            HeapGrowthCheck heap = new HeapGrowthCheck();
             while (budget.isLeft()) {
                 byte[] bytes = fuzz.bytes();
-                SlowInput.check(budget.name(), bytes, () -> fuzz.deliver(bytes));
+                SlowInputCheck.check(budget.name(), bytes, () -> fuzz.deliver(bytes));
                 rounds++;
             }
             fuzz.settles();

@@ -9,17 +9,17 @@ import java.util.Random;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
-import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.SetupSigning;
 import org.dronemap.mavlink.signing.OutgoingSigner;
 import org.dronemap.mavlink.signing.SigningClock;
 import org.dronemap.mavlink.signing.SigningKey;
-import org.dronemap.proxy.TestKeys;
-import org.dronemap.proxy.signing.Admission;
-import org.dronemap.proxy.signing.Keyrings;
+import org.dronemap.proxy.TestKeyrings;
+import org.dronemap.proxy.signing.FrameAdmission;
+import org.dronemap.proxy.signing.KeyringRegistry;
 import org.dronemap.proxy.signing.LinkGuard;
 
 /** Right, foreign, doubled, bent and missing signatures under any payload: only a right one that is new is believed. */
@@ -37,7 +37,7 @@ final class SigningFuzz {
     private final LinkGuard guard;
     private long rounds;
 
-    private SigningFuzz(Budget budget, Journal journal) {
+    private SigningFuzz(FuzzBudget budget, StoreWriter journal) {
         random = budget.random();
         hostile = new HostileFrames(random, 1);
         name = budget.name();
@@ -45,10 +45,10 @@ final class SigningFuzz {
         own = new SigningKey(secret);
         foreign = new SigningKey(secret());
         DroneId drone = new DroneId("d7k2m9q4xa");
-        TestKeys kept = new TestKeys();
+        TestKeyrings kept = new TestKeyrings();
         kept.save(new LinkSecurity(drone, LinkPolicy.REQUIRED, new LinkKey(secret), null, true, 0));
-        Keyrings keyrings = new Keyrings(
-                new Keyrings.Keeping(kept, journal, known -> 1, (known, sentence) -> {}), new SystemTime());
+        KeyringRegistry keyrings = new KeyringRegistry(
+                new KeyringRegistry.Dependencies(kept, journal, known -> 1, (known, sentence) -> {}), new RealTime());
         guard = keyrings.guard(0, () -> true);
         guard.bound(drone, 1);
     }
@@ -59,10 +59,10 @@ final class SigningFuzz {
         return secret;
     }
 
-    static long run(Budget budget) {
-        try (Journal journal = new Journal(new SystemTime())) {
+    static long run(FuzzBudget budget) {
+        try (StoreWriter journal = new StoreWriter(new RealTime())) {
             SigningFuzz fuzz = new SigningFuzz(budget, journal);
-            FlatHeap heap = new FlatHeap();
+            HeapGrowthCheck heap = new HeapGrowthCheck();
             while (budget.isLeft()) {
                 fuzz.round();
             }
@@ -74,17 +74,17 @@ final class SigningFuzz {
     private void round() {
         rounds++;
         switch (random.nextInt(4)) {
-            case 0 -> expect(hostile.next(), Admission.REFUSED, Admission.ASIDE);
-            case 1 -> expect(hostile.signed(by(foreign)), Admission.REFUSED);
+            case 0 -> expect(hostile.next(), FrameAdmission.REFUSED, FrameAdmission.ASIDE);
+            case 1 -> expect(hostile.signed(by(foreign)), FrameAdmission.REFUSED);
             case 2 -> {
                 byte[] bent = hostile.signed(by(own));
                 bent[bent.length - 1 - random.nextInt(SIGNATURE_BYTES)] ^= (byte) (1 << random.nextInt(8));
-                expect(bent, Admission.REFUSED);
+                expect(bent, FrameAdmission.REFUSED);
             }
             default -> {
                 byte[] right = hostile.signed(by(own));
-                expect(right, Admission.PROVEN);
-                expect(right, Admission.REFUSED);
+                expect(right, FrameAdmission.PROVEN);
+                expect(right, FrameAdmission.REFUSED);
             }
         }
     }
@@ -93,17 +93,17 @@ final class SigningFuzz {
         return new OutgoingSigner(key, clock, random.nextInt(SENDERS));
     }
 
-    private void expect(byte[] bytes, Admission... allowed) {
+    private void expect(byte[] bytes, FrameAdmission... allowed) {
         for (Frame frame : HostileFrames.parsed(bytes)) {
-            List<Admission> judged = new ArrayList<>();
+            List<FrameAdmission> judged = new ArrayList<>();
             Runnable work = () -> judged.add(guard.judge(frame, System.nanoTime()));
             if (rounds < WARM_UP) {
                 work.run();
             } else {
-                SlowInput.check(name, bytes, work);
+                SlowInputCheck.check(name, bytes, work);
             }
             if (frame.messageId() == SetupSigning.ID) {
-                assertThat(judged).as(name).containsOnly(Admission.REFUSED);
+                assertThat(judged).as(name).containsOnly(FrameAdmission.REFUSED);
             } else {
                 assertThat(judged.get(0)).as(name).isIn((Object[]) allowed);
             }

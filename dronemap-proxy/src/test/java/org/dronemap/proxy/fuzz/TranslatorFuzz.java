@@ -9,8 +9,8 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.proxy.mavlink.translate.Autopilot;
-import org.dronemap.proxy.mavlink.translate.Telemetry;
+import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
+import org.dronemap.proxy.mavlink.translate.TelemetryTranslator;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
 
 /** Every known message with any payload through every autopilot's translator; what comes out must make sense. */
@@ -18,7 +18,7 @@ final class TranslatorFuzz {
     private static final int[] AUTOPILOTS = {3, 12, 0, 8, 255};
     private static final int WARM_UP = 5_000;
 
-    private final List<Telemetry> translators = new ArrayList<>();
+    private final List<TelemetryTranslator> translators = new ArrayList<>();
     private final String name;
     private long now = 1_000_000_000L;
 
@@ -27,15 +27,15 @@ final class TranslatorFuzz {
         for (int autopilot : AUTOPILOTS) {
             int type = random.nextInt(45);
             Heartbeat heartbeat = new Heartbeat(type, autopilot, 81, random.nextInt(), 4, 3);
-            translators.add(new Telemetry(Autopilot.of(heartbeat), new VehicleStatus(type, 0), this::look));
+            translators.add(new TelemetryTranslator(AutopilotAdapter.of(heartbeat), new VehicleStatus(type, 0), this::look));
         }
     }
 
-    static long run(Budget budget) {
+    static long run(FuzzBudget budget) {
         Random random = budget.random();
         HostileFrames hostile = new HostileFrames(random, 1);
         TranslatorFuzz fuzz = new TranslatorFuzz(random, budget.name());
-        FlatHeap heap = new FlatHeap();
+        HeapGrowthCheck heap = new HeapGrowthCheck();
         long rounds = 0;
         while (budget.isLeft()) {
             byte[] bytes = hostile.next();
@@ -43,7 +43,7 @@ final class TranslatorFuzz {
             if (rounds++ < WARM_UP) {
                 fuzz.feed(frames);
             } else {
-                SlowInput.check(budget.name(), bytes, () -> fuzz.feed(frames));
+                SlowInputCheck.check(budget.name(), bytes, () -> fuzz.feed(frames));
             }
         }
         heap.check(budget.name());
@@ -52,7 +52,7 @@ final class TranslatorFuzz {
 
     private void feed(List<Frame> frames) {
         now += 20_000_000L;
-        for (Telemetry translator : translators) {
+        for (TelemetryTranslator translator : translators) {
             frames.forEach(frame -> {
                 translator.heard(frame, now);
                 translator.overheard(frame, now);
@@ -62,15 +62,15 @@ final class TranslatorFuzz {
     }
 
     private void look(DroneEvent event) {
-        if (event instanceof DroneEvent.PositionHeard heard) {
+        if (event instanceof DroneEvent.PositionReported heard) {
             sensible(heard.position());
-        } else if (event instanceof DroneEvent.BatteryHeard heard
+        } else if (event instanceof DroneEvent.BatteryReported heard
                 && heard.battery().percent() != null) {
             assertThat(heard.battery().percent()).as(name).isBetween(0, 100);
-        } else if (event instanceof DroneEvent.AttitudeHeard heard) {
+        } else if (event instanceof DroneEvent.AttitudeReported heard) {
             assertThat(heard.attitude().rollDegrees()).as(name).isFinite();
             assertThat(heard.attitude().yawDegrees()).as(name).isFinite();
-        } else if (event instanceof DroneEvent.HomeHeard heard) {
+        } else if (event instanceof DroneEvent.HomeReported heard) {
             assertThat(heard.home().altitudeAmslMeters()).as(name).isFinite();
         }
     }

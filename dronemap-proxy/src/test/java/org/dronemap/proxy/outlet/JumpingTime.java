@@ -11,13 +11,13 @@ import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 import org.dronemap.core.time.Loop;
 import org.dronemap.core.time.Pool;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.time.Worker;
 
 /** The machine's time, whose monotonic part a test may let jump ahead; nobody wakes earlier for that. */
 final class JumpingTime implements Time {
-    private final Time real = new SystemTime();
+    private final Time real = new RealTime();
     private final AtomicLong jumped = new AtomicLong();
 
     void jump(Duration ahead) {

@@ -25,11 +25,11 @@ import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.mavlink.message.VfrHud;
-import org.dronemap.proxy.PlayedVehicle;
+import org.dronemap.proxy.FakeVehicle;
 import org.dronemap.proxy.endpoint.PeerHandler;
 
 /** A copter that answers all and does nothing. Any thread. */
-final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoCloseable {
+final class MatrixVehicle implements BiConsumer<FakeVehicle, Frame>, AutoCloseable {
     private static final float OLD = 1_500;
     private static final int RATES = 511;
     private static final int GUIDED = 4;
@@ -42,7 +42,7 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     private static final int LATITUDE = 473_977_420;
     private static final int LONGITUDE = 85_455_940;
 
-    private final PlayedVehicle played;
+    private final FakeVehicle played;
     private final int parameters;
 
     /** How it is when something is asked of it. */
@@ -66,8 +66,8 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     /** One with so many parameters. */
     MatrixVehicle(PeerHandler.Factory handlers, Time time, int parameters) {
         this.parameters = parameters;
-        played = new PlayedVehicle(
-                handlers, PORT, time, new FrameWriter(1, 1, 2), PlayedVehicle.copter(GUIDED, false), this);
+        played = new FakeVehicle(
+                handlers, PORT, time, new FrameWriter(1, 1, 2), FakeVehicle.copter(GUIDED, false), this);
     }
 
     /** All that came in at it, oldest first. */
@@ -77,7 +77,7 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
 
     void is(State state) {
         boolean flying = state.flies();
-        played.is(PlayedVehicle.copter(state == State.STEERED ? LOITER : GUIDED, state != State.DISARMED));
+        played.is(FakeVehicle.copter(state == State.STEERED ? LOITER : GUIDED, state != State.DISARMED));
         played.send(new HomePosition(LATITUDE, LONGITUDE, 488_000, 0, 0, 0, new float[] {1, 0, 0, 0}, 0, 0, 0, 0));
         played.send(new VfrHud(0, 0, 20, 0, 90, 0));
         played.send(new ExtendedSysState(0, flying ? 2 : 1));
@@ -86,7 +86,7 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     }
 
     @Override
-    public void accept(PlayedVehicle vehicle, Frame frame) {
+    public void accept(FakeVehicle vehicle, Frame frame) {
         switch (frame.messageId()) {
             case CommandLong.ID -> answer(vehicle, CommandLong.decode(frame).command());
             case CommandInt.ID -> answer(vehicle, CommandInt.decode(frame).command());
@@ -113,7 +113,7 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
         }
     }
 
-    private void list(PlayedVehicle vehicle) {
+    private void list(FakeVehicle vehicle) {
         for (int index = 0; index < parameters; index++) {
             tell(vehicle, name(index), OLD + index, index);
         }
@@ -124,12 +124,12 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
         return index == 0 ? "RTL_ALT" : String.format(Locale.ROOT, "SPARE_%04d", index);
     }
 
-    private void tell(PlayedVehicle vehicle, String name, float value, int index) {
+    private void tell(FakeVehicle vehicle, String name, float value, int index) {
         vehicle.send(new ParamValue(name, value, 9, parameters, index));
     }
 
     /** It says why at once, so that nobody waits for that. */
-    private static void answer(PlayedVehicle vehicle, int command) {
+    private static void answer(FakeVehicle vehicle, int command) {
         if (command == RATES) {
             vehicle.acknowledge(command, 0);
         } else {
@@ -138,11 +138,11 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
         }
     }
 
-    private static void deny(PlayedVehicle vehicle, int kind) {
+    private static void deny(FakeVehicle vehicle, int kind) {
         vehicle.send(new MissionAck(CLOUD, CLOUDS_COMPONENT, MISSION_DENIED, kind));
     }
 
-    private static void item(PlayedVehicle vehicle, MissionRequestInt wanted) {
+    private static void item(FakeVehicle vehicle, MissionRequestInt wanted) {
         vehicle.send(new MissionItemInt(
                 CLOUD,
                 CLOUDS_COMPONENT,

@@ -20,13 +20,13 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Everything that MAVLink knows, sent by everybody: what comes in at the vehicle's socket is what the committed table says. */
 class OutletMatrixTest {
-    private static final Map<String, MatrixHouse.Cast> CASTS = Map.of(
-            "stranger", new MatrixHouse.Cast(Optional.empty(), false),
-            "viewer", new MatrixHouse.Cast(Optional.of(Role.VIEWER), false),
-            "planner", new MatrixHouse.Cast(Optional.of(Role.PLANNER), false),
-            "operator without control", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), false),
-            "operator with control", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), true),
-            "operator with control at a personal port", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), true, true));
+    private static final Map<String, MatrixTestBench.Sender> CASTS = Map.of(
+            "stranger", new MatrixTestBench.Sender(Optional.empty(), false),
+            "viewer", new MatrixTestBench.Sender(Optional.of(Role.VIEWER), false),
+            "planner", new MatrixTestBench.Sender(Optional.of(Role.PLANNER), false),
+            "operator without control", new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), false),
+            "operator with control", new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), true),
+            "operator with control at a personal port", new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), true, true));
 
     /** Few enough that what a client may give in a second is not reached. */
     private static final int AT_ONCE = 20;
@@ -56,7 +56,7 @@ class OutletMatrixTest {
         Map<MatrixTable.Row, String> column = table.column(sender);
         Map<MatrixTable.Row, Set<String>> reached = new LinkedHashMap<>();
         column.keySet().forEach(row -> reached.put(row, new TreeSet<>()));
-        try (MatrixHouse house = new MatrixHouse(CASTS.get(sender))) {
+        try (MatrixTestBench house = new MatrixTestBench(CASTS.get(sender))) {
             for (State state : State.values()) {
                 house.is(state);
                 for (List<MatrixTable.Row> rows : batches(state == State.STEERED ? steering(column) : column)) {
@@ -79,12 +79,12 @@ class OutletMatrixTest {
     private static Map<MatrixTable.Row, String> steering(Map<MatrixTable.Row, String> column) {
         Map<MatrixTable.Row, String> some = new LinkedHashMap<>(column);
         some.keySet()
-                .removeIf(row -> !row.kind().equals("message") || !SteeringCounter.STEERING.contains(row.number()));
+                .removeIf(row -> !row.kind().equals("message") || !ClientSteeringHandler.STEERING.contains(row.number()));
         return some;
     }
 
     /** Each word by itself, until all has come that is to come. */
-    private static void one(MatrixHouse house, MatrixTable.Row row, String expected, Set<String> reached) {
+    private static void one(MatrixTestBench house, MatrixTable.Row row, String expected, Set<String> reached) {
         for (Message word : words(row)) {
             if (expected.isEmpty() || !MatrixTable.cell(reached).equals(expected)) {
                 reached.addAll(house.reached(List.of(word)));
@@ -111,6 +111,6 @@ class OutletMatrixTest {
 
     private static List<Message> words(MatrixTable.Row row) {
         MessageTable.Entry entry = row.kind().equals("message") ? MessageTable.find(row.number()) : null;
-        return entry == null ? MatrixWords.ofCommand(row.number()) : MatrixWords.ofMessage(entry);
+        return entry == null ? MatrixMessages.ofCommand(row.number()) : MatrixMessages.ofMessage(entry);
     }
 }

@@ -20,9 +20,9 @@ import java.util.stream.IntStream;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
@@ -42,9 +42,9 @@ import org.dronemap.mavlink.signing.OutgoingSigner;
 import org.dronemap.mavlink.signing.SigningClock;
 import org.dronemap.mavlink.signing.SigningKey;
 import org.dronemap.proxy.TestCloud;
-import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointCounters;
+import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.endpoint.PeerCounters;
@@ -62,23 +62,23 @@ class OutletTest {
     private static final Heartbeat GROUND = new Heartbeat(6, 8, 0, 0, 4, 3);
     private static final Instant NOW = Instant.parse("2026-03-04T05:06:07Z");
 
-    private final KeptOutlet store = new KeptOutlet();
+    private final TestOutletStore store = new TestOutletStore();
     private final Map<String, Principal> users = new ConcurrentHashMap<>();
     private final TestCloud cloud = new TestCloud(0);
-    private final Journal journal = new Journal(new SystemTime());
+    private final StoreWriter journal = new StoreWriter(new RealTime());
     private Outlet outlet = open();
 
     private Outlet open() {
         return new Outlet(
                 List.of(),
-                new OutletPolicy(
+                new OutletDependencies(
                         cloud.cloud(),
                         store,
                         journal,
                         user -> Optional.ofNullable(users.get(user)),
                         (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
-                        new SystemTime(Clock.fixed(NOW, ZoneOffset.UTC))),
-                Doors.of(DtlsKeys.none()));
+                        new RealTime(Clock.fixed(NOW, ZoneOffset.UTC))),
+                EndpointSecurity.of(DtlsKeys.none()));
     }
 
     @BeforeEach
@@ -125,7 +125,7 @@ class OutletTest {
         Vehicle vehicle = new Vehicle(FIRST, 42);
         Client ann = new Client("ann", 42).attach();
         vehicle.says(VEHICLE);
-        assertThat(ann.await(1)).extracting(Frame::systemId).containsExactly(SystemNumbers.SPARE);
+        assertThat(ann.await(1)).extracting(Frame::systemId).containsExactly(SystemIdRegistry.SPARE);
     }
 
     @Test

@@ -19,16 +19,16 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.TestCloud;
-import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
+import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.session.FrameTap;
 import org.junit.jupiter.api.AfterEach;
@@ -47,7 +47,7 @@ class PersonalPortTest {
     private final Map<String, Principal> users = new ConcurrentHashMap<>();
     private final JumpingTime time = new JumpingTime();
     private final TestCloud cloud = new TestCloud(0);
-    private final Journal journal = new Journal(new SystemTime());
+    private final StoreWriter journal = new StoreWriter(new RealTime());
     private final List<DatagramSocket> sockets = new ArrayList<>();
     private final FrameWriter ground = new FrameWriter(245, 190, 2);
     private final FrameWriter vehicle = new FrameWriter(7, 1, 2);
@@ -57,9 +57,9 @@ class PersonalPortTest {
     @BeforeEach
     void start() throws IOException {
         users.put("ann", new Principal("ann", Role.OPERATOR));
-        OutletPolicy policy = new OutletPolicy(
+        OutletDependencies policy = new OutletDependencies(
                 cloud.cloud(),
-                new KeptOutlet(),
+                new TestOutletStore(),
                 journal,
                 user -> Optional.ofNullable(users.get(user)),
                 (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
@@ -69,7 +69,7 @@ class PersonalPortTest {
                 List.of(EndpointUrl.parse("udpserver://127.0.0.1:0")),
                 new PortRange(first, Math.min(65_535, first + 40)),
                 policy,
-                Doors.of(DtlsKeys.none()));
+                EndpointSecurity.of(DtlsKeys.none()));
         outlet.start(false);
         tap = outlet.open(1);
         tap.bound(DRONE);
@@ -172,10 +172,10 @@ class PersonalPortTest {
                 .withMessage("This server opens no personal ports.");
     }
 
-    private OutletPolicy policyOfNobody() {
-        return new OutletPolicy(
+    private OutletDependencies policyOfNobody() {
+        return new OutletDependencies(
                 cloud.cloud(),
-                new KeptOutlet(),
+                new TestOutletStore(),
                 journal,
                 user -> Optional.empty(),
                 (by, drone, event) -> cloud.cloud().controls().apply(drone, event),

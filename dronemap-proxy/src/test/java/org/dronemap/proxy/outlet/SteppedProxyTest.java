@@ -14,13 +14,13 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
-import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.ScheduledTask;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
@@ -29,19 +29,19 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.signing.OutgoingSigner;
 import org.dronemap.mavlink.signing.SigningClock;
 import org.dronemap.mavlink.signing.SigningKey;
-import org.dronemap.proxy.PlayedVehicle;
+import org.dronemap.proxy.FakeVehicle;
 import org.dronemap.proxy.TestCloud;
-import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
+import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.MemoryLink;
 import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.record.LineTap;
-import org.dronemap.proxy.record.ListedRecordings;
 import org.dronemap.proxy.record.Recorder;
-import org.dronemap.proxy.record.Replay;
+import org.dronemap.proxy.record.RecordingReplay;
+import org.dronemap.proxy.record.ReplayRegistry;
 import org.dronemap.proxy.record.ReplayStatus;
-import org.dronemap.proxy.record.Replays;
+import org.dronemap.proxy.record.TestRecordingStore;
 import org.dronemap.proxy.roslink.RobotKeys;
 import org.dronemap.proxy.roslink.RoslinkProxy;
 import org.dronemap.proxy.session.Enrolment;
@@ -61,21 +61,21 @@ class SteppedProxyTest {
     Path directory;
 
     private final SteppedTime time = new SteppedTime(Instant.parse("2026-03-04T05:06:07Z"));
-    private final Journal journal = new Journal(time);
+    private final StoreWriter journal = new StoreWriter(time);
     private final Taps taps = new Taps();
     private final TestCloud cloud = new TestCloud(taps, time);
     private final Outlet outlet = new Outlet(
             List.of(),
-            new OutletPolicy(
+            new OutletDependencies(
                     cloud.cloud(),
-                    new KeptOutlet(),
+                    new TestOutletStore(),
                     journal,
                     user -> Optional.of(new Principal(user, Role.OPERATOR)),
                     (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
                     time),
-            Doors.of(DtlsKeys.none()));
+            EndpointSecurity.of(DtlsKeys.none()));
     private Recorder recorder;
-    private volatile Heartbeat heartbeat = PlayedVehicle.copter(4, false);
+    private volatile Heartbeat heartbeat = FakeVehicle.copter(4, false);
 
     /** Of the recorder and the outlet, once they are there. */
     private static final class Taps implements FrameTap.Factory {
@@ -92,7 +92,7 @@ class SteppedProxyTest {
         recorder = new Recorder(
                 directory,
                 RecordingPolicy.DEFAULT,
-                new Recorder.Keeping(new ListedRecordings(), journal, drone -> "Copter 1"),
+                new Recorder.Dependencies(new TestRecordingStore(), journal, drone -> "Copter 1"),
                 time);
         recorder.start();
         outlet.start(false);
@@ -108,7 +108,7 @@ class SteppedProxyTest {
         assertThat(time.failures()).isEmpty();
     }
 
-    private Repetition everyBeat(String who, Runnable says) {
+    private ScheduledTask everyBeat(String who, Runnable says) {
         return time.worker(who, 1).every(Duration.ZERO, BEAT, says);
     }
 
@@ -124,7 +124,7 @@ class SteppedProxyTest {
     private MemoryLink vehicle() {
         MemoryLink link = link(cloud.proxy().handlers(), 14_551, new ArrayList<>(), time);
         FrameWriter writer = new FrameWriter(7, 1, 2);
-        Repetition unused = everyBeat("vehicle", () -> link.received(writer.frame(heartbeat)));
+        ScheduledTask unused = everyBeat("vehicle", () -> link.received(writer.frame(heartbeat)));
         return link;
     }
 
@@ -147,11 +147,11 @@ class SteppedProxyTest {
     void aFlightIsRecorded() throws IOException {
         vehicle();
         assertThat(time.advanceUntil(() -> drone().isPresent(), PATIENCE)).isTrue();
-        heartbeat = PlayedVehicle.copter(4, true);
+        heartbeat = FakeVehicle.copter(4, true);
         time.advance(Duration.ofSeconds(20));
         String id = recorder.shelf().recordings().get(0).id();
         assertThat(recorder.shelf().file(id)).isPresent();
-        heartbeat = PlayedVehicle.copter(4, false);
+        heartbeat = FakeVehicle.copter(4, false);
         time.advance(Duration.ofSeconds(7));
 
         Recording done = recorder.shelf().recording(id).orElseThrow();
@@ -168,7 +168,7 @@ class SteppedProxyTest {
         OutgoingSigner signer = new OutgoingSigner(
                 new SigningKey(MatrixClient.key("ann").secret()), new SigningClock(time.clock(), 0), 1);
         FrameWriter writer = new FrameWriter(254, 190, 2);
-        Repetition unused =
+        ScheduledTask unused =
                 everyBeat("client", () -> client.received(writer.frame(new Heartbeat(6, 8, 0, 0, 4, 3), signer)));
 
         assertThat(time.advanceUntil(
@@ -198,11 +198,11 @@ class SteppedProxyTest {
             }
         };
         RoslinkProxy.Policy policy =
-                new RoslinkProxy.Policy(keys, () -> LineTap.NONE, Doors.of(DtlsKeys.none()), Enrolment.LOOPBACK);
+                new RoslinkProxy.Policy(keys, () -> LineTap.NONE, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK);
         try (RoslinkProxy robots = new RoslinkProxy(cloud.cloud(), cloud.lanes(), List.of(), policy, time)) {
             MemoryLink robot =
                     new MemoryLink(robots.handlers(), new PeerAddress("127.0.0.1", 14_570), frame -> {}, time);
-            Repetition unused = everyBeat(
+            ScheduledTask unused = everyBeat(
                     "robot",
                     () -> robot.received(("{\"header\":{\"roslink_version\":1,\"ros_version\":8,\"system_id\":9,"
                                     + "\"message_id\":0,\"sequence_number\":1,\"key\":\"a word\"},\"type\":8}")
@@ -221,9 +221,9 @@ class SteppedProxyTest {
             bytes.putLong(1_000_000_000_000_000L + number * RECORD.toNanos() / 1_000)
                     .put(writer.frame(heartbeat));
         }
-        Replay replay = cloud.proxy()
+        RecordingReplay replay = cloud.proxy()
                 .replays()
-                .start(new Replays.Recording(
+                .start(new ReplayRegistry.Source(
                         "flight", new ByteArrayInputStream(bytes.array(), 0, bytes.position()), bytes.position(), 2));
         Duration whole = RECORD.multipliedBy(100).dividedBy(2);
         time.advance(whole.minusMillis(200));

@@ -14,14 +14,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
-import org.dronemap.core.cloud.Fence;
-import org.dronemap.core.cloud.Journal;
-import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.EpochGuard;
+import org.dronemap.core.cloud.SendAuthority;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
@@ -46,9 +46,9 @@ class RecorderTest {
     @TempDir
     Path directory;
 
-    private final ListedRecordings store = new ListedRecordings();
-    private final Journal journal = new Journal(new SystemTime());
-    private final StandingClock clock = new StandingClock(START);
+    private final TestRecordingStore store = new TestRecordingStore();
+    private final StoreWriter journal = new StoreWriter(new RealTime());
+    private final ManualClock clock = new ManualClock(START);
     private final AtomicLong freeBytes = new AtomicLong(Long.MAX_VALUE);
     private final FrameWriter vehicle = new FrameWriter(1, 1, 2);
     private final FrameWriter cloud = new FrameWriter(255, 190, 2);
@@ -64,12 +64,12 @@ class RecorderTest {
         return recorder(policy, store);
     }
 
-    private Recorder recorder(RecordingPolicy policy, ListedRecordings kept) {
+    private Recorder recorder(RecordingPolicy policy, TestRecordingStore kept) {
         return new Recorder(
                 directory,
                 policy,
-                new Recorder.Keeping(kept, journal, drone -> "Copter 1"),
-                new SystemTime(clock),
+                new Recorder.Dependencies(kept, journal, drone -> "Copter 1"),
+                new RealTime(clock),
                 freeBytes::get);
     }
 
@@ -239,7 +239,7 @@ class RecorderTest {
         Files.write(file(cut), new byte[] {0, 5, 4, 3, 2, 1, 0, 0, (byte) 0xFD, 40, 0, 7}, StandardOpenOption.APPEND);
         Files.copy(file(cut), directory.resolve("20260101T000000Z_lost-one.tlog"));
         // What was known at the crash; the one that "crashed" still lives, and goes on saving.
-        ListedRecordings known = new ListedRecordings();
+        TestRecordingStore known = new TestRecordingStore();
         known.save(cut);
 
         Recorder next = recorder(RecordingPolicy.DEFAULT, known);
@@ -315,7 +315,7 @@ class RecorderTest {
         says(tap, new Heartbeat(6, 8, 0, 0, 4, 3), true);
         hears(tap, heartbeat(true), true);
         byte[] arm = cloud.frame(new CommandLong(1, 1, 400, 0, 1f, 0f, 0f, 0f, 0f, 0f, 0f));
-        tap.said(arm, new Mandate(new CommandId("arm-it-now"), 7L, "ann", Fence.NONE));
+        tap.said(arm, new SendAuthority(new CommandId("arm-it-now"), 7L, "ann", EpochGuard.NONE));
         recorder.flush();
 
         String id = recorder.shelf().recordings().get(0).id();
@@ -333,11 +333,11 @@ class RecorderTest {
     @Test
     void forgetsNotesOfWhatTheRecordingDoesNotHoldAnyMore() throws IOException {
         Path notes = directory.resolve("notes");
-        Files.writeString(notes, SentIndex.HEADER + "0\t-\t-\tdronemap\n200\tc\t7\tann\n12");
+        Files.writeString(notes, SentFrameIndex.HEADER + "0\t-\t-\tdronemap\n200\tc\t7\tann\n12");
 
-        SentIndex.repair(notes, 200);
+        SentFrameIndex.repair(notes, 200);
 
-        assertThat(notes).hasContent(SentIndex.HEADER + "0\t-\t-\tdronemap\n");
+        assertThat(notes).hasContent(SentFrameIndex.HEADER + "0\t-\t-\tdronemap\n");
     }
 
     private FrameTap armed() {
@@ -361,7 +361,7 @@ class RecorderTest {
 
     private void says(FrameTap tap, Message message, boolean kept) {
         byte[] raw = cloud.frame(message);
-        tap.said(raw, Mandate.HOUSEKEEPING);
+        tap.said(raw, SendAuthority.HOUSEKEEPING);
         if (kept) {
             expected.add(raw);
         }

@@ -5,18 +5,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.command.Setpoint.Frame;
 import org.dronemap.core.command.Setpoint.Velocity;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.proxy.record.LineTap;
-import org.dronemap.proxy.record.ListedRecordings;
 import org.dronemap.proxy.record.Recorder;
-import org.dronemap.proxy.roslink.wire.Word;
+import org.dronemap.proxy.record.TestRecordingStore;
+import org.dronemap.proxy.roslink.wire.StringOrNumber;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -24,13 +24,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What went over the wire of robots is kept, but no key, over real sockets. */
-class RecordedRobotTest extends RobotTrial {
+class RecordedRobotTest extends RobotTestBase {
     private static final Velocity AHEAD = new Velocity(Frame.VEHICLE, 0.4, 0, 0, new Facing.Turning(0));
 
     @TempDir
     Path directory;
 
-    private final Journal journal = new Journal(new SystemTime());
+    private final StoreWriter journal = new StoreWriter(new RealTime());
     private @Nullable Recorder recorder;
 
     @BeforeEach
@@ -38,8 +38,8 @@ class RecordedRobotTest extends RobotTrial {
         Recorder made = new Recorder(
                 directory,
                 RecordingPolicy.DEFAULT,
-                new Recorder.Keeping(new ListedRecordings(), journal, drone -> "Burger"),
-                new SystemTime());
+                new Recorder.Dependencies(new TestRecordingStore(), journal, drone -> "Burger"),
+                new RealTime());
         made.start();
         recorder = made;
     }
@@ -71,7 +71,7 @@ class RecordedRobotTest extends RobotTrial {
             robot.say(2, "\"x\":0.25,\"y\":0,\"vx\":0.4,\"vy\":0,\"wz\":0");
             robot.say(
                     2,
-                    "\"x\":0.3,\"y\":0,\"vx\":0.4,\"vy\":0,\"padding\":\"" + "A".repeat(RobotTape.LONGEST_BYTES)
+                    "\"x\":0.3,\"y\":0,\"vx\":0.4,\"vy\":0,\"padding\":\"" + "A".repeat(RobotRecordingTap.LONGEST_BYTES)
                             + "\"");
             await(() -> text().contains("\"bytes\":") && text().contains("0.25"));
 
@@ -87,11 +87,11 @@ class RecordedRobotTest extends RobotTrial {
 
     @Test
     void noWayOfWritingAKeyIsKept() {
-        Word key = new Word("geheimnis", false);
-        assertThat(RobotTape.blanked("{\"key\" : \"geh\\\"x\",\"key\":12,\"a\":\"geheimnis\"}", key))
+        StringOrNumber key = new StringOrNumber("geheimnis", false);
+        assertThat(RobotRecordingTap.blanked("{\"key\" : \"geh\\\"x\",\"key\":12,\"a\":\"geheimnis\"}", key))
                 .isEqualTo("{\"key\" : \"***\",\"key\":\"***\",\"a\":\"***\"}");
-        assertThat(RobotTape.blanked("{\"k\\u0065y\":\"geheimnis\"}", key)).isNull();
-        assertThat(RobotTape.blanked("{\"a\":\"\\u0067eheimnis\"}", key)).isNull();
+        assertThat(RobotRecordingTap.blanked("{\"k\\u0065y\":\"geheimnis\"}", key)).isNull();
+        assertThat(RobotRecordingTap.blanked("{\"a\":\"\\u0067eheimnis\"}", key)).isNull();
     }
 
     private List<Recording> shelf() {

@@ -14,7 +14,7 @@ import org.dronemap.proxy.session.Enrolment;
 import org.junit.jupiter.api.Test;
 
 /** Robots with keys on real sockets: those that they were issued to, and those who are not whom they say. */
-class RobotKeyTest extends RobotTrial {
+class RobotKeyTest extends RobotTestBase {
     @Test
     void theRightKeyFromASecondAddressDivertsNothingWhileTheFirstLives() throws Exception {
         try (TestRobot robot = new TestRobot(udp(), 7, "\"" + SECRET_OF_7 + "\"");
@@ -98,7 +98,7 @@ class RobotKeyTest extends RobotTrial {
             known.say(0, "\"type\":8");
 
             assertThat(awaitDrone(7, drone -> drone.capabilities().known()).id())
-                    .isEqualTo(TestKeys.ROBOT_7);
+                    .isEqualTo(TestRobotKeys.ROBOT_7);
             assertThat(house.cloud().drones()).hasSize(1);
             assertThat(house.cloud().waiting()).isEmpty();
             assertThat(house.drone(7).local()).isNull();
@@ -119,8 +119,8 @@ class RobotKeyTest extends RobotTrial {
             CompletableFuture<Outcome> holding = command(drone, new EmergencyStop());
             assertThat(robot.order(108, 5_000)).isNotNull();
 
-            keys.issue("rk-renewed", TestKeys.ROBOT_7, 7, "12");
-            proxy.disconnect(TestKeys.ROBOT_7.value());
+            keys.issue("rk-renewed", TestRobotKeys.ROBOT_7, 7, "12");
+            proxy.disconnect(TestRobotKeys.ROBOT_7.value());
 
             assertThat(holding.get(5, TimeUnit.SECONDS)).isInstanceOf(Outcome.Unknown.class);
             while (robot.ordersWaiting() > 0) {
@@ -140,7 +140,7 @@ class RobotKeyTest extends RobotTrial {
                 newer.say(2, "\"x\":1,\"y\":2");
                 return house.drone(7).local() != null;
             });
-            assertThat(house.drone(7).id()).isEqualTo(TestKeys.ROBOT_7);
+            assertThat(house.drone(7).id()).isEqualTo(TestRobotKeys.ROBOT_7);
             assertThat(house.drone(7).local()).isEqualTo(new LocalPosition(1, 2, null, null));
             assertThat(robot.ordersWaiting()).isZero();
             await(() -> newer.heartbeats() > 1);

@@ -8,7 +8,7 @@ import org.dronemap.proxy.session.VehicleTraffic;
 import org.junit.jupiter.api.Test;
 
 /** What is missing of what robots number, by whichever links they have; they may number all of it in one row. */
-class RobotLossTest extends RobotTrial {
+class RobotLossTest extends RobotTestBase {
     private static final int TIMES = 30;
     private static final String BEAT = "\"type\":8";
     private static final String MOTION = "\"x\":1,\"y\":1";

@@ -11,7 +11,7 @@ import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LocalPosition;
-import org.dronemap.core.drone.Sensed;
+import org.dronemap.core.drone.SensorSnapshot;
 import org.dronemap.proxy.session.Enrolment;
 import org.junit.jupiter.api.Test;
 
@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
  * Every kind of message, over UDP and both paths of WebSockets, by those who are not whom they say: nothing of it reaches the
  * robot's drone, nothing that is meant for the robot reaches them, and each is counted.
  */
-class RobotMatrixTest extends RobotTrial {
+class RobotMatrixTest extends RobotTestBase {
     private static final String PICTURE = "\"data\":\"/9j/4AEC\"";
     private static final Map<Integer, String> BODIES = Map.of(
             0, "\"type\":8",
@@ -34,23 +34,23 @@ class RobotMatrixTest extends RobotTrial {
     private final List<TestRobot> liars = new ArrayList<>();
 
     /** What somebody shows who wants to be robot 7. */
-    private record Lie(String key, String host) {}
+    private record ForgedIdentity(String key, String host) {}
 
-    private static final List<Lie> LIES = List.of(
+    private static final List<ForgedIdentity> LIES = List.of(
             // a key that is void, another robot's, a word of its own, and the right one from elsewhere
-            new Lie("rk-of-nobody", "127.0.0.1"),
-            new Lie(TestKeys.OF_8, "127.0.0.1"),
-            new Lie("12", "127.0.0.1"),
-            new Lie(TestKeys.OF_7, "127.0.0.2"));
+            new ForgedIdentity("rk-of-nobody", "127.0.0.1"),
+            new ForgedIdentity(TestRobotKeys.OF_8, "127.0.0.1"),
+            new ForgedIdentity("12", "127.0.0.1"),
+            new ForgedIdentity(TestRobotKeys.OF_7, "127.0.0.2"));
 
     @Test
     void nothingOfALiarReachesADroneAndNothingOfTheDroneALiar() throws Exception {
         proxy.close();
         proxy = open(Enrolment.NOWHERE);
         proxy.start();
-        try (TestRobot seven = new TestRobot(udp(), 7, quoted(TestKeys.OF_7));
-                TestRobot eight = new TestRobot(udp(), 8, quoted(TestKeys.OF_8))) {
-            seven.connect(web(), "/websockets/roslink/user/12/robot/" + TestKeys.OF_7 + "/robot");
+        try (TestRobot seven = new TestRobot(udp(), 7, quoted(TestRobotKeys.OF_7));
+                TestRobot eight = new TestRobot(udp(), 8, quoted(TestRobotKeys.OF_8))) {
+            seven.connect(web(), "/websockets/roslink/user/12/robot/" + TestRobotKeys.OF_7 + "/robot");
             live(seven);
             live(eight);
             await(() -> {
@@ -61,7 +61,7 @@ class RobotMatrixTest extends RobotTrial {
                         && house.drone(7).local() != null
                         && house.drone(8).local() != null;
             });
-            for (Lie lie : LIES) {
+            for (ForgedIdentity lie : LIES) {
                 lie(lie, seven, eight);
             }
             DroneState truth = house.drone(7);
@@ -91,11 +91,11 @@ class RobotMatrixTest extends RobotTrial {
         assertThat(drone.battery()).isNull();
         assertThat(drone.gps()).isNull();
         assertThat(drone.position()).isNull();
-        assertThat(house.cloud().sensed(drone.id())).isEqualTo(Sensed.NOTHING);
+        assertThat(house.cloud().sensed(drone.id())).isEqualTo(SensorSnapshot.NOTHING);
     }
 
     /** By each way, each kind of message twice, and each way is counted. */
-    private void lie(Lie lie, TestRobot seven, TestRobot eight) throws IOException {
+    private void lie(ForgedIdentity lie, TestRobot seven, TestRobot eight) throws IOException {
         for (String path : List.of("udp", "/", "/websockets/roslink/user/12/robot/" + lie.key() + "/robot")) {
             TestRobot liar = new TestRobot(udp(), 7, quoted(lie.key()));
             liars.add(liar);

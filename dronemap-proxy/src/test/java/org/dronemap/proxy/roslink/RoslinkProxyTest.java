@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 
 /** Robots on real sockets, as public bridges speak. */
-class RoslinkProxyTest extends RobotTrial {
+class RoslinkProxyTest extends RobotTestBase {
     @Test
     void aDroneOnUdpIsSeenAndObeysOnThePortThatItSpeaksFrom() throws Exception {
         try (TestRobot robot = new TestRobot(udp(), 15, "\"1243-0000-0000-FGFG\"")) {
@@ -91,7 +91,7 @@ class RoslinkProxyTest extends RobotTrial {
             assertThat(house.drone(7).link().transport()).isEqualTo("websocket");
             assertThat(house.drone(8).local()).isEqualTo(new LocalPosition(1.5, 2, null, 0.0));
             assertThat(house.drone(7).local()).as("nothing of one at the other").isNull();
-            assertThat(house.drone(7).standing().linkIdentity()).isEqualTo(TestKeys.ROBOT_7.value());
+            assertThat(house.drone(7).standing().linkIdentity()).isEqualTo(TestRobotKeys.ROBOT_7.value());
 
             keyed.disconnect();
             await(() -> {

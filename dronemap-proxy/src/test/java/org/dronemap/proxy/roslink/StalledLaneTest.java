@@ -8,7 +8,7 @@ import org.dronemap.core.drone.DroneId;
 import org.junit.jupiter.api.Test;
 
 /** A robot whose lane stands still hears nothing from a server that lives on, and hears it. */
-class StalledLaneTest extends RobotTrial {
+class StalledLaneTest extends RobotTestBase {
     @Test
     void itsHeartbeatsStopWithItsLaneAndGoOnWithIt() throws Exception {
         DroneId first = new DroneId("drobot0100");

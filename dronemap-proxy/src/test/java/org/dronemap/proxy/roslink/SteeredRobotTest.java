@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 
 /** Robots that are driven and flown by speeds, in stepped time. */
-class SteeredRobotTest extends SteppedRobotTrial {
+class SteeredRobotTest extends SteppedRobotTestBase {
     private static final Velocity AHEAD = new Velocity(Frame.VEHICLE, 0.4, 0.1, -0.2, new Facing.Turning(90));
 
     @Test

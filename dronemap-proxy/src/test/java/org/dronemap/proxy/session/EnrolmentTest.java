@@ -25,15 +25,15 @@ class EnrolmentTest {
         }
     }
 
-    private static LinkLabel from(String host) {
-        return LinkLabel.of(new Caller(host, false), 1);
+    private static LinkOrigin from(String host) {
+        return LinkOrigin.of(new Caller(host, false), 1);
     }
 
     @Test
     void letsInByItselfWhoIsOnThisMachineAndNobodyElse() {
         assertThat(Enrolment.LOOPBACK.admits(from("127.0.0.1"))).isTrue();
         assertThat(Enrolment.LOOPBACK.admits(from("0:0:0:0:0:0:0:1"))).isTrue();
-        assertThat(Enrolment.LOOPBACK.admits(LinkLabel.of(new Caller("/dev/ttyACM0", true), 1)))
+        assertThat(Enrolment.LOOPBACK.admits(LinkOrigin.of(new Caller("/dev/ttyACM0", true), 1)))
                 .isTrue();
         assertThat(Enrolment.LOOPBACK.admits(from("192.0.2.1"))).isFalse();
         assertThat(Enrolment.LOOPBACK.admits(from("2001:db8::1"))).isFalse();
@@ -43,7 +43,7 @@ class EnrolmentTest {
     void letsInEverybodyOrNobodyWhenToldTo() {
         assertThat(Enrolment.EVERYWHERE.admits(from("192.0.2.1"))).isTrue();
         assertThat(Enrolment.NOWHERE.admits(from("127.0.0.1"))).isFalse();
-        assertThat(Enrolment.NOWHERE.admits(LinkLabel.ofReplay("replay", 1, 1))).isTrue();
-        assertThat(LinkLabel.ofReplay("replay", 1, 1).key()).isEqualTo(new DroneKey("replay", 1, 1));
+        assertThat(Enrolment.NOWHERE.admits(LinkOrigin.ofReplay("replay", 1, 1))).isTrue();
+        assertThat(LinkOrigin.ofReplay("replay", 1, 1).key()).isEqualTo(new DroneKey("replay", 1, 1));
     }
 }

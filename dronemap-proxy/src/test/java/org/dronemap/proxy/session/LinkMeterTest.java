@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.proxy.mavlink.procedure.RoundTrip;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
+import org.dronemap.proxy.mavlink.procedure.RoundTripEstimator;
 import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
-import org.dronemap.proxy.mavlink.procedure.Target;
 import org.junit.jupiter.api.Test;
 
 class LinkMeterTest {
@@ -15,7 +15,7 @@ class LinkMeterTest {
 
     private long now = 1_000 * SECOND;
     private final LinkMeter meter =
-            new LinkMeter(new RoundTripProbe(new Target(1, 1, message -> {}), new RoundTrip()), now);
+            new LinkMeter(new RoundTripProbe(new MavlinkTarget(1, 1, message -> {}), new RoundTripEstimator()), now);
 
     @Test
     void countsTheNumbersOfEachComponentForThemselves() {
@@ -23,12 +23,12 @@ class LinkMeterTest {
         FrameWriter camera = new FrameWriter(1, 100, 2);
         for (int i = 0; i < 400; i++) {
             now += SECOND / 100;
-            meter.arrived(Hop.frame(autopilot, BEAT), now);
+            meter.arrived(CapturingPeer.frame(autopilot, BEAT), now);
             if (i % 5 == 0) {
-                meter.arrived(Hop.frame(camera, BEAT), now);
+                meter.arrived(CapturingPeer.frame(camera, BEAT), now);
             }
         }
-        assertThat(meter.counts()).isEqualTo(new LossMeter.Counts(480, 0, 0));
+        assertThat(meter.counts()).isEqualTo(new LinkQualityMeter.Counts(480, 0, 0));
     }
 
     @Test
@@ -39,7 +39,7 @@ class LinkMeterTest {
             now += SECOND / 100;
             byte[] frame = autopilot.frame(BEAT);
             if (i % 4 != 0) {
-                meter.arrived(Hop.frame(frame), now);
+                meter.arrived(CapturingPeer.frame(frame), now);
             }
             told += meter.tick(now) ? 1 : 0;
         }

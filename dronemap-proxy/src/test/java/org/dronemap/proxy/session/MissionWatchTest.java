@@ -15,8 +15,8 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.MissionVehicle;
-import org.dronemap.proxy.mavlink.procedure.Wire;
-import org.dronemap.proxy.mavlink.translate.Autopilot;
+import org.dronemap.proxy.mavlink.procedure.TestWire;
+import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -24,12 +24,12 @@ import org.junit.jupiter.api.Test;
 class MissionWatchTest {
     private static final Heartbeat PX4 = new Heartbeat(2, 12, 81, 0, 3, 3);
 
-    private final Wire wire = new Wire();
+    private final TestWire wire = new TestWire();
     private final MissionVehicle vehicle = new MissionVehicle();
     private final List<DroneEvent> told = new ArrayList<>();
     private final List<List<MissionItemInt>> onWire = new ArrayList<>();
     private final MissionWatch watch =
-            new MissionWatch(wire.target(), Autopilot.of(PX4), new VehicleStatus(2, 0), told::add, onWire::add);
+            new MissionWatch(wire.target(), AutopilotAdapter.of(PX4), new VehicleStatus(2, 0), told::add, onWire::add);
 
     /** The watch as something that is under way for ever. */
     private final Exchange watching = new Exchange() {

@@ -43,7 +43,7 @@ class KeyringTest {
                 security,
                 SigningVehicle.SYSTEM_ID,
                 () -> wall,
-                new Keyring.Keeper(
+                new Keyring.Callbacks(
                         (now, after) -> {
                             kept.add(now);
                             after.run();
@@ -58,7 +58,7 @@ class KeyringTest {
         wall = wall.plusNanos((long) (seconds * SECOND));
     }
 
-    private Admission hear(Keyring ring, Frame frame) {
+    private FrameAdmission hear(Keyring ring, Frame frame) {
         return ring.admit(frame, now);
     }
 
@@ -67,14 +67,14 @@ class KeyringTest {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
         Frame good = vehicle.signed(KEY);
 
-        assertThat(hear(ring, good)).isEqualTo(Admission.PROVEN);
-        assertThat(hear(ring, good)).isEqualTo(Admission.REFUSED);
-        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(Admission.REFUSED);
-        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(Admission.REFUSED);
+        assertThat(hear(ring, good)).isEqualTo(FrameAdmission.PROVEN);
+        assertThat(hear(ring, good)).isEqualTo(FrameAdmission.REFUSED);
+        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(FrameAdmission.REFUSED);
+        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(FrameAdmission.REFUSED);
         Frame late = vehicle.signed(KEY, 9);
         pass(61);
-        assertThat(hear(ring, late)).isEqualTo(Admission.REFUSED);
-        assertThat(ring.status().counts()).isEqualTo(new FrameCounts(1, 1, 1, 1, 1, 0));
+        assertThat(hear(ring, late)).isEqualTo(FrameAdmission.REFUSED);
+        assertThat(ring.status().counts()).isEqualTo(new SignatureCounts(1, 1, 1, 1, 1, 0));
     }
 
     @Test
@@ -98,7 +98,7 @@ class KeyringTest {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
         Frame report = vehicle.unsigned(new RadioStatus(100, 100, 80, 10, 10, 0, 0));
 
-        assertThat(hear(ring, report)).isEqualTo(Admission.ASIDE);
+        assertThat(hear(ring, report)).isEqualTo(FrameAdmission.ASIDE);
         assertThat(ring.status().counts().refused()).isZero();
     }
 
@@ -106,52 +106,52 @@ class KeyringTest {
     void anOptionalDroneMaySpeakUnsignedButNotSignWrongly() {
         Keyring ring = ring(LinkPolicy.OPTIONAL, true);
 
-        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(Admission.ADMITTED);
-        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(Admission.REFUSED);
-        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.PROVEN);
+        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(FrameAdmission.ADMITTED);
+        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(FrameAdmission.REFUSED);
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(FrameAdmission.PROVEN);
     }
 
     @Test
     void aKeyThatWasOnlyMadeLocksNobodyOut() {
         Keyring ring = ring(LinkPolicy.OPTIONAL, false);
 
-        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(Admission.ADMITTED);
+        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(FrameAdmission.ADMITTED);
         assertThat(ring.security().proven()).isFalse();
-        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.PROVEN);
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(FrameAdmission.PROVEN);
         assertThat(kept).last().extracting(LinkSecurity::proven).isEqualTo(true);
     }
 
     @Test
     void aRotationHoldsWhatGoesOutAndLosesNothingThatComesIn() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
-        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.ROTATE, NEXT, false);
+        CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
 
         Keyring.Request request = ring.tick(safe, now);
         assertThat(request).isNotNull();
         assertThat(request.key()).isEqualTo(NEXT);
         assertThat(ring.holds(now)).isTrue();
-        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.PROVEN);
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(FrameAdmission.PROVEN);
         Frame inFlight = vehicle.signed(KEY);
         pass(0.2);
         assertThat(end).isNotDone();
 
-        assertThat(hear(ring, vehicle.signed(NEXT))).isEqualTo(Admission.PROVEN);
-        assertThat(end).isCompletedWithValue(new ChangeResult.Done());
+        assertThat(hear(ring, vehicle.signed(NEXT))).isEqualTo(FrameAdmission.PROVEN);
+        assertThat(end).isCompletedWithValue(new KeyChangeResult.Done());
         assertThat(ring.holds(now)).isFalse();
-        assertThat(hear(ring, inFlight)).isEqualTo(Admission.PROVEN);
+        assertThat(hear(ring, inFlight)).isEqualTo(FrameAdmission.PROVEN);
         assertThat(kept).last().satisfies(security -> {
             assertThat(security.key()).isEqualTo(NEXT);
             assertThat(security.nextKey()).isNull();
         });
 
         pass(31);
-        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.REFUSED);
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(FrameAdmission.REFUSED);
     }
 
     @Test
     void theOldKeyStaysWhenTheVehicleGoesOnWithIt() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
-        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.ROTATE, NEXT, false);
+        CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         int asked = 0;
         for (int i = 0; i < 200 && !end.isDone(); i++) {
             asked += ring.tick(safe, now) == null ? 0 : 1;
@@ -160,25 +160,25 @@ class KeyringTest {
         }
 
         assertThat(asked).isEqualTo(5);
-        assertThat(end.join()).isInstanceOf(ChangeResult.Failed.class);
+        assertThat(end.join()).isInstanceOf(KeyChangeResult.Failed.class);
         assertThat(ring.security().key()).isEqualTo(KEY);
         assertThat(ring.security().nextKey()).isNull();
-        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.PROVEN);
-        assertThat(hear(ring, vehicle.signed(NEXT))).isEqualTo(Admission.REFUSED);
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(FrameAdmission.PROVEN);
+        assertThat(hear(ring, vehicle.signed(NEXT))).isEqualTo(FrameAdmission.REFUSED);
     }
 
     @Test
     void whenTheVehicleFallsSilentBothKeysStayUntilItIsHeard() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
-        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.ROTATE, NEXT, false);
+        CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         for (int i = 0; i < 200 && !end.isDone(); i++) {
             ring.tick(safe, now);
             pass(0.1);
         }
-        assertThat(end.join()).isInstanceOf(ChangeResult.Unknown.class);
+        assertThat(end.join()).isInstanceOf(KeyChangeResult.Unknown.class);
 
         Keyring restarted = ring(kept.get(kept.size() - 1));
-        assertThat(hear(restarted, vehicle.signed(NEXT))).isEqualTo(Admission.PROVEN);
+        assertThat(hear(restarted, vehicle.signed(NEXT))).isEqualTo(FrameAdmission.PROVEN);
         assertThat(restarted.security().key()).isEqualTo(NEXT);
         assertThat(restarted.security().nextKey()).isNull();
     }
@@ -186,15 +186,15 @@ class KeyringTest {
     @Test
     void theVehiclesOwnRefusalEndsTheRotationAtOnce() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
-        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.ROTATE, NEXT, false);
+        CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         ring.tick(safe, now);
         ring.said("EKF3 IMU0 is using GPS");
         assertThat(end).isNotDone();
         ring.said("ERROR: Won't setup signing when armed");
 
         assertThat(end.join())
-                .isEqualTo(new ChangeResult.Failed(
-                        ChangeFault.REFUSED, "The vehicle says: ERROR: Won't setup signing when armed"));
+                .isEqualTo(new KeyChangeResult.Failed(
+                        KeyChangeFault.REFUSED, "The vehicle says: ERROR: Won't setup signing when armed"));
         assertThat(ring.holds(now)).isFalse();
         assertThat(ring.security().key()).isEqualTo(KEY);
     }
@@ -202,17 +202,17 @@ class KeyringTest {
     @Test
     void aKeyGoesOverNoLinkThatOthersMayHear() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
-        assertThat(ring.obstacle(ChangeKind.ROTATE, true))
-                .isEqualTo(new ChangeResult.Failed(ChangeFault.NO_LINK, "The drone has no link now."));
+        assertThat(ring.obstacle(KeyChangeKind.ROTATE, true))
+                .isEqualTo(new KeyChangeResult.Failed(KeyChangeFault.NO_LINK, "The drone has no link now."));
         links.add(open);
-        assertThat(ring.obstacle(ChangeKind.ROTATE, false))
-                .extracting(ChangeResult.Failed::fault)
-                .isEqualTo(ChangeFault.LINK_NOT_SAFE);
-        assertThat(ring.obstacle(ChangeKind.ROTATE, true)).isNull();
+        assertThat(ring.obstacle(KeyChangeKind.ROTATE, false))
+                .extracting(KeyChangeResult.Failed::fault)
+                .isEqualTo(KeyChangeFault.LINK_NOT_SAFE);
+        assertThat(ring.obstacle(KeyChangeKind.ROTATE, true)).isNull();
         links.add(safe);
-        assertThat(ring.obstacle(ChangeKind.ROTATE, false)).isNull();
+        assertThat(ring.obstacle(KeyChangeKind.ROTATE, false)).isNull();
 
-        ring.begin(ChangeKind.ROTATE, NEXT, false);
+        ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         assertThat(ring.tick(open, now)).isNull();
         assertThat(ring.tick(safe, now)).isNotNull();
     }
@@ -220,27 +220,27 @@ class KeyringTest {
     @Test
     void installingEndsWhenTheVehicleIsHeardToSign() {
         Keyring ring = ring(LinkPolicy.OPTIONAL, false);
-        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.INSTALL, null, false);
+        CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.INSTALL, null, false);
         assertThat(ring.tick(safe, now)).extracting(Keyring.Request::key).isEqualTo(KEY);
         assertThat(ring.holds(now)).isFalse();
         hear(ring, vehicle.unsigned());
         assertThat(end).isNotDone();
         hear(ring, vehicle.signed(KEY));
 
-        assertThat(end).isCompletedWithValue(new ChangeResult.Done());
+        assertThat(end).isCompletedWithValue(new KeyChangeResult.Done());
         assertThat(ring.security().proven()).isTrue();
     }
 
     @Test
     void revokingEndsWhenTheVehicleIsHeardUnsigned() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
-        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.REVOKE, null, false);
+        CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.REVOKE, null, false);
         assertThat(ring.tick(open, now)).extracting(Keyring.Request::key).isNull();
         hear(ring, vehicle.signed(KEY));
         assertThat(end).isNotDone();
 
-        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(Admission.ADMITTED);
-        assertThat(end).isCompletedWithValue(new ChangeResult.Done());
+        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(FrameAdmission.ADMITTED);
+        assertThat(end).isCompletedWithValue(new KeyChangeResult.Done());
         assertThat(ring.security())
                 .isEqualTo(new LinkSecurity(
                         DRONE,

@@ -11,7 +11,7 @@ import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
-import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
@@ -31,7 +31,7 @@ class LinkGuardTest {
 
     private final SteppedTime time = new SteppedTime(Instant.parse("2026-03-01T12:00:00Z"));
     private long now = 1_000_000_000_000L;
-    private final Journal journal = new Journal(time);
+    private final StoreWriter journal = new StoreWriter(time);
     private final Kept kept = new Kept();
     private final SigningVehicle vehicle = new SigningVehicle(time.clock());
 
@@ -42,9 +42,9 @@ class LinkGuardTest {
 
     private LinkGuard guard(LinkPolicy policy) {
         kept.all.add(new LinkSecurity(DRONE, policy, KEY, null, true, 0));
-        Keyrings.Keeping keeping =
-                new Keyrings.Keeping(kept, journal, drone -> SigningVehicle.SYSTEM_ID, (drone, sentence) -> {});
-        return new Keyrings(keeping, time).guard(0, () -> true);
+        KeyringRegistry.Dependencies keeping =
+                new KeyringRegistry.Dependencies(kept, journal, drone -> SigningVehicle.SYSTEM_ID, (drone, sentence) -> {});
+        return new KeyringRegistry(keeping, time).guard(0, () -> true);
     }
 
     @Test
@@ -52,7 +52,7 @@ class LinkGuardTest {
         LinkGuard guard = guard(LinkPolicy.REQUIRED);
         assertThat(guard.signer()).isEmpty();
 
-        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(Admission.PROVEN);
+        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(FrameAdmission.PROVEN);
         assertThat(guard.signer()).contains(DRONE);
         assertThat(guard.mayBind(Optional.empty())).isTrue();
     }
@@ -63,7 +63,7 @@ class LinkGuardTest {
         Frame old = vehicle.signed(KEY);
         time.advance(Duration.ofHours(1));
 
-        assertThat(guard.judge(old, now)).isEqualTo(Admission.REFUSED);
+        assertThat(guard.judge(old, now)).isEqualTo(FrameAdmission.REFUSED);
         assertThat(guard.signer()).isEmpty();
         assertThat(guard.mayBind(Optional.empty())).isFalse();
     }
@@ -71,12 +71,12 @@ class LinkGuardTest {
     @Test
     void whoOnlyLooksLikeADroneThatMustSignIsNotBoundToIt() {
         LinkGuard guard = guard(LinkPolicy.REQUIRED);
-        assertThat(guard.judge(vehicle.unsigned(), now)).isEqualTo(Admission.ADMITTED);
+        assertThat(guard.judge(vehicle.unsigned(), now)).isEqualTo(FrameAdmission.ADMITTED);
 
         assertThat(guard.mayBind(Optional.of(DRONE))).isFalse();
-        assertThat(guard.judge(vehicle.unsigned(), now)).isEqualTo(Admission.REFUSED);
-        assertThat(guard.judge(vehicle.signed(FOREIGN), now)).isEqualTo(Admission.REFUSED);
-        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(Admission.PROVEN);
+        assertThat(guard.judge(vehicle.unsigned(), now)).isEqualTo(FrameAdmission.REFUSED);
+        assertThat(guard.judge(vehicle.signed(FOREIGN), now)).isEqualTo(FrameAdmission.REFUSED);
+        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(FrameAdmission.PROVEN);
         assertThat(guard.mayBind(Optional.of(DRONE))).isTrue();
     }
 
@@ -95,9 +95,9 @@ class LinkGuardTest {
         Frame old = vehicle.signed(KEY);
         time.advance(Duration.ofHours(1));
 
-        assertThat(guard.judge(old, now)).isEqualTo(Admission.REFUSED);
+        assertThat(guard.judge(old, now)).isEqualTo(FrameAdmission.REFUSED);
         assertThat(guard.mayBind(Optional.empty())).isFalse();
-        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(Admission.PROVEN);
+        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(FrameAdmission.PROVEN);
         assertThat(guard.mayBind(Optional.empty())).isTrue();
     }
 
@@ -124,7 +124,7 @@ class LinkGuardTest {
         assertThat(guard.contradicts()).isTrue();
         guard.unbound();
 
-        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(Admission.PROVEN);
+        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(FrameAdmission.PROVEN);
         assertThat(guard.signer()).contains(DRONE);
     }
 
@@ -132,7 +132,7 @@ class LinkGuardTest {
     void aKeySentToUsIsNobodysBusiness() {
         LinkGuard guard = guard(LinkPolicy.OFF);
         assertThat(guard.judge(vehicle.unsigned(new SetupSigning(255, 190, new int[32], 5)), now))
-                .isEqualTo(Admission.REFUSED);
+                .isEqualTo(FrameAdmission.REFUSED);
     }
 
     private static final class Kept implements LinkSecurityStore {

@@ -9,7 +9,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.CompletionException;
-import org.dronemap.sim.link.Fleet;
+import org.dronemap.sim.link.SimulatedFleet;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -18,11 +18,11 @@ public final class ControlPort implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ControlPort.class);
     private static final int IDLE_MILLIS = 600_000;
 
-    private final Fleet fleet;
+    private final SimulatedFleet fleet;
     private final ServerSocket listener;
 
     /** Listens at {@code port}; 0 takes any free one. */
-    public ControlPort(Fleet fleet, int port) throws IOException {
+    public ControlPort(SimulatedFleet fleet, int port) throws IOException {
         this.fleet = fleet;
         this.listener = new ServerSocket(port, 8, InetAddress.getLoopbackAddress());
         Thread thread = new Thread(this::serve, "control");
@@ -57,7 +57,7 @@ public final class ControlPort implements AutoCloseable {
 
     private String answer(String line) {
         try {
-            return fleet.ask(vehicles -> ControlCommands.run(line, vehicles)).join();
+            return fleet.ask(vehicles -> ControlPortCommands.run(line, vehicles)).join();
         } catch (CompletionException e) {
             LOG.warn("Control line '{}' failed", line, e);
             return "err " + e.getCause();

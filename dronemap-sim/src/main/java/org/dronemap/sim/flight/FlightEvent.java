@@ -3,13 +3,13 @@ package org.dronemap.sim.flight;
 /** An event on a simulated vehicle's way: a sentence, or progress of its mission. */
 public sealed interface FlightEvent {
     /** A sentence for the operator. */
-    record Text(Severity severity, String text) implements FlightEvent {}
+    record Text(TextSeverity severity, String text) implements FlightEvent {}
 
     /** A mission item has begun. */
     record ItemStarted(int index, String type) implements FlightEvent {}
 
     /** A mission item has something done with what the vehicle carries. */
-    record Ordered(MissionItem order) implements FlightEvent {}
+    record Ordered(StoredMissionItem order) implements FlightEvent {}
 
     /** A mission item is done. */
     record ItemReached(int index) implements FlightEvent {}

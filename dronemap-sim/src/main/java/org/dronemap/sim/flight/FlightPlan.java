@@ -5,17 +5,17 @@ import java.util.List;
 
 /** The mission stored in a vehicle; can be overwritten item by item or as a whole. Owned by its vehicle. */
 public final class FlightPlan {
-    private final List<MissionItem> items = new ArrayList<>();
+    private final List<StoredMissionItem> items = new ArrayList<>();
 
     public int size() {
         return items.size();
     }
 
-    public MissionItem item(int index) {
+    public StoredMissionItem item(int index) {
         return items.get(index);
     }
 
-    public List<MissionItem> items() {
+    public List<StoredMissionItem> items() {
         return List.copyOf(items);
     }
 
@@ -26,7 +26,7 @@ public final class FlightPlan {
     }
 
     /** Replaces an item, or appends the next one. */
-    public void put(int index, MissionItem item) {
+    public void put(int index, StoredMissionItem item) {
         if (index < items.size()) {
             items.set(index, item);
         } else {
@@ -34,7 +34,7 @@ public final class FlightPlan {
         }
     }
 
-    public void replaceAll(List<MissionItem> newItems) {
+    public void replaceAll(List<StoredMissionItem> newItems) {
         items.clear();
         items.addAll(newItems);
     }

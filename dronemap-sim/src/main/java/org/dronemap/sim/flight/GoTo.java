@@ -1,7 +1,7 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 
 /** Flies to a place, nose ahead while it is far, and stays there. */
 public final class GoTo implements Manoeuvre {
@@ -11,8 +11,8 @@ public final class GoTo implements Manoeuvre {
     private static final double LEG_REACHED_METERS = 2.0;
     private static final double NOSE_AHEAD_METERS = 3.0;
 
-    private final Position target;
-    private final Cruise cruise;
+    private final NeuPosition target;
+    private final CruiseSpeeds cruise;
     private final double fixedYaw;
     private final boolean easing;
     private boolean done;
@@ -20,11 +20,11 @@ public final class GoTo implements Manoeuvre {
     private double begunSpeed;
 
     /** {@code fixedYaw} in radians, NaN: nose ahead. */
-    public GoTo(Position target, Cruise cruise, double fixedYaw) {
+    public GoTo(NeuPosition target, CruiseSpeeds cruise, double fixedYaw) {
         this(target, cruise, fixedYaw, false);
     }
 
-    private GoTo(Position target, Cruise cruise, double fixedYaw, boolean easing) {
+    private GoTo(NeuPosition target, CruiseSpeeds cruise, double fixedYaw, boolean easing) {
         this.easing = easing;
         this.target = target;
         this.cruise = cruise;
@@ -32,24 +32,24 @@ public final class GoTo implements Manoeuvre {
     }
 
     /** The leg of a mission: gathers speed gently, as autopilots do on a planned path. */
-    public static GoTo leg(Position target, Cruise cruise, double fixedYaw) {
+    public static GoTo leg(NeuPosition target, CruiseSpeeds cruise, double fixedYaw) {
         return new GoTo(target, cruise, fixedYaw, true);
     }
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
-        Position here = craft.body().position();
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
+        NeuPosition here = craft.body().position();
         done = here.distanceTo(target) < (easing ? LEG_REACHED_METERS : REACHED_METERS);
         double yaw = fixedYaw;
         if (Double.isNaN(yaw) && here.horizontalDistanceTo(target) > NOSE_AHEAD_METERS) {
             yaw = here.bearingTo(target);
         }
-        Setpoint.Reach reach = cruise.to(target, yaw);
+        MotionSetpoint.Reach reach = cruise.to(target, yaw);
         return easing ? reach.slowerThan(easedSpeed(craft, nowMillis)) : reach;
     }
 
     /** The acceleration grows by a metre per second squared each second until it is the airframe's own. */
-    private double easedSpeed(Craft craft, long nowMillis) {
+    private double easedSpeed(SimulatedCraft craft, long nowMillis) {
         if (begunAt < 0) {
             begunAt = nowMillis;
             begunSpeed = craft.body().groundSpeed();
@@ -65,7 +65,7 @@ public final class GoTo implements Manoeuvre {
         return done;
     }
 
-    public Position target() {
+    public NeuPosition target() {
         return target;
     }
 }

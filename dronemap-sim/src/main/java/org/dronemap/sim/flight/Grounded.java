@@ -1,13 +1,13 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
 
 /** Motors at idle: stays on the ground. */
 public final class Grounded implements Manoeuvre {
-    private static final Setpoint STILL = new Setpoint.Still();
+    private static final MotionSetpoint STILL = new MotionSetpoint.Still();
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
         return STILL;
     }
 }

@@ -1,22 +1,22 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 
 /** Brakes and stays; on the ground it remains there. */
 public final class Hover implements Manoeuvre {
-    private final Cruise cruise;
+    private final CruiseSpeeds cruise;
     private final boolean grounded;
-    private final Position place;
+    private final NeuPosition place;
 
-    public Hover(Craft craft, Cruise cruise) {
+    public Hover(SimulatedCraft craft, CruiseSpeeds cruise) {
         this.cruise = cruise;
         this.grounded = craft.body().onGround();
         this.place = craft.body().stoppingPoint();
     }
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
-        return grounded ? new Setpoint.Still() : cruise.to(place, Double.NaN);
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
+        return grounded ? new MotionSetpoint.Still() : cruise.to(place, Double.NaN);
     }
 }

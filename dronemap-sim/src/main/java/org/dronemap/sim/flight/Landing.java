@@ -1,24 +1,24 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 
 /** Comes down where it is; done when the vehicle knows that it stands. */
 public final class Landing implements Manoeuvre {
-    private final Cruise cruise;
-    private final Position place;
+    private final CruiseSpeeds cruise;
+    private final NeuPosition place;
     private boolean done;
 
-    public Landing(Craft craft, Cruise cruise) {
+    public Landing(SimulatedCraft craft, CruiseSpeeds cruise) {
         this.cruise = cruise;
         this.place = craft.body().stoppingPoint();
     }
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
         done = craft.landed();
         return craft.body().onGround()
-                ? new Setpoint.Still()
+                ? new MotionSetpoint.Still()
                 : cruise.downAt(place, craft.body().up());
     }
 

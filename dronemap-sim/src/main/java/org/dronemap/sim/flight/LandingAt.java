@@ -1,26 +1,26 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /** Flies level to a place and comes down there. */
 public final class LandingAt implements Manoeuvre {
     private static final double NEAR_METERS = 0.5;
 
-    private final Position place;
-    private final Cruise cruise;
+    private final NeuPosition place;
+    private final CruiseSpeeds cruise;
     private @Nullable Landing landing;
     private double up = Double.NaN;
 
-    public LandingAt(Position place, Cruise cruise) {
+    public LandingAt(NeuPosition place, CruiseSpeeds cruise) {
         this.place = place;
         this.cruise = cruise;
     }
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
-        Position here = craft.body().position();
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
+        NeuPosition here = craft.body().position();
         if (Double.isNaN(up)) {
             up = here.up();
         }

@@ -1,10 +1,10 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
 
 /** A manoeuvre under way, which gives the motors their setpoint before each step. */
 public interface Manoeuvre {
-    Setpoint fly(Craft craft, long nowMillis);
+    MotionSetpoint fly(SimulatedCraft craft, long nowMillis);
 
     /** True once it has brought about what it is for. */
     default boolean done() {

@@ -1,8 +1,8 @@
 package org.dronemap.sim.flight;
 
 import java.util.function.Consumer;
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,19 +11,19 @@ import org.jspecify.annotations.Nullable;
  */
 public final class MissionFlight implements Manoeuvre {
     private final FlightPlan plan;
-    private final Cruise cruise;
+    private final CruiseSpeeds cruise;
     private final double returnHeight;
     private final Consumer<FlightEvent> events;
     private int index;
     private boolean ended;
     private double yaw = Double.NaN;
     private long arrivedAt = -1;
-    private @Nullable Position lookedAt;
-    private @Nullable MissionItem item;
+    private @Nullable NeuPosition lookedAt;
+    private @Nullable StoredMissionItem item;
     private @Nullable Manoeuvre leg;
 
     public MissionFlight(
-            FlightPlan plan, Cruise cruise, double returnHeight, int firstIndex, Consumer<FlightEvent> events) {
+            FlightPlan plan, CruiseSpeeds cruise, double returnHeight, int firstIndex, Consumer<FlightEvent> events) {
         this.plan = plan;
         this.cruise = cruise;
         this.returnHeight = returnHeight;
@@ -32,38 +32,38 @@ public final class MissionFlight implements Manoeuvre {
     }
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
         if (item == null && !ended) {
             begin(craft);
         }
         if (item != null && leg != null) {
-            Setpoint setpoint = facing(leg.fly(craft, nowMillis), craft.body().position());
+            MotionSetpoint setpoint = facing(leg.fly(craft, nowMillis), craft.body().position());
             if (isComplete(item, leg, nowMillis)) {
                 finish(craft);
             }
             return setpoint;
         }
-        return leg == null ? new Setpoint.Still() : leg.fly(craft, nowMillis);
+        return leg == null ? new MotionSetpoint.Still() : leg.fly(craft, nowMillis);
     }
 
     /** The nose to the place that is looked at: its camera is fixed to it. */
-    private Setpoint facing(Setpoint setpoint, Position here) {
+    private MotionSetpoint facing(MotionSetpoint setpoint, NeuPosition here) {
         if (lookedAt == null || here.horizontalDistanceTo(lookedAt) < 1) {
             return setpoint;
         }
         double there = here.bearingTo(lookedAt);
-        if (setpoint instanceof Setpoint.Reach reach) {
-            return new Setpoint.Reach(
+        if (setpoint instanceof MotionSetpoint.Reach reach) {
+            return new MotionSetpoint.Reach(
                     reach.target(), reach.horizontalSpeed(), reach.climbSpeed(), reach.sinkSpeed(), there);
         }
-        return setpoint instanceof Setpoint.Velocity velocity
-                ? new Setpoint.Velocity(velocity.north(), velocity.east(), velocity.up(), there)
+        return setpoint instanceof MotionSetpoint.Velocity velocity
+                ? new MotionSetpoint.Velocity(velocity.north(), velocity.east(), velocity.up(), there)
                 : setpoint;
     }
 
-    private void begin(Craft craft) {
+    private void begin(SimulatedCraft craft) {
         while (index < plan.size() && !plan.item(index).isNavigation()) {
-            MissionItem order = plan.item(index);
+            StoredMissionItem order = plan.item(index);
             events.accept(new FlightEvent.ItemStarted(index, order.typeName()));
             obey(order, craft);
             events.accept(new FlightEvent.ItemReached(index));
@@ -75,7 +75,7 @@ public final class MissionFlight implements Manoeuvre {
             events.accept(new FlightEvent.MissionEnded());
             return;
         }
-        MissionItem next = plan.item(index);
+        StoredMissionItem next = plan.item(index);
         item = next;
         leg = legFor(next, craft);
         arrivedAt = -1;
@@ -83,60 +83,60 @@ public final class MissionFlight implements Manoeuvre {
     }
 
     /** Stays over its last waypoint, or where its last item left it. */
-    private Manoeuvre afterwards(Craft craft) {
+    private Manoeuvre afterwards(SimulatedCraft craft) {
         if (craft.landed()) {
             return new Grounded();
         }
         return leg instanceof GoTo last ? last : new Hover(craft, cruise);
     }
 
-    private void obey(MissionItem order, Craft craft) {
-        if (order.command() == MissionItem.CHANGE_SPEED && order.param2() > 0) {
+    private void obey(StoredMissionItem order, SimulatedCraft craft) {
+        if (order.command() == StoredMissionItem.CHANGE_SPEED && order.param2() > 0) {
             cruise.setHorizontal(order.param2());
-        } else if (order.command() == MissionItem.CONDITION_YAW) {
+        } else if (order.command() == StoredMissionItem.CONDITION_YAW) {
             double relative = order.param4() != 0 ? craft.body().yaw() : 0;
             yaw = relative + Math.toRadians(order.param1());
-        } else if (order.command() == MissionItem.LOOK_AT) {
+        } else if (order.command() == StoredMissionItem.LOOK_AT) {
             lookedAt = craft.targetOf(order);
-        } else if (order.command() == MissionItem.LOOK_AHEAD) {
+        } else if (order.command() == StoredMissionItem.LOOK_AHEAD) {
             lookedAt = null;
         } else {
             events.accept(new FlightEvent.Ordered(order));
         }
     }
 
-    private Manoeuvre legFor(MissionItem next, Craft craft) {
-        Position target = craft.targetOf(next);
+    private Manoeuvre legFor(StoredMissionItem next, SimulatedCraft craft) {
+        NeuPosition target = craft.targetOf(next);
         return switch (next.command()) {
-            case MissionItem.TAKEOFF -> new TakeOff(craft, target.up(), cruise);
-            case MissionItem.RETURN_TO_LAUNCH -> new ReturnHome(craft, cruise, returnHeight, 5_000);
-            case MissionItem.LAND ->
+            case StoredMissionItem.TAKEOFF -> new TakeOff(craft, target.up(), cruise);
+            case StoredMissionItem.RETURN_TO_LAUNCH -> new ReturnHome(craft, cruise, returnHeight, 5_000);
+            case StoredMissionItem.LAND ->
                 new LandingAt(next.hasPlace() ? target : craft.body().position(), cruise);
-            case MissionItem.DELAY -> new Hover(craft, cruise);
+            case StoredMissionItem.DELAY -> new Hover(craft, cruise);
             default -> GoTo.leg(target, cruise, yaw);
         };
     }
 
-    private boolean isComplete(MissionItem flown, Manoeuvre flying, long nowMillis) {
-        if (flown.command() == MissionItem.LOITER_UNLIMITED) {
+    private boolean isComplete(StoredMissionItem flown, Manoeuvre flying, long nowMillis) {
+        if (flown.command() == StoredMissionItem.LOITER_UNLIMITED) {
             return false;
         }
-        boolean there = flown.command() == MissionItem.DELAY || flying.done();
+        boolean there = flown.command() == StoredMissionItem.DELAY || flying.done();
         if (there && arrivedAt < 0) {
             arrivedAt = nowMillis;
         }
         return arrivedAt >= 0 && nowMillis - arrivedAt >= holdMillis(flown);
     }
 
-    private static long holdMillis(MissionItem flown) {
+    private static long holdMillis(StoredMissionItem flown) {
         return switch (flown.command()) {
-            case MissionItem.WAYPOINT, MissionItem.LOITER_TIME, MissionItem.DELAY ->
+            case StoredMissionItem.WAYPOINT, StoredMissionItem.LOITER_TIME, StoredMissionItem.DELAY ->
                 (long) (Math.max(0, flown.param1()) * 1000);
             default -> 0;
         };
     }
 
-    private void finish(Craft craft) {
+    private void finish(SimulatedCraft craft) {
         events.accept(new FlightEvent.ItemReached(index));
         index++;
         item = null;

@@ -1,7 +1,7 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /** Climbs to the return height, flies home, waits there a while and lands. */
@@ -10,9 +10,9 @@ public final class ReturnHome implements Manoeuvre {
     /** Between its stages it settles for a moment. */
     private static final long SETTLING_MILLIS = 800;
 
-    private final Cruise cruise;
-    private final Position start;
-    private final Position above;
+    private final CruiseSpeeds cruise;
+    private final NeuPosition start;
+    private final NeuPosition above;
     private final long waitMillis;
     private final GoTo leg;
     private long climbedAt = -1;
@@ -20,8 +20,8 @@ public final class ReturnHome implements Manoeuvre {
     private @Nullable Landing landing;
 
     /** {@code returnHeight} in metres above home; one who is higher stays as high. */
-    public ReturnHome(Craft craft, Cruise cruise, double returnHeight, long waitMillis) {
-        Position homePosition = craft.homePosition();
+    public ReturnHome(SimulatedCraft craft, CruiseSpeeds cruise, double returnHeight, long waitMillis) {
+        NeuPosition homePosition = craft.homePosition();
         double up = Math.max(craft.body().up(), homePosition.up() + returnHeight);
         this.cruise = cruise;
         this.start = craft.body().stoppingPoint().withUp(up);
@@ -31,11 +31,11 @@ public final class ReturnHome implements Manoeuvre {
     }
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
         if (landing != null) {
             return landing.fly(craft, nowMillis);
         }
-        Position here = craft.body().position();
+        NeuPosition here = craft.body().position();
         if (craft.landed()) {
             landing = new Landing(craft, cruise);
             return landing.fly(craft, nowMillis);
@@ -46,7 +46,7 @@ public final class ReturnHome implements Manoeuvre {
         if (climbedAt < 0 || nowMillis - climbedAt < SETTLING_MILLIS) {
             return cruise.to(start, Double.NaN);
         }
-        Setpoint setpoint = leg.fly(craft, nowMillis);
+        MotionSetpoint setpoint = leg.fly(craft, nowMillis);
         if (leg.done() && waitingSince < 0) {
             waitingSince = nowMillis;
         }

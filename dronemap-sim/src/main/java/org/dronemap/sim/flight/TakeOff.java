@@ -1,7 +1,7 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 
 /** Spools the motors up and climbs straight to a height in metres of the vehicle's frame. */
 public final class TakeOff implements Manoeuvre {
@@ -9,18 +9,18 @@ public final class TakeOff implements Manoeuvre {
     private static final long LIFTING_MILLIS = 1_900;
     private static final double REACHED_METERS = 0.3;
 
-    private final Position target;
-    private final Cruise cruise;
+    private final NeuPosition target;
+    private final CruiseSpeeds cruise;
     private long begun = -1;
     private boolean done;
 
-    public TakeOff(Craft craft, double up, Cruise cruise) {
+    public TakeOff(SimulatedCraft craft, double up, CruiseSpeeds cruise) {
         this.target = craft.body().position().withUp(up);
         this.cruise = cruise;
     }
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
         if (begun < 0) {
             begun = nowMillis;
         }
@@ -28,7 +28,7 @@ public final class TakeOff implements Manoeuvre {
             if (nowMillis - begun >= LIFTING_MILLIS) {
                 craft.liftOff(nowMillis);
             }
-            return new Setpoint.Still();
+            return new MotionSetpoint.Still();
         }
         done = done || craft.body().up() >= target.up() - REACHED_METERS;
         return cruise.to(target, Double.NaN);

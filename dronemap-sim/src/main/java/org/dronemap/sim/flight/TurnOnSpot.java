@@ -1,14 +1,14 @@
 package org.dronemap.sim.flight;
 
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 
 /** Stays where it is and turns by an angle at a rate, the way round that was asked for; radians, clockwise positive. */
 public final class TurnOnSpot implements Manoeuvre {
     private static final double REACHED_RADIANS = Math.toRadians(0.5);
 
-    private final Position place;
-    private final Cruise cruise;
+    private final NeuPosition place;
+    private final CruiseSpeeds cruise;
     private final double from;
     private final double angle;
     private final double rate;
@@ -16,7 +16,7 @@ public final class TurnOnSpot implements Manoeuvre {
     private boolean done;
 
     /** {@code rate} in radians a second, above 0. */
-    public TurnOnSpot(Craft craft, Cruise cruise, double angle, double rate) {
+    public TurnOnSpot(SimulatedCraft craft, CruiseSpeeds cruise, double angle, double rate) {
         this.place = craft.body().stoppingPoint();
         this.cruise = cruise;
         this.from = craft.body().yaw();
@@ -25,7 +25,7 @@ public final class TurnOnSpot implements Manoeuvre {
     }
 
     @Override
-    public Setpoint fly(Craft craft, long nowMillis) {
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
         if (begunAt < 0) {
             begunAt = nowMillis;
         }

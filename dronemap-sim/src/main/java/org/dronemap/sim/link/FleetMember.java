@@ -10,13 +10,13 @@ import org.jspecify.annotations.Nullable;
 final class FleetMember {
     private final FrameReader reader = new FrameReader();
     private final SimulatedVehicle vehicle;
-    private @Nullable Uplink uplink;
+    private @Nullable ServerLink uplink;
 
     FleetMember(java.util.function.Function<Consumer<byte[]>, SimulatedVehicle> maker) {
         this.vehicle = maker.apply(this::send);
     }
 
-    void attach(Uplink newUplink) {
+    void attach(ServerLink newUplink) {
         uplink = newUplink;
     }
 

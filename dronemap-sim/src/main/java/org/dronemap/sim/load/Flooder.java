@@ -42,7 +42,7 @@ final class Flooder {
         }
     }
 
-    Flooder(Arguments arguments) {
+    Flooder(LoadArguments arguments) {
         perSecond = arguments.integer("--rate");
         fromNanos = arguments.longInteger("--from-nanos");
         untilNanos = arguments.longInteger("--until-nanos");
@@ -61,7 +61,7 @@ final class Flooder {
             channel.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
             channel.connect(server);
             channel.configureBlocking(false);
-            Pace.await(fromNanos);
+            SendSchedule.await(fromNanos);
             for (long now = System.nanoTime(); now < untilNanos; now = System.nanoTime()) {
                 long due = (now - fromNanos) * perSecond / 1_000_000_000L;
                 for (long number = sent + refused; number < due; number++) {

@@ -30,13 +30,13 @@ final class Impairer implements AutoCloseable {
     private static final long LONGEST_SLEEP_MILLIS = 50;
 
     private final InetSocketAddress server;
-    private final Spoiling spoiling;
+    private final Impairment spoiling;
     private final long rebindNanos;
     private final Random chance;
     private final Selector selector = Selector.open();
     private final DatagramChannel door = DatagramChannel.open();
-    private final Map<InetSocketAddress, Way> ways = new HashMap<>();
-    private final PriorityQueue<Parcel> waiting = new PriorityQueue<>();
+    private final Map<InetSocketAddress, Flow> ways = new HashMap<>();
+    private final PriorityQueue<DelayedDatagram> waiting = new PriorityQueue<>();
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(LARGEST);
     private final Thread thread = new Thread(this::work, "impairer");
     private long numbers;
@@ -47,12 +47,12 @@ final class Impairer implements AutoCloseable {
     private final LongAdder rebound = new LongAdder();
 
     /** One vehicle's address and the socket that stands for it before the server. */
-    private static final class Way {
+    private static final class Flow {
         private final InetSocketAddress vehicle;
         private DatagramChannel up;
         private long sinceNanos;
 
-        Way(InetSocketAddress vehicle, DatagramChannel up, long sinceNanos) {
+        Flow(InetSocketAddress vehicle, DatagramChannel up, long sinceNanos) {
             this.vehicle = vehicle;
             this.up = up;
             this.sinceNanos = sinceNanos;
@@ -60,17 +60,17 @@ final class Impairer implements AutoCloseable {
     }
 
     /** A datagram on its way; {@code number} keeps the order of those that are due together. */
-    private record Parcel(long dueNanos, long number, Way way, boolean upwards, ByteBuffer bytes)
-            implements Comparable<Parcel> {
+    private record DelayedDatagram(long dueNanos, long number, Flow way, boolean upwards, ByteBuffer bytes)
+            implements Comparable<DelayedDatagram> {
         @Override
-        public int compareTo(Parcel other) {
+        public int compareTo(DelayedDatagram other) {
             int byTime = Long.compare(dueNanos, other.dueNanos);
             return byTime != 0 ? byTime : Long.compare(number, other.number);
         }
     }
 
     /** {@code rebindSeconds} 0: addresses stay. */
-    Impairer(int port, int serverPort, Spoiling spoiling, double rebindSeconds, long seed) throws IOException {
+    Impairer(int port, int serverPort, Impairment spoiling, double rebindSeconds, long seed) throws IOException {
         this.server = new InetSocketAddress(InetAddress.getLoopbackAddress(), serverPort);
         this.spoiling = spoiling;
         this.rebindNanos = (long) (rebindSeconds * 1e9);
@@ -84,8 +84,8 @@ final class Impairer implements AutoCloseable {
     }
 
     /** Runs until standard input ends. */
-    static String serve(Arguments arguments) throws IOException {
-        Spoiling spoiling = new Spoiling(
+    static String serve(LoadArguments arguments) throws IOException {
+        Impairment spoiling = new Impairment(
                 arguments.number("--delay", 0),
                 arguments.number("--jitter", 0),
                 arguments.number("--loss", 0),
@@ -115,7 +115,7 @@ final class Impairer implements AutoCloseable {
     private void work() {
         try {
             while (!closed) {
-                Parcel first = waiting.peek();
+                DelayedDatagram first = waiting.peek();
                 long sleep = first == null
                         ? LONGEST_SLEEP_MILLIS
                         : Math.min(LONGEST_SLEEP_MILLIS, (first.dueNanos - System.nanoTime()) / MILLI);
@@ -131,7 +131,7 @@ final class Impairer implements AutoCloseable {
                 }
                 deliver();
             }
-            for (Way way : ways.values()) {
+            for (Flow way : ways.values()) {
                 way.up.close();
             }
             door.close();
@@ -145,7 +145,7 @@ final class Impairer implements AutoCloseable {
         if (!key.isValid()) {
             return;
         }
-        Way known = (Way) key.attachment();
+        Flow known = (Flow) key.attachment();
         while (true) {
             buffer.clear();
             InetSocketAddress from = receive((DatagramChannel) key.channel());
@@ -167,7 +167,7 @@ final class Impairer implements AutoCloseable {
         }
     }
 
-    private void spoil(Way way, boolean upwards, ByteBuffer bytes) {
+    private void spoil(Flow way, boolean upwards, ByteBuffer bytes) {
         long now = System.nanoTime();
         int copies = spoiling.copies(chance);
         if (copies == 0) {
@@ -176,13 +176,13 @@ final class Impairer implements AutoCloseable {
             doubled.increment();
         }
         for (int copy = 0; copy < copies; copy++) {
-            waiting.add(new Parcel(now + spoiling.delayNanos(chance), numbers++, way, upwards, bytes));
+            waiting.add(new DelayedDatagram(now + spoiling.delayNanos(chance), numbers++, way, upwards, bytes));
         }
     }
 
     private void deliver() throws IOException {
         long now = System.nanoTime();
-        for (Parcel first = waiting.peek(); first != null && first.dueNanos <= now; first = waiting.peek()) {
+        for (DelayedDatagram first = waiting.peek(); first != null && first.dueNanos <= now; first = waiting.peek()) {
             waiting.poll();
             if (first.upwards) {
                 up(first.way, now).write(first.bytes.duplicate());
@@ -193,7 +193,7 @@ final class Impairer implements AutoCloseable {
         }
     }
 
-    private DatagramChannel up(Way way, long now) throws IOException {
+    private DatagramChannel up(Flow way, long now) throws IOException {
         if (rebindNanos > 0 && now - way.sinceNanos > rebindNanos) {
             way.up.close();
             way.up = open(way);
@@ -203,25 +203,25 @@ final class Impairer implements AutoCloseable {
         return way.up;
     }
 
-    private Way way(InetSocketAddress vehicle) throws IOException {
-        Way known = ways.get(vehicle);
+    private Flow way(InetSocketAddress vehicle) throws IOException {
+        Flow known = ways.get(vehicle);
         if (known != null) {
             return known;
         }
         DatagramChannel up = DatagramChannel.open();
-        Way way = new Way(vehicle, up, System.nanoTime());
+        Flow way = new Flow(vehicle, up, System.nanoTime());
         ways.put(vehicle, way);
         connect(up, way);
         return way;
     }
 
-    private DatagramChannel open(Way way) throws IOException {
+    private DatagramChannel open(Flow way) throws IOException {
         DatagramChannel up = DatagramChannel.open();
         connect(up, way);
         return up;
     }
 
-    private void connect(DatagramChannel up, Way way) throws IOException {
+    private void connect(DatagramChannel up, Flow way) throws IOException {
         up.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
         up.connect(server);
         up.configureBlocking(false);

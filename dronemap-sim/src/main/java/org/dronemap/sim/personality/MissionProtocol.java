@@ -12,8 +12,8 @@ import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionWritePartialList;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.FlightPlan;
-import org.dronemap.sim.flight.MissionItem;
-import org.dronemap.sim.flight.Severity;
+import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.TextSeverity;
 
 /** The vehicle's side of the mission protocol: takes a mission item by item, hands it out, clears it. Milliseconds. */
 final class MissionProtocol {
@@ -28,15 +28,15 @@ final class MissionProtocol {
     private static final int DENIED = 14;
     private static final int CANCELLED = 15;
 
-    private final Autopilot autopilot;
-    private final MissionStyle style;
+    private final SimulatedAutopilot autopilot;
+    private final MissionProtocolStyle style;
     private final FlightPlan plan;
-    private final Alterations alterations;
+    private final StorageFaults alterations;
     private final Consumer<Message> out;
     private final Consumer<FlightEvent> events;
-    private final PlainItems fence;
-    private final PlainItems rally;
-    private final List<MissionItem> arriving = new ArrayList<>();
+    private final FenceRallyProtocol fence;
+    private final FenceRallyProtocol rally;
+    private final List<StoredMissionItem> arriving = new ArrayList<>();
     private boolean receiving;
     private int expected;
     private int total;
@@ -45,18 +45,18 @@ final class MissionProtocol {
     private long lastItemAt;
     private long askedAt;
 
-    MissionProtocol(Autopilot autopilot, Alterations alterations, Consumer<Message> out, Consumer<FlightEvent> events) {
+    MissionProtocol(SimulatedAutopilot autopilot, StorageFaults alterations, Consumer<Message> out, Consumer<FlightEvent> events) {
         this.autopilot = autopilot;
         this.alterations = alterations;
         this.style = autopilot.missionStyle();
         this.plan = autopilot.plan();
         this.out = out;
         this.events = events;
-        this.fence = new PlainItems(FENCE, out);
-        this.rally = new PlainItems(RALLY, out);
+        this.fence = new FenceRallyProtocol(FENCE, out);
+        this.rally = new FenceRallyProtocol(RALLY, out);
     }
 
-    private PlainItems plain(int missionType) {
+    private FenceRallyProtocol plain(int missionType) {
         return missionType == FENCE ? fence : rally;
     }
 
@@ -73,7 +73,7 @@ final class MissionProtocol {
         if (nowMillis - lastItemAt >= style.giveUpMillis()) {
             receiving = false;
             acknowledge(CANCELLED, 0);
-            say(Severity.WARNING, "Mission upload timeout");
+            say(TextSeverity.WARNING, "Mission upload timeout");
         } else if (nowMillis - askedAt >= style.askAgainMillis()) {
             ask(nowMillis);
         }
@@ -96,7 +96,7 @@ final class MissionProtocol {
         }
         if (message.count() > style.maxItems()) {
             acknowledge(NO_SPACE, 0);
-            say(Severity.WARNING, "Only " + style.maxItems() + " items are supported");
+            say(TextSeverity.WARNING, "Only " + style.maxItems() + " items are supported");
             return;
         }
         total = message.count();
@@ -129,7 +129,7 @@ final class MissionProtocol {
         int last = message.endIndex();
         if (first < 0 || last < first || last >= plan.size()) {
             acknowledge(ERROR, 0);
-            say(Severity.WARNING, "Flight plan update rejected");
+            say(TextSeverity.WARNING, "Flight plan update rejected");
             return;
         }
         expected = first;
@@ -164,7 +164,7 @@ final class MissionProtocol {
             }
             return;
         }
-        MissionItem item = toItem(message);
+        StoredMissionItem item = toItem(message);
         int wrong = check(item);
         if (wrong != ACCEPTED && !(expected == 0 && style.firstItemIsHome())) {
             receiving = false;
@@ -181,17 +181,17 @@ final class MissionProtocol {
         }
     }
 
-    private void keep(MissionItem item) {
+    private void keep(StoredMissionItem item) {
         if (!style.overwritesInPlace()) {
             arriving.add(item);
         } else if (expected == 0 && style.firstItemIsHome()) {
-            plan.put(0, MissionItem.home(autopilot.craft().home()));
+            plan.put(0, StoredMissionItem.home(autopilot.craft().home()));
         } else {
             plan.put(expected, item);
         }
     }
 
-    private static int check(MissionItem item) {
+    private static int check(StoredMissionItem item) {
         if (!item.isRunnable()) {
             return UNSUPPORTED;
         }
@@ -199,9 +199,9 @@ final class MissionProtocol {
         return item.isNavigation() && offEarth ? INVALID_PARAM5 : ACCEPTED;
     }
 
-    private MissionItem toItem(MissionItemInt message) {
-        MissionItem item = ItemMessages.read(message);
-        boolean placeless = item.command() == MissionItem.RETURN_TO_LAUNCH;
+    private StoredMissionItem toItem(MissionItemInt message) {
+        StoredMissionItem item = MissionItemMessages.read(message);
+        boolean placeless = item.command() == StoredMissionItem.RETURN_TO_LAUNCH;
         return item.with(placeless ? 0 : asPlainFrame(item.frame()), alterations.keptAltitude(message.seq(), item.z()));
     }
 
@@ -217,7 +217,7 @@ final class MissionProtocol {
         }
         autopilot.missionChanged();
         acknowledge(ACCEPTED, 0);
-        say(Severity.INFO, "Flight plan received");
+        say(TextSeverity.INFO, "Flight plan received");
     }
 
     void sendCount(int missionType, int toSystem, int toComponent) {
@@ -243,14 +243,14 @@ final class MissionProtocol {
             out.accept(new MissionAck(toSystem, toComponent, DENIED, missionType));
             return;
         }
-        MissionItem item = index == 0 && style.firstItemIsHome()
-                ? MissionItem.home(autopilot.craft().home())
+        StoredMissionItem item = index == 0 && style.firstItemIsHome()
+                ? StoredMissionItem.home(autopilot.craft().home())
                 : plan.item(index);
-        MissionItemInt message = ItemMessages.write(item, new ItemMessages.Address(index, 0, toSystem, toComponent));
+        MissionItemInt message = MissionItemMessages.write(item, new MissionItemMessages.Address(index, 0, toSystem, toComponent));
         if (inFloats && style.overwritesInPlace()) {
-            say(Severity.WARNING, "got MISSION_REQUEST; use MISSION_REQUEST_INT!");
+            say(TextSeverity.WARNING, "got MISSION_REQUEST; use MISSION_REQUEST_INT!");
         }
-        out.accept(inFloats ? FloatItems.of(message) : message);
+        out.accept(inFloats ? FloatMissionItems.of(message) : message);
     }
 
     void clear(int missionType, int toSystem, int toComponent) {
@@ -271,7 +271,7 @@ final class MissionProtocol {
         out.accept(new MissionAck(peerSystem, peerComponent, type, missionType));
     }
 
-    private void say(Severity severity, String text) {
+    private void say(TextSeverity severity, String text) {
         if (style.speaks()) {
             events.accept(new FlightEvent.Text(severity, text));
         }

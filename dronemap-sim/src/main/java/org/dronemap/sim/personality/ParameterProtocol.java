@@ -11,14 +11,14 @@ import org.dronemap.sim.flight.Parameters;
 final class ParameterProtocol {
     private static final int PER_STEP = 4;
 
-    private final Autopilot autopilot;
+    private final SimulatedAutopilot autopilot;
     private final Parameters parameters;
     private final boolean bytewise;
-    private final Alterations alterations;
+    private final StorageFaults alterations;
     private final Consumer<Message> out;
     private int listed;
 
-    ParameterProtocol(Autopilot autopilot, Alterations alterations, Consumer<Message> out) {
+    ParameterProtocol(SimulatedAutopilot autopilot, StorageFaults alterations, Consumer<Message> out) {
         this.autopilot = autopilot;
         this.alterations = alterations;
         this.parameters = autopilot.parameters();

@@ -12,11 +12,11 @@ import org.dronemap.mavlink.message.MissionItemReached;
 import org.dronemap.mavlink.message.SetupSigning;
 import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.mavlink.message.Timesync;
-import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.FlightEvent;
-import org.dronemap.sim.flight.MissionItem;
 import org.dronemap.sim.flight.Parameters;
-import org.dronemap.sim.flight.Severity;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.TextSeverity;
 
 /**
  * One vehicle on one link: frames in, frames out, time passed in as milliseconds of its own clock. Owned by the fleet's
@@ -30,12 +30,12 @@ public final class SimulatedVehicle {
 
     private final VehicleSettings settings;
     private final AutopilotKind kind;
-    private final Craft craft;
+    private final SimulatedCraft craft;
     private final FrameWriter writer;
     private final Consumer<byte[]> link;
     private final VehicleSigning signing;
-    private Autopilot autopilot;
-    private Desk desk;
+    private SimulatedAutopilot autopilot;
+    private VehicleMessageHandler desk;
     private long now;
     private long bootedAt;
     private long nextBeat;
@@ -44,7 +44,7 @@ public final class SimulatedVehicle {
     private boolean bannerDue;
     private boolean newAddressDue;
 
-    public SimulatedVehicle(VehicleSettings settings, AutopilotKind kind, Craft craft, Consumer<byte[]> link) {
+    public SimulatedVehicle(VehicleSettings settings, AutopilotKind kind, SimulatedCraft craft, Consumer<byte[]> link) {
         this.settings = settings;
         this.kind = kind;
         this.craft = craft;
@@ -54,19 +54,19 @@ public final class SimulatedVehicle {
                 new VehicleSigning(settings.usb(), () -> Instant.ofEpochMilli(settings.epochMicros() / 1000 + now));
         this.nextBeat = settings.systemId() * 37L % BEAT_MILLIS;
         this.autopilot = makeAutopilot();
-        this.desk = new Desk(autopilot, settings, 0, this::send, this::hear);
+        this.desk = new VehicleMessageHandler(autopilot, settings, 0, this::send, this::hear);
         this.bannerDue = true;
     }
 
-    private Autopilot makeAutopilot() {
-        Autopilot made = kind.maker().make(craft, settings.systemId(), this::hear, this::send, this::beatNow);
+    private SimulatedAutopilot makeAutopilot() {
+        SimulatedAutopilot made = kind.maker().make(craft, settings.systemId(), this::hear, this::send, this::beatNow);
         made.stick(settings.stick());
         settings.presets().forEach((name, value) -> {
             if (!made.parameters().set(name, value)) {
                 throw new IllegalArgumentException("this autopilot has no parameter '" + name + "'");
             }
         });
-        Padding.pad(made.parameters(), settings.parameters(), made.parametersAsBits());
+        ParameterPadding.pad(made.parameters(), settings.parameters(), made.parametersAsBits());
         return made;
     }
 
@@ -121,14 +121,14 @@ public final class SimulatedVehicle {
         }
     }
 
-    private void obey(MissionItem order) {
-        boolean onePicture = (order.command() == MissionItem.DIGICAM_CONTROL && order.x() == 1)
-                || (order.command() == Cmd.IMAGE_START_CAPTURE && order.param3() == 1);
+    private void obey(StoredMissionItem order) {
+        boolean onePicture = (order.command() == StoredMissionItem.DIGICAM_CONTROL && order.x() == 1)
+                || (order.command() == MavCmd.IMAGE_START_CAPTURE && order.param3() == 1);
         if (onePicture) {
             send(autopilot.takePicture());
-        } else if (order.command() == MissionItem.SET_SERVO
+        } else if (order.command() == StoredMissionItem.SET_SERVO
                 && !autopilot.payload().setServo((int) order.param1(), (int) order.param2())) {
-            say(Severity.INFO, "ServoRelayEvent: Channel " + (int) order.param1() + " is already in use");
+            say(TextSeverity.INFO, "ServoRelayEvent: Channel " + (int) order.param1() + " is already in use");
         }
     }
 
@@ -154,7 +154,7 @@ public final class SimulatedVehicle {
             return;
         }
         if (craft.armed() && !autopilot.takesKeysWhenArmed()) {
-            say(Severity.WARNING, "ERROR: Won't setup signing when armed");
+            say(TextSeverity.WARNING, "ERROR: Won't setup signing when armed");
             return;
         }
         signing.setUp(setup);
@@ -174,7 +174,7 @@ public final class SimulatedVehicle {
         }
         autopilot.plan().replaceAll(items);
         autopilot.step(now, 0.001);
-        desk = new Desk(autopilot, settings, bootedAt, this::send, this::hear);
+        desk = new VehicleMessageHandler(autopilot, settings, bootedAt, this::send, this::hear);
         silentUntil = now + REBOOT_MILLIS;
         nextBeat = now + REBOOT_MILLIS;
         bannerDue = true;
@@ -201,16 +201,16 @@ public final class SimulatedVehicle {
         deaf = on;
     }
 
-    public void say(Severity severity, String text) {
+    public void say(TextSeverity severity, String text) {
         hear(new FlightEvent.Text(severity, text));
     }
 
     /** What it keeps otherwise than it was told; a reboot forgets it. */
-    public Alterations alterations() {
+    public StorageFaults alterations() {
         return desk.alterations();
     }
 
-    public Autopilot autopilot() {
+    public SimulatedAutopilot autopilot() {
         return autopilot;
     }
 
@@ -218,7 +218,7 @@ public final class SimulatedVehicle {
         return signing;
     }
 
-    public Craft craft() {
+    public SimulatedCraft craft() {
         return craft;
     }
 

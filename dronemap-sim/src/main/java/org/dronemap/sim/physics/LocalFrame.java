@@ -7,27 +7,27 @@ package org.dronemap.sim.physics;
 public record LocalFrame(double latitude, double longitude, double altitudeAmsl) {
     private static final double METERS_PER_DEGREE = 111_319.490_793;
 
-    public double latitudeOf(Position position) {
+    public double latitudeOf(NeuPosition position) {
         return latitude + position.north() / METERS_PER_DEGREE;
     }
 
-    public double longitudeOf(Position position) {
+    public double longitudeOf(NeuPosition position) {
         return longitude + position.east() / (METERS_PER_DEGREE * eastScale());
     }
 
-    public double altitudeOf(Position position) {
+    public double altitudeOf(NeuPosition position) {
         return altitudeAmsl + position.up();
     }
 
-    public Position locate(double atLatitude, double atLongitude, double up) {
-        return new Position(
+    public NeuPosition locate(double atLatitude, double atLongitude, double up) {
+        return new NeuPosition(
                 (atLatitude - latitude) * METERS_PER_DEGREE,
                 (atLongitude - longitude) * METERS_PER_DEGREE * eastScale(),
                 up);
     }
 
     /** The frame whose origin lies at {@code offset} in this one. */
-    public LocalFrame shifted(Position offset) {
+    public LocalFrame shifted(NeuPosition offset) {
         return new LocalFrame(latitudeOf(offset), longitudeOf(offset), altitudeOf(offset));
     }
 

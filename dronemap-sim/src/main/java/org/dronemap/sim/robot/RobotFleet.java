@@ -22,7 +22,7 @@ public final class RobotFleet implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(RobotFleet.class);
     private static final int TURN_MILLIS = 50;
 
-    private final List<Bridge> bridges = new ArrayList<>();
+    private final List<RobotConnection> bridges = new ArrayList<>();
     private final ScheduledExecutorService thread =
             Executors.newSingleThreadScheduledExecutor(task -> new Thread(task, "robots"));
     private final HttpClient client = HttpClient.newHttpClient();
@@ -31,7 +31,7 @@ public final class RobotFleet implements AutoCloseable {
         InetSocketAddress server =
                 new InetSocketAddress(options.server().host(), options.server().port());
         for (int number = 0; number < options.count(); number++) {
-            Bridge bridge = new Bridge(options, number, server);
+            RobotConnection bridge = new RobotConnection(options, number, server);
             URI web = options.web();
             if (web != null) {
                 bridge.connect(client, web(web, SimulatedRobot.identity(options, number)));
@@ -52,7 +52,7 @@ public final class RobotFleet implements AutoCloseable {
     }
 
     private void turn() {
-        for (Bridge bridge : bridges) {
+        for (RobotConnection bridge : bridges) {
             try {
                 bridge.turn(TURN_MILLIS / 1_000.0);
             } catch (IOException e) {
@@ -62,7 +62,7 @@ public final class RobotFleet implements AutoCloseable {
     }
 
     /** What is true of each robot now: a picture made between two turns. Waits for it. */
-    public List<Truth> truths() {
+    public List<GroundTruth> truths() {
         return CompletableFuture.supplyAsync(
                         () -> bridges.stream()
                                 .map(bridge -> bridge.robot().truth())
@@ -72,12 +72,12 @@ public final class RobotFleet implements AutoCloseable {
     }
 
     /** The true pose and speed of a robot, in metres, m/s or rad/s; a ground robot is never armed. */
-    public record Truth(double x, double y, double height, double speed, boolean armed) {}
+    public record GroundTruth(double x, double y, double height, double speed, boolean armed) {}
 
     @Override
     public void close() throws IOException {
         thread.shutdownNow();
-        for (Bridge bridge : bridges) {
+        for (RobotConnection bridge : bridges) {
             bridge.close();
         }
     }

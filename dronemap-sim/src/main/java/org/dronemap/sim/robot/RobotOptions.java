@@ -23,7 +23,7 @@ public record RobotOptions(
         Identity first,
         double motionHertz,
         double cloudPatienceSeconds,
-        Set<Quirk> quirks) {
+        Set<BridgeQuirk> quirks) {
     public static final String HELP = """
             Simulated robots that speak ROSLink: dronemap-sim --roslink …
               --count N                robots, 1 to 1000 (default 1)
@@ -42,7 +42,7 @@ public record RobotOptions(
 
     public RobotOptions {
         quirks = Set.copyOf(quirks);
-        if (quirks.contains(Quirk.NUMBER_KEY) && !first.key().matches("\\d{1,18}")) {
+        if (quirks.contains(BridgeQuirk.NUMBER_KEY) && !first.key().matches("\\d{1,18}")) {
             throw new IllegalArgumentException(
                     "--quirks number-key wants a --key that is a number, not '" + first.key() + "'");
         }
@@ -52,8 +52,8 @@ public record RobotOptions(
     }
 
     /** Quirks as they are written on a command line. */
-    public static Set<Quirk> quirks(String text) {
-        return Quirk.of(text);
+    public static Set<BridgeQuirk> quirks(String text) {
+        return BridgeQuirk.of(text);
     }
 
     /** The identity that a robot shows; {@code owner} null: none. */

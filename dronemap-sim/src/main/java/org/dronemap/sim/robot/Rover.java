@@ -8,8 +8,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 
-/** A robot on two wheels in a {@link Room}, with a range finder, a camera and a map. Metres, radians. */
-final class Rover implements Machine {
+/** A robot on two wheels in a {@link SimulatedRoom}, with a range finder, a camera and a map. Metres, radians. */
+final class Rover implements RobotMachine {
     private static final int TURTLEBOT = 8;
     private static final double RADIUS = 0.15;
     private static final double FASTEST = 0.5;
@@ -19,7 +19,7 @@ final class Rover implements Machine {
     private static final double FARTHEST = 3.5;
     private static final double ARRIVED = 0.05;
 
-    private final Set<Quirk> quirks;
+    private final Set<BridgeQuirk> quirks;
     private double x;
     private double y;
     private double yaw;
@@ -28,7 +28,7 @@ final class Rover implements Machine {
     private double sinceTwist;
     private double @Nullable [] goal;
 
-    Rover(double x, double y, Set<Quirk> quirks) {
+    Rover(double x, double y, Set<BridgeQuirk> quirks) {
         this.x = x;
         this.y = y;
         this.quirks = quirks;
@@ -44,7 +44,7 @@ final class Rover implements Machine {
         sinceTwist += seconds;
         if (goal != null) {
             steer(goal);
-        } else if (sinceTwist > TWIST_SECONDS && !quirks.contains(Quirk.REPEATS_TWIST)) {
+        } else if (sinceTwist > TWIST_SECONDS && !quirks.contains(BridgeQuirk.REPEATS_TWIST)) {
             stop();
         }
         yaw = Math.IEEEremainder(yaw + turn * seconds, 2 * Math.PI);
@@ -59,10 +59,10 @@ final class Rover implements Machine {
     }
 
     private static boolean touches(double x, double y) {
-        return Room.isSolid(x + RADIUS, y)
-                || Room.isSolid(x - RADIUS, y)
-                || Room.isSolid(x, y + RADIUS)
-                || Room.isSolid(x, y - RADIUS);
+        return SimulatedRoom.isSolid(x + RADIUS, y)
+                || SimulatedRoom.isSolid(x - RADIUS, y)
+                || SimulatedRoom.isSolid(x, y + RADIUS)
+                || SimulatedRoom.isSolid(x, y - RADIUS);
     }
 
     private void steer(double[] to) {
@@ -87,8 +87,8 @@ final class Rover implements Machine {
     }
 
     @Override
-    public RobotFleet.Truth truth() {
-        return new RobotFleet.Truth(x, y, 0, Math.max(Math.abs(speed), Math.abs(turn)), false);
+    public RobotFleet.GroundTruth truth() {
+        return new RobotFleet.GroundTruth(x, y, 0, Math.max(Math.abs(speed), Math.abs(turn)), false);
     }
 
     @Override
@@ -104,14 +104,14 @@ final class Rover implements Machine {
 
     @Override
     public Map<Integer, Map<String, Object>> sights() {
-        return Map.of(4, scan(), 5, Map.of("data", base64(Room.view(x, y, yaw)), "height", 240, "width", 320));
+        return Map.of(4, scan(), 5, Map.of("data", base64(SimulatedRoom.view(x, y, yaw)), "height", 240, "width", 320));
     }
 
     private Map<String, Object> scan() {
         double step = 2 * Math.PI / RAYS;
         List<Double> ranges = new ArrayList<>();
         for (int ray = 0; ray < RAYS; ray++) {
-            ranges.add(Room.range(x, y, yaw - Math.PI + ray * step, FARTHEST));
+            ranges.add(SimulatedRoom.range(x, y, yaw - Math.PI + ray * step, FARTHEST));
         }
         return Map.of(
                 "angle_min",
@@ -132,19 +132,19 @@ final class Rover implements Machine {
     public Map<String, Object> map() {
         return Map.of(
                 "data",
-                base64(Room.map()),
+                base64(SimulatedRoom.map()),
                 "width",
-                Room.WIDTH,
+                SimulatedRoom.WIDTH,
                 "height",
-                Room.HEIGHT,
+                SimulatedRoom.HEIGHT,
                 "xoffset",
-                -Room.WIDTH / 2,
+                -SimulatedRoom.WIDTH / 2,
                 "yoffset",
-                -Room.HEIGHT / 2);
+                -SimulatedRoom.HEIGHT / 2);
     }
 
     private String base64(byte[] bytes) {
-        return quirks.contains(Quirk.BROKEN_LINES)
+        return quirks.contains(BridgeQuirk.BROKEN_LINES)
                 ? Base64.getMimeEncoder().encodeToString(bytes)
                 : Base64.getEncoder().encodeToString(bytes);
     }
@@ -157,16 +157,16 @@ final class Rover implements Machine {
 
     @Override
     public void obey(int order, JsonNode body) {
-        if (order == Orders.TWIST) {
+        if (order == RobotOrderIds.TWIST) {
             // As navigation stacks do it: speeds from elsewhere do not end a journey, only its cancelling does.
             if (goal == null) {
                 speed = bounded(body.path("vx").asDouble(0), FASTEST);
                 turn = bounded(body.path("wz").asDouble(0), FASTEST_TURN);
                 sinceTwist = 0;
             }
-        } else if (order == Orders.GO_TO) {
+        } else if (order == RobotOrderIds.GO_TO) {
             goal = new double[] {body.path("x").asDouble(x), body.path("y").asDouble(y)};
-        } else if (order == Orders.STOP) {
+        } else if (order == RobotOrderIds.STOP) {
             goal = null;
             stop();
         }

@@ -2,7 +2,7 @@ package org.dronemap.sim.robot;
 
 import java.util.Map;
 import java.util.function.Supplier;
-import org.dronemap.sim.robot.RobotFleet.Truth;
+import org.dronemap.sim.robot.RobotFleet.GroundTruth;
 import org.dronemap.sim.robot.RobotOptions.Identity;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
@@ -21,9 +21,9 @@ public final class SimulatedRobot {
     private static final double LATITUDE = 47.3977;
     private static final double LONGITUDE = 8.5456;
 
-    private final Machine machine;
+    private final RobotMachine machine;
     private final RobotOptions options;
-    private final Speech speech;
+    private final RobotMessageWriter speech;
     private final Links links;
     private double sinceBeat = SECONDS_A_BEAT;
     private double sinceReport;
@@ -49,23 +49,23 @@ public final class SimulatedRobot {
         this.options = options;
         this.links = links;
         machine = machine(options, number);
-        speech = new Speech(identity(options, number), options.quirks());
-        deaf = options.quirks().contains(Quirk.IGNORES_ORDERS);
+        speech = new RobotMessageWriter(identity(options, number), options.quirks());
+        deaf = options.quirks().contains(BridgeQuirk.IGNORES_ORDERS);
     }
 
     static Identity identity(RobotOptions options, int number) {
         return options.first().plus(number);
     }
 
-    private static Machine machine(RobotOptions options, int number) {
+    private static RobotMachine machine(RobotOptions options, int number) {
         boolean flies = options.kind().equals("drone") || (options.kind().equals("mixed") && number % 2 == 1);
         return flies
-                ? new Flyer(LATITUDE + number * 1e-4, LONGITUDE)
+                ? new MavrosDrone(LATITUDE + number * 1e-4, LONGITUDE)
                 : new Rover(-2, -1 + number % 3, options.quirks());
     }
 
     /** What is true of it now. */
-    public Truth truth() {
+    public GroundTruth truth() {
         return machine.truth();
     }
 
@@ -78,7 +78,7 @@ public final class SimulatedRobot {
         if (sinceBeat >= SECONDS_A_BEAT) {
             sinceBeat -= SECONDS_A_BEAT;
             beat();
-            say(STATUS, options.quirks().contains(Quirk.STATUS_IS_HEARTBEAT) ? heartbeat() : machine.status());
+            say(STATUS, options.quirks().contains(BridgeQuirk.STATUS_IS_HEARTBEAT) ? heartbeat() : machine.status());
             machine.sights().forEach(this::say);
         }
         if (sinceReport >= 1 / options.motionHertz()) {
@@ -98,7 +98,7 @@ public final class SimulatedRobot {
 
     private void beat() {
         say(HEARTBEAT, heartbeat());
-        if (links.isOnWeb() && options.quirks().contains(Quirk.BEATS_ON_BOTH)) {
+        if (links.isOnWeb() && options.quirks().contains(BridgeQuirk.BEATS_ON_BOTH)) {
             links.sayByUdp(speech.text(HEARTBEAT, heartbeat()));
         }
     }
@@ -129,13 +129,13 @@ public final class SimulatedRobot {
         }
         accompanied = true;
         sinceCloud = 0;
-        if (order == Orders.HEARTBEAT) {
+        if (order == RobotOrderIds.HEARTBEAT) {
             return;
         }
-        if (order == Orders.GET_MAP && !machine.map().isEmpty()) {
+        if (order == RobotOrderIds.GET_MAP && !machine.map().isEmpty()) {
             say(MAP, machine.map());
         }
         machine.obey(order, speech.body(message));
-        deaf = order == Orders.STOP && options.quirks().contains(Quirk.DIES_OF_STOP);
+        deaf = order == RobotOrderIds.STOP && options.quirks().contains(BridgeQuirk.DIES_OF_STOP);
     }
 }

@@ -25,7 +25,7 @@ class ImpairerTest {
     void relaysBothWaysWithTheDelayAsked() throws IOException {
         try (DatagramSocket server = socket();
                 DatagramSocket vehicle = socket();
-                Impairer impairer = new Impairer(0, server.getLocalPort(), new Spoiling(100, 20, 0, 0, 0), 0, 1)) {
+                Impairer impairer = new Impairer(0, server.getLocalPort(), new Impairment(100, 20, 0, 0, 0), 0, 1)) {
             long sent = System.nanoTime();
             send(vehicle, impairer.port(), "up");
             DatagramPacket there = receive(server);
@@ -44,7 +44,7 @@ class ImpairerTest {
     }
 
     private static List<Integer> survivors(long seed) {
-        Spoiling spoiling = new Spoiling(0, 0, 0.1, 0, 0);
+        Impairment spoiling = new Impairment(0, 0, 0.1, 0, 0);
         Random chance = new Random(seed);
         List<Integer> survivors = new ArrayList<>();
         for (int number = 0; number < 1_000; number++) {
@@ -58,10 +58,10 @@ class ImpairerTest {
     @Test
     void doublesAndHoldsBack() {
         Random chance = new Random(3);
-        assertThat(new Spoiling(0, 0, 0, 1, 0).copies(chance)).isEqualTo(2);
-        assertThat(new Spoiling(10, 0, 0, 0, 1).delayNanos(chance)).isEqualTo(30_000_000L);
+        assertThat(new Impairment(0, 0, 0, 1, 0).copies(chance)).isEqualTo(2);
+        assertThat(new Impairment(10, 0, 0, 0, 1).delayNanos(chance)).isEqualTo(30_000_000L);
         for (int i = 0; i < 100; i++) {
-            assertThat(new Spoiling(10, 5, 0, 0, 0).delayNanos(chance)).isBetween(5_000_000L, 15_000_000L);
+            assertThat(new Impairment(10, 5, 0, 0, 0).delayNanos(chance)).isBetween(5_000_000L, 15_000_000L);
         }
     }
 
@@ -69,7 +69,7 @@ class ImpairerTest {
     void givesAVehicleANewAddressAfterItsTime() throws IOException {
         try (DatagramSocket server = socket();
                 DatagramSocket vehicle = socket();
-                Impairer impairer = new Impairer(0, server.getLocalPort(), new Spoiling(0, 0, 0, 0, 0), 0.001, 1)) {
+                Impairer impairer = new Impairer(0, server.getLocalPort(), new Impairment(0, 0, 0, 0, 0), 0.001, 1)) {
             Set<Integer> ports = new HashSet<>();
             for (int i = 0; i < 20; i++) {
                 send(vehicle, impairer.port(), "hello");
@@ -82,8 +82,8 @@ class ImpairerTest {
 
     @Test
     void refusesWhatNoNetworkDoes() {
-        assertThatThrownBy(() -> new Spoiling(10, 20, 0, 0, 0)).hasMessageContaining("jitter");
-        assertThatThrownBy(() -> new Spoiling(10, 5, 1.5, 0, 0)).hasMessageContaining("probability");
+        assertThatThrownBy(() -> new Impairment(10, 20, 0, 0, 0)).hasMessageContaining("jitter");
+        assertThatThrownBy(() -> new Impairment(10, 5, 1.5, 0, 0)).hasMessageContaining("probability");
     }
 
     private static DatagramSocket socket() throws IOException {

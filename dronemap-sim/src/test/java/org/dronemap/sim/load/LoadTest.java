@@ -32,7 +32,7 @@ class LoadTest {
 
     @Test
     void spreadsVehiclesEvenlyAndKeepsThePaceForEver() {
-        Pace pace = new Pace(1_000, 250, 200);
+        SendSchedule pace = new SendSchedule(1_000, 250, 200);
         assertThat(pace.dueNanos(0, 0)).isEqualTo(1_000);
         assertThat(pace.dueNanos(1, 0)).isEqualTo(21_000);
         assertThat(pace.dueNanos(0, 200)).isEqualTo(1_000_001_000L);
@@ -58,7 +58,7 @@ class LoadTest {
     void sendsAllOfItFromAPortOfEachVehiclesOwn() throws IOException {
         try (DatagramSocket server = new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0))) {
             server.setSoTimeout(5_000);
-            String result = new Sender(arguments(
+            String result = new VehicleLoadSender(arguments(
                             "--port", server.getLocalPort(), "--vehicles", 2, "--rate", 400, "--steps", STEPS))
                     .run(new BufferedReader(new StringReader(System.nanoTime() + "\n")), System.out);
             assertThat(result).contains("\"sent\":" + 2 * (STEPS + 3)).contains("\"refused\":0");
@@ -176,10 +176,10 @@ class LoadTest {
     }
 
     private String check(int vehicles) throws IOException {
-        return new Checker(arguments("--folder", folder, "--vehicles", vehicles, "--rate", 20, "--steps", STEPS)).run();
+        return new RecordingChecker(arguments("--folder", folder, "--vehicles", vehicles, "--rate", 20, "--steps", STEPS)).run();
     }
 
-    private static Arguments arguments(Object... words) {
-        return new Arguments(Arrays.stream(words).map(String::valueOf).toList());
+    private static LoadArguments arguments(Object... words) {
+        return new LoadArguments(Arrays.stream(words).map(String::valueOf).toList());
     }
 }

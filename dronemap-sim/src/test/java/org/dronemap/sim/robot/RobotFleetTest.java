@@ -43,14 +43,14 @@ class RobotFleetTest {
         server.close();
     }
 
-    private void start(String kind, Set<Quirk> quirks) throws IOException {
+    private void start(String kind, Set<BridgeQuirk> quirks) throws IOException {
         ServerAddress address = new ServerAddress(false, "127.0.0.1", server.getLocalPort());
         fleet = new RobotFleet(new RobotOptions(1, kind, address, null, new Identity(7, "12", "26"), 20, 0, quirks));
         fleet.start();
         heard(message -> true);
     }
 
-    private RobotFleet.Truth truth() {
+    private RobotFleet.GroundTruth truth() {
         return Objects.requireNonNull(fleet).truths().get(0);
     }
 
@@ -82,7 +82,7 @@ class RobotFleetTest {
     @Test
     void aRoverDrivesAsLongAsItIsToldTo() throws IOException {
         start("rover", Set.of());
-        tell("\"12\"", Orders.TWIST, ",\"vx\":0.4,\"wz\":0");
+        tell("\"12\"", RobotOrderIds.TWIST, ",\"vx\":0.4,\"wz\":0");
         heard(message -> message.path("vx").asDouble() > 0.3);
         heard(message -> message.path("vx").asDouble(1) == 0);
 
@@ -92,28 +92,28 @@ class RobotFleetTest {
 
     @Test
     void aBridgeThatRepeatsGoesOnUntilItIsToldZeros() throws IOException {
-        start("rover", EnumSet.of(Quirk.REPEATS_TWIST, Quirk.NUMBER_KEY));
-        tell("\"12\"", Orders.TWIST, ",\"vx\":0.4,\"wz\":0");
-        tell("12", Orders.TWIST, ",\"vx\":-0.5,\"wz\":0");
+        start("rover", EnumSet.of(BridgeQuirk.REPEATS_TWIST, BridgeQuirk.NUMBER_KEY));
+        tell("\"12\"", RobotOrderIds.TWIST, ",\"vx\":0.4,\"wz\":0");
+        tell("12", RobotOrderIds.TWIST, ",\"vx\":-0.5,\"wz\":0");
         heard(message -> message.path("x").asDouble(0) < -2.8);
         assertThat(truth().speed()).isGreaterThan(0);
-        tell("12", Orders.TWIST, ",\"vx\":0,\"wz\":0");
+        tell("12", RobotOrderIds.TWIST, ",\"vx\":0,\"wz\":0");
         heard(message -> message.path("vx").asDouble(1) == 0);
         assertThat(truth().speed()).isZero();
     }
 
     @Test
     void aRoverGoesWhereItIsToldAndStopsWhenStopped() throws IOException {
-        start("rover", Set.of(Quirk.DIES_OF_STOP));
-        tell("\"12\"", Orders.GO_TO, ",\"x\":-1,\"y\":-1,\"z\":0,\"frame_type\":\"false\"");
+        start("rover", Set.of(BridgeQuirk.DIES_OF_STOP));
+        tell("\"12\"", RobotOrderIds.GO_TO, ",\"x\":-1,\"y\":-1,\"z\":0,\"frame_type\":\"false\"");
         heard(message ->
                 Math.hypot(message.path("x").asDouble(9) + 1, message.path("y").asDouble(9) + 1) < 0.1);
-        tell("\"12\"", Orders.GO_TO, ",\"x\":0,\"y\":-1,\"z\":0");
+        tell("\"12\"", RobotOrderIds.GO_TO, ",\"x\":0,\"y\":-1,\"z\":0");
         heard(message -> message.path("vx").asDouble() > 0.1);
-        tell("\"12\"", Orders.STOP, "");
+        tell("\"12\"", RobotOrderIds.STOP, "");
         heard(message -> message.path("vx").asDouble(1) == 0);
-        tell("\"12\"", Orders.TWIST, ",\"vx\":0.4,\"wz\":0");
-        tell("\"12\"", Orders.TWIST, ",\"vx\":0.4,\"wz\":0");
+        tell("\"12\"", RobotOrderIds.TWIST, ",\"vx\":0.4,\"wz\":0");
+        tell("\"12\"", RobotOrderIds.TWIST, ",\"vx\":0.4,\"wz\":0");
         heard(2);
         heard(2);
         assertThat(truth().speed()).isZero();
@@ -121,7 +121,7 @@ class RobotFleetTest {
 
     @Test
     void showsScanPictureAndMapAndSpeaksAsItsBridgeDoes() throws IOException {
-        start("rover", EnumSet.of(Quirk.STATUS_IS_HEARTBEAT, Quirk.COUNTS_EACH_KIND, Quirk.BROKEN_LINES));
+        start("rover", EnumSet.of(BridgeQuirk.STATUS_IS_HEARTBEAT, BridgeQuirk.COUNTS_EACH_KIND, BridgeQuirk.BROKEN_LINES));
         JsonNode scan = heard(4);
         assertThat(scan.path("ranges")).hasSize(180);
         assertThat(scan.path("header").path("owner_id").isNumber()).isTrue();
@@ -130,18 +130,18 @@ class RobotFleetTest {
         int before = heard(4).path("header").path("sequence_number").asInt();
         assertThat(heard(4).path("header").path("sequence_number").asInt()).isEqualTo(before + 1);
 
-        tell("\"12\"", Orders.GET_MAP, "");
+        tell("\"12\"", RobotOrderIds.GET_MAP, "");
         assertThat(heard(6).path("xoffset").asDouble()).isEqualTo(-4);
     }
 
     @Test
     void aDroneTakesOffInGuidedOnly() throws IOException {
         start("drone", Set.of());
-        tell("\"12\"", Orders.ARM, "");
-        tell("\"12\"", Orders.TAKE_OFF, ",\"altitude\":2");
+        tell("\"12\"", RobotOrderIds.ARM, "");
+        tell("\"12\"", RobotOrderIds.TAKE_OFF, ",\"altitude\":2");
         heard(message -> message.path("state").asInt() == 3_100);
-        tell("\"12\"", Orders.SET_MODE, ",\"flightMode\":4");
-        tell("\"12\"", Orders.TAKE_OFF, ",\"altitude\":2");
+        tell("\"12\"", RobotOrderIds.SET_MODE, ",\"flightMode\":4");
+        tell("\"12\"", RobotOrderIds.TAKE_OFF, ",\"altitude\":2");
         heard(message -> message.path("z").asDouble() > 1.9);
         assertThat(truth().height()).isGreaterThan(1.9);
     }

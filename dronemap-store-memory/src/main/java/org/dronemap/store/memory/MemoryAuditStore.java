@@ -11,11 +11,11 @@ import java.util.stream.Stream;
 import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditHead;
-import org.dronemap.core.audit.AuditLine;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditQuery;
 import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.audit.AuditStore;
+import org.dronemap.core.audit.AuditedCallRecord;
 import org.jspecify.annotations.Nullable;
 
 /** The records of what was done, in memory. Thread-safe: every method holds the object's lock. */
@@ -75,7 +75,7 @@ public final class MemoryAuditStore implements AuditStore {
     }
 
     @Override
-    public synchronized List<AuditLine> search(AuditQuery query, long before, int limit) {
+    public synchronized List<AuditedCallRecord> search(AuditQuery query, long before, int limit) {
         List<AuditRecord> newestFirst = new ArrayList<>(records);
         Collections.reverse(newestFirst);
         return calls(newestFirst.stream())
@@ -85,16 +85,16 @@ public final class MemoryAuditStore implements AuditStore {
                 .toList();
     }
 
-    private Stream<AuditLine> calls(Stream<AuditRecord> of) {
+    private Stream<AuditedCallRecord> calls(Stream<AuditRecord> of) {
         return of.filter(record -> record.entry().ends() == null)
-                .map(record -> new AuditLine(record, endingOf(record)));
+                .map(record -> new AuditedCallRecord(record, endingOf(record)));
     }
 
     private @Nullable AuditRecord endingOf(AuditRecord call) {
         return endings.get(call.sequence());
     }
 
-    private static boolean fits(AuditQuery query, AuditLine line) {
+    private static boolean fits(AuditQuery query, AuditedCallRecord line) {
         AuditEntry entry = line.record().entry();
         String operation = query.operation();
         return isOr(query.user(), entry.by())
@@ -121,7 +121,7 @@ public final class MemoryAuditStore implements AuditStore {
     public synchronized List<AuditRecord> underWay() {
         return calls(records.stream())
                 .filter(line -> line.outcome() == AuditOutcome.UNDER_WAY)
-                .map(AuditLine::record)
+                .map(AuditedCallRecord::record)
                 .toList();
     }
 }

@@ -39,7 +39,7 @@ public final class MemoryFlightStore implements FlightStore {
     }
 
     private static String words(Flight flight) {
-        Flight.Operation operation = flight.operation();
+        Flight.FlightOperation operation = flight.operation();
         String all = flight.droneName() + "\n" + flight.notes() + "\n" + (operation == null ? "" : operation.words());
         return all.toLowerCase(Locale.ROOT);
     }

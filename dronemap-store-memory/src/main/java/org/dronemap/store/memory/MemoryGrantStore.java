@@ -14,13 +14,13 @@ import org.dronemap.core.access.Gift;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
 import org.dronemap.core.access.GrantStore;
-import org.dronemap.core.access.Holdings;
-import org.dronemap.core.access.Subject;
+import org.dronemap.core.access.GrantSubject;
+import org.dronemap.core.access.OrganisationDirectory;
 import org.dronemap.core.access.UserGroup;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.store.GrantOrder;
+import org.dronemap.store.GrantOrdering;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
@@ -32,17 +32,17 @@ public final class MemoryGrantStore implements GrantStore {
     private final Map<String, Fleet> fleets = new HashMap<>();
     private final Map<String, Grant> grants = new HashMap<>();
     private final List<Gift> gifts = new ArrayList<>();
-    private final Set<Subject> onlyGranted = new HashSet<>();
+    private final Set<GrantSubject> onlyGranted = new HashSet<>();
 
     @Override
-    public synchronized Holdings holdings() {
-        return new Holdings(
-                organisations.values().stream().sorted(GrantOrder.ORGANISATIONS).toList(),
+    public synchronized OrganisationDirectory holdings() {
+        return new OrganisationDirectory(
+                organisations.values().stream().sorted(GrantOrdering.ORGANISATIONS).toList(),
                 owners,
-                groups.values().stream().sorted(GrantOrder.GROUPS).toList(),
-                fleets.values().stream().sorted(GrantOrder.FLEETS).toList(),
-                grants.values().stream().sorted(GrantOrder.GRANTS).toList(),
-                gifts.stream().sorted(GrantOrder.GIFTS).toList(),
+                groups.values().stream().sorted(GrantOrdering.GROUPS).toList(),
+                fleets.values().stream().sorted(GrantOrdering.FLEETS).toList(),
+                grants.values().stream().sorted(GrantOrdering.GRANTS).toList(),
+                gifts.stream().sorted(GrantOrdering.GIFTS).toList(),
                 onlyGranted);
     }
 
@@ -84,7 +84,7 @@ public final class MemoryGrantStore implements GrantStore {
 
     @Override
     public synchronized boolean deleteGroup(String id) {
-        forget(new Subject.OfGroup(id));
+        forget(new GrantSubject.OfGroup(id));
         return groups.remove(id) != null;
     }
 
@@ -125,7 +125,7 @@ public final class MemoryGrantStore implements GrantStore {
     }
 
     @Override
-    public synchronized void setOnlyGranted(Subject subject, boolean only) {
+    public synchronized void setOnlyGranted(GrantSubject subject, boolean only) {
         if (only) {
             onlyGranted.add(subject);
         } else {
@@ -135,7 +135,7 @@ public final class MemoryGrantStore implements GrantStore {
 
     @Override
     public synchronized void forgetUser(String name) {
-        forget(new Subject.OfUser(name));
+        forget(new GrantSubject.OfUser(name));
         groups.replaceAll((id, group) -> {
             Set<String> others = new LinkedHashSet<>(group.members());
             others.remove(name);
@@ -143,7 +143,7 @@ public final class MemoryGrantStore implements GrantStore {
         });
     }
 
-    private void forget(Subject subject) {
+    private void forget(GrantSubject subject) {
         grants.values().removeIf(grant -> grant.subject().equals(subject));
         onlyGranted.remove(subject);
     }

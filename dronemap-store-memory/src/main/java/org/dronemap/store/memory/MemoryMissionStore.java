@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.mission.SavedMission;
-import org.dronemap.store.MissionOrder;
+import org.dronemap.store.MissionOrdering;
 import org.dronemap.store.StoredInstant;
 
 /** The mission library in memory. Thread-safe: every method holds the object's lock. */
@@ -15,7 +15,7 @@ public final class MemoryMissionStore implements MissionStore {
 
     @Override
     public synchronized List<SavedMission> missions() {
-        return missions.values().stream().sorted(MissionOrder.BY_NAME).toList();
+        return missions.values().stream().sorted(MissionOrdering.BY_NAME).toList();
     }
 
     @Override

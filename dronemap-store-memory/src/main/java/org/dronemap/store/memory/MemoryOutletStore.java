@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.OutletKey;
-import org.dronemap.core.access.OutletNumber;
 import org.dronemap.core.access.OutletStore;
+import org.dronemap.core.access.OutletSystemId;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.store.StoreException;
@@ -18,7 +18,7 @@ public final class MemoryOutletStore implements OutletStore {
     private final AccessStore access;
     private final DroneStore drones;
     private final Map<String, OutletKey> keys = new TreeMap<>();
-    private final List<OutletNumber> numbers = new ArrayList<>();
+    private final List<OutletSystemId> numbers = new ArrayList<>();
 
     /** {@code access} and {@code drones} know the users and drones that there are. */
     public MemoryOutletStore(AccessStore access, DroneStore drones) {
@@ -53,15 +53,15 @@ public final class MemoryOutletStore implements OutletStore {
     }
 
     @Override
-    public synchronized List<OutletNumber> numbers() {
+    public synchronized List<OutletSystemId> numbers() {
         numbers.removeIf(number -> !isUser(number.user()) || !isDrone(number.drone()));
         return numbers.stream()
-                .sorted(Comparator.comparing(OutletNumber::user).thenComparing(OutletNumber::systemId))
+                .sorted(Comparator.comparing(OutletSystemId::user).thenComparing(OutletSystemId::systemId))
                 .toList();
     }
 
     @Override
-    public synchronized void saveNumber(OutletNumber number) {
+    public synchronized void saveNumber(OutletSystemId number) {
         boolean taken = numbers.stream()
                 .filter(other -> other.user().equals(number.user()))
                 .anyMatch(other -> other.drone().equals(number.drone()) || other.systemId() == number.systemId());

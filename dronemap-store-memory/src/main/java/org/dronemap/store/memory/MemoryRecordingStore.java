@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingStore;
-import org.dronemap.store.RecordingOrder;
+import org.dronemap.store.RecordingOrdering;
 import org.dronemap.store.StoredInstant;
 
 /** Descriptions of recordings in memory. Thread-safe: every method holds the object's lock. */
@@ -16,7 +16,7 @@ public final class MemoryRecordingStore implements RecordingStore {
 
     @Override
     public synchronized List<Recording> recordings() {
-        return recordings.values().stream().sorted(RecordingOrder.NEWEST_FIRST).toList();
+        return recordings.values().stream().sorted(RecordingOrdering.NEWEST_FIRST).toList();
     }
 
     @Override

@@ -10,7 +10,7 @@ import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
-import org.dronemap.core.drone.OwnersStore;
+import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
@@ -35,7 +35,7 @@ public final class MemoryStores implements Stores {
     private final RecordingStore recordings = new MemoryRecordingStore();
     private final LinkStore links = new MemoryLinkStore();
     private final LeaseStore leases = new MemoryLeaseStore();
-    private final OwnersStore owners = new MemoryOwnersStore();
+    private final ParameterOverrideStore owners = new MemoryParameterOverrideStore();
     private final VirtualDroneStore virtualDrones = new MemoryVirtualDroneStore();
     private final OperationStore operations = new MemoryOperationStore();
     private final TelemetryStore telemetry = new MemoryTelemetryStore();
@@ -90,7 +90,7 @@ public final class MemoryStores implements Stores {
     }
 
     @Override
-    public OwnersStore owners() {
+    public ParameterOverrideStore owners() {
         return owners;
     }
 

@@ -16,10 +16,10 @@ import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesBuilder;
 import org.dronemap.core.history.SeriesQuery;
 import org.dronemap.core.history.SeriesSlot;
-import org.dronemap.core.history.Span;
+import org.dronemap.core.history.TelemetryDownsampler;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryStore;
-import org.dronemap.core.history.Thinning;
+import org.dronemap.core.history.TimeRange;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
@@ -38,7 +38,7 @@ public final class MemoryTelemetryStore implements TelemetryStore {
     }
 
     @Override
-    public synchronized void points(DroneId drone, Span span, Consumer<TelemetryPoint> each) {
+    public synchronized void points(DroneId drone, TimeRange span, Consumer<TelemetryPoint> each) {
         NavigableMap<Instant, TelemetryPoint> known = points.get(drone);
         if (known != null) {
             known.subMap(span.from(), true, span.until(), false).values().forEach(each);
@@ -53,7 +53,7 @@ public final class MemoryTelemetryStore implements TelemetryStore {
     }
 
     @Override
-    public synchronized List<HistoryEvent> events(DroneId drone, Span span, int limit) {
+    public synchronized List<HistoryEvent> events(DroneId drone, TimeRange span, int limit) {
         return events.stream()
                 .filter(event -> event.drone().equals(drone) && span.contains(event.at()))
                 .sorted((one, other) -> one.at().compareTo(other.at()))
@@ -70,7 +70,7 @@ public final class MemoryTelemetryStore implements TelemetryStore {
             known.headMap(kept, false).clear();
             NavigableMap<Instant, TelemetryPoint> old = known.headMap(full, false);
             Map<Instant, TelemetryPoint> thinned = new TreeMap<>();
-            Thinning thinning = new Thinning(retention.thinned(), point -> thinned.put(point.at(), point));
+            TelemetryDownsampler thinning = new TelemetryDownsampler(retention.thinned(), point -> thinned.put(point.at(), point));
             old.values().forEach(thinning::add);
             thinning.finish();
             old.values().retainAll(thinned.values());

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneStore;
-import org.dronemap.store.ZoneOrder;
+import org.dronemap.store.ZoneOrdering;
 
 /** The zones in memory. Thread-safe: every method holds the object's lock. */
 public final class MemoryZoneStore implements ZoneStore {
@@ -13,7 +13,7 @@ public final class MemoryZoneStore implements ZoneStore {
 
     @Override
     public synchronized List<Zone> zones() {
-        return zones.values().stream().sorted(ZoneOrder.BY_NAME).toList();
+        return zones.values().stream().sorted(ZoneOrdering.BY_NAME).toList();
     }
 
     @Override

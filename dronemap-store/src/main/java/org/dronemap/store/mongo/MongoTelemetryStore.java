@@ -36,9 +36,9 @@ import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesQuery;
 import org.dronemap.core.history.SeriesSlot;
-import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryStore;
+import org.dronemap.core.history.TimeRange;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
 
@@ -127,10 +127,10 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
     }
 
     @Override
-    public void points(DroneId drone, Span span, Consumer<TelemetryPoint> each) {
+    public void points(DroneId drone, TimeRange span, Consumer<TelemetryPoint> each) {
         trying(() -> {
             Instant[] before = {Instant.MIN};
-            for (ThinnedDays.Part part : thinned.parts(kept(span))) {
+            for (ThinnedDays.DayRange part : thinned.parts(kept(span))) {
                 in(part).find(within(drone, part.span()))
                         .sort(Sorts.ascending(PointDocument.AT, PointDocument.MICROS))
                         .allowDiskUse(true)
@@ -151,7 +151,7 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
         return trying(() -> {
             SeriesPipeline pipeline = new SeriesPipeline(query);
             List<SeriesSlot> slots = new ArrayList<>();
-            for (ThinnedDays.Part part : thinned.parts(kept(query.span()))) {
+            for (ThinnedDays.DayRange part : thinned.parts(kept(query.span()))) {
                 in(part).aggregate(pipeline.stages(part.span())).forEach(group -> slots.add(pipeline.slot(group)));
             }
             return List.copyOf(slots);
@@ -159,9 +159,9 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
     }
 
     @Override
-    public List<HistoryEvent> events(DroneId drone, Span span, int limit) {
+    public List<HistoryEvent> events(DroneId drone, TimeRange span, int limit) {
         return trying(() -> {
-            Span kept = kept(span);
+            TimeRange kept = kept(span);
             List<HistoryEvent> events = new ArrayList<>();
             for (Document document : collections
                     .events()
@@ -198,23 +198,23 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
                 "MongoDB " + database.runCommand(new Document("buildInfo", 1)).getString("version"));
     }
 
-    private MongoCollection<Document> in(ThinnedDays.Part part) {
+    private MongoCollection<Document> in(ThinnedDays.DayRange part) {
         return part.thinned() ? collections.thinned() : collections.points();
     }
 
     /** The server knows milliseconds only: what is too much at the edges is left out here. */
-    private static Bson within(DroneId drone, Span span) {
+    private static Bson within(DroneId drone, TimeRange span) {
         return Filters.and(
                 Filters.eq(PointDocument.DRONE, drone.value()),
                 Filters.gte(PointDocument.AT, Date.from(span.from())),
                 Filters.lte(PointDocument.AT, Date.from(span.until())));
     }
 
-    private Span kept(Span span) {
+    private TimeRange kept(TimeRange span) {
         Instant from = StoredInstant.of(span.from().plusNanos(999));
         Instant until = StoredInstant.of(span.until().plusNanos(999));
         Instant first = from.isBefore(firstKept) ? firstKept : from;
-        return new Span(first, until.isBefore(first) ? first : until);
+        return new TimeRange(first, until.isBefore(first) ? first : until);
     }
 
     private static <T> T trying(Supplier<T> work) {

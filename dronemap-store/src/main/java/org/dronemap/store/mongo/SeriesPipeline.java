@@ -10,8 +10,8 @@ import org.bson.Document;
 import org.bson.conversions.Bson;
 import org.dronemap.core.history.SeriesQuery;
 import org.dronemap.core.history.SeriesSlot;
-import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryField;
+import org.dronemap.core.history.TimeRange;
 import org.jspecify.annotations.Nullable;
 
 /** Has the server reduce points to a series; the microseconds since the beginning of the span say which slot one is in. */
@@ -29,7 +29,7 @@ final class SeriesPipeline {
     }
 
     /** For a part of the span that lies in one collection. */
-    List<Bson> stages(Span part) {
+    List<Bson> stages(TimeRange part) {
         Document within = new Document("$gte", Date.from(part.from())).append("$lte", Date.from(part.until()));
         Document micros = new Document(
                 "$add",

@@ -13,9 +13,9 @@ import java.util.TreeSet;
 import org.bson.Document;
 import org.bson.conversions.Bson;
 import org.dronemap.core.history.Retention;
-import org.dronemap.core.history.Span;
+import org.dronemap.core.history.TelemetryDownsampler;
 import org.dronemap.core.history.TelemetryPoint;
-import org.dronemap.core.history.Thinning;
+import org.dronemap.core.history.TimeRange;
 import org.jspecify.annotations.Nullable;
 
 /** Days of UTC of which only the thinned points are read any more; the full ones expire by themselves. */
@@ -25,35 +25,35 @@ final class ThinnedDays {
     private final MongoCollections collections;
 
     /** A stretch of time whose points all lie in one collection. */
-    record Part(Span span, boolean thinned) {}
+    record DayRange(TimeRange span, boolean thinned) {}
 
     ThinnedDays(MongoCollections collections) {
         this.collections = collections;
     }
 
     /** In the order of time. */
-    List<Part> parts(Span span) {
+    List<DayRange> parts(TimeRange span) {
         Set<LocalDate> thinned = in(span);
-        List<Part> parts = new ArrayList<>();
+        List<DayRange> parts = new ArrayList<>();
         Instant from = span.from();
         for (LocalDate day : thinned) {
             Instant begin = later(begin(day), from);
             Instant end = earlier(begin(day.plusDays(1)), span.until());
             if (from.isBefore(begin)) {
-                parts.add(new Part(new Span(from, begin), false));
+                parts.add(new DayRange(new TimeRange(from, begin), false));
             }
             if (begin.isBefore(end)) {
-                parts.add(new Part(new Span(begin, end), true));
+                parts.add(new DayRange(new TimeRange(begin, end), true));
             }
             from = later(from, end);
         }
         if (from.isBefore(span.until())) {
-            parts.add(new Part(new Span(from, span.until()), false));
+            parts.add(new DayRange(new TimeRange(from, span.until()), false));
         }
         return parts;
     }
 
-    private Set<LocalDate> in(Span span) {
+    private Set<LocalDate> in(TimeRange span) {
         Bson within = Filters.and(
                 Filters.gte("_id", day(span.from()).toString()),
                 Filters.lte("_id", day(span.until()).toString()));
@@ -77,7 +77,7 @@ final class ThinnedDays {
             return;
         }
         LocalDate first = day(PointDocument.time(oldest));
-        Set<LocalDate> done = in(new Span(begin(first), later(begin(first), begin(firstFull))));
+        Set<LocalDate> done = in(new TimeRange(begin(first), later(begin(first), begin(firstFull))));
         for (LocalDate day = first; day.isBefore(firstFull); day = day.plusDays(1)) {
             if (!done.contains(day)) {
                 thin(day, retention);
@@ -91,7 +91,7 @@ final class ThinnedDays {
                 Filters.gte(PointDocument.AT, Date.from(begin(day))),
                 Filters.lt(PointDocument.AT, Date.from(begin(day.plusDays(1)))));
         List<Document> kept = new ArrayList<>();
-        Thinning thinning = new Thinning(retention.thinned(), point -> kept.add(PointDocument.of(point)));
+        TelemetryDownsampler thinning = new TelemetryDownsampler(retention.thinned(), point -> kept.add(PointDocument.of(point)));
         collections
                 .points()
                 .find(within)

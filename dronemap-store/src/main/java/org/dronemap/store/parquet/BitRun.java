@@ -28,7 +28,7 @@ final class BitRun {
         }
         run.write(header);
         writeBits(run);
-        PlainValues.integer(run.size(), out);
+        PlainEncoding.integer(run.size(), out);
         out.writeBytes(run.toByteArray());
     }
 }

@@ -37,7 +37,7 @@ final class ColumnPages {
     }
 
     private void page(List<TelemetryPoint> rows, OutputStream out) throws IOException {
-        PlainValues values = new PlainValues();
+        PlainEncoding values = new PlainEncoding();
         BitRun known = new BitRun();
         for (TelemetryPoint row : rows) {
             Object value = column.of(row);

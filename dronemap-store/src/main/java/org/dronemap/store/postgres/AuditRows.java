@@ -21,34 +21,34 @@ final class AuditRows {
 
     private AuditRows() {}
 
-    static AuditHead head(Sql sql) {
+    static AuditHead head(SqlTransactions sql) {
         return sql.one(HEAD, AuditRows::head).orElse(AuditHead.EMPTY);
     }
 
     static AuditHead head(Connection connection) throws SQLException {
-        try (PreparedStatement statement = Sql.prepare(connection, HEAD);
+        try (PreparedStatement statement = SqlTransactions.prepare(connection, HEAD);
                 ResultSet result = statement.executeQuery()) {
-            return result.next() ? head(new Row(result)) : AuditHead.EMPTY;
+            return result.next() ? head(new ResultRow(result)) : AuditHead.EMPTY;
         }
     }
 
-    private static AuditHead head(Row row) throws SQLException {
+    private static AuditHead head(ResultRow row) throws SQLException {
         return new AuditHead(row.longInteger("sequence"), row.text("hash"));
     }
 
     static Optional<AuditRecord> endingOf(Connection connection, @Nullable String command) throws SQLException {
-        try (PreparedStatement statement = Sql.prepare(
+        try (PreparedStatement statement = SqlTransactions.prepare(
                         connection,
                         "SELECT e.* FROM audit r JOIN audit e ON e.ends = r.sequence"
                                 + " WHERE r.command_id = ? AND r.ends IS NULL",
                         command);
                 ResultSet result = statement.executeQuery()) {
-            return result.next() ? Optional.of(record(new Row(result))) : Optional.empty();
+            return result.next() ? Optional.of(record(new ResultRow(result))) : Optional.empty();
         }
     }
 
     static @Nullable Long sequenceOf(Connection connection, @Nullable String command) throws SQLException {
-        try (PreparedStatement statement = Sql.prepare(
+        try (PreparedStatement statement = SqlTransactions.prepare(
                         connection, "SELECT sequence FROM audit WHERE command_id = ? AND ends IS NULL", command);
                 ResultSet result = statement.executeQuery()) {
             return result.next() ? (Long) result.getLong(1) : null;
@@ -57,7 +57,7 @@ final class AuditRows {
 
     static void insert(Connection connection, AuditRecord record) throws SQLException {
         AuditEntry entry = record.entry();
-        try (PreparedStatement statement = Sql.prepare(
+        try (PreparedStatement statement = SqlTransactions.prepare(
                 connection,
                 """
                 INSERT INTO audit (sequence, happened_at, account_name, organisation_id, access_key, face, operation, drone_id, epoch,
@@ -84,7 +84,7 @@ final class AuditRows {
     }
 
     /** A row that is not as any record is written gets a hash that no record has. */
-    static AuditRecord record(Row row) throws SQLException {
+    static AuditRecord record(ResultRow row) throws SQLException {
         String outcome = row.text("outcome");
         Optional<AuditOutcome> known = Arrays.stream(AuditOutcome.values())
                 .filter(one -> StoredNames.of(one).equals(outcome))
@@ -110,7 +110,7 @@ final class AuditRows {
     }
 
     /** Nothing was cut or cleaned while it was read. */
-    private static boolean isWhole(Row row, AuditEntry entry) throws SQLException {
+    private static boolean isWhole(ResultRow row, AuditEntry entry) throws SQLException {
         Instant at = row.time("happened_at");
         return entry.at().equals(at)
                 && Objects.equals(entry.by(), row.textOrNull("account_name"))

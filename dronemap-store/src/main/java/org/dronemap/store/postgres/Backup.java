@@ -49,7 +49,7 @@ public final class Backup {
                 connection.rollback();
             }
         } catch (SQLException e) {
-            throw SqlSentence.exception(e);
+            throw SqlErrorMessages.exception(e);
         }
     }
 
@@ -59,7 +59,7 @@ public final class Backup {
      * old database in memory has to read it anew.
      */
     public BackupSummary restore(Path zip) {
-        return new Restore(dataSource, schema).from(zip);
+        return new BackupRestore(dataSource, schema).from(zip);
     }
 
     private BackupSummary write(Connection connection, OutputStream out) throws SQLException, IOException {

@@ -14,7 +14,7 @@ final class OrganisationColumn {
         return organisation.isHome() ? null : organisation.value();
     }
 
-    static OrganisationId read(Row row) throws SQLException {
+    static OrganisationId read(ResultRow row) throws SQLException {
         String id = row.textOrNull(NAME);
         return id == null ? OrganisationId.HOME : new OrganisationId(id);
     }

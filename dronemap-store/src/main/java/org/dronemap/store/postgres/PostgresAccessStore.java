@@ -18,9 +18,9 @@ import org.dronemap.store.StoreException;
 
 /** Users, sessions and keys in PostgreSQL. Thread-safe. */
 public final class PostgresAccessStore implements AccessStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresAccessStore(Sql sql) {
+    PostgresAccessStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
@@ -124,8 +124,8 @@ public final class PostgresAccessStore implements AccessStore {
                 key.owner(),
                 key.parent(),
                 rights.role(),
-                KeyScopeText.drones(rights.scope()),
-                KeyScopeText.permissions(rights.scope()),
+                KeyScopeColumns.drones(rights.scope()),
+                KeyScopeColumns.permissions(rights.scope()),
                 BoundsJson.write(rights.scope().bounds()),
                 rights.expiresAt(),
                 key.secretHash(),
@@ -219,7 +219,7 @@ public final class PostgresAccessStore implements AccessStore {
                 == 1;
     }
 
-    private static Invitation invitation(Row row) throws SQLException {
+    private static Invitation invitation(ResultRow row) throws SQLException {
         return new Invitation(
                 row.text("id"),
                 row.text("label"),
@@ -231,7 +231,7 @@ public final class PostgresAccessStore implements AccessStore {
                 OrganisationColumn.read(row));
     }
 
-    private static User user(Row row) throws SQLException {
+    private static User user(ResultRow row) throws SQLException {
         return new User(
                 row.text("name"),
                 row.name("role", Role.class),
@@ -242,7 +242,7 @@ public final class PostgresAccessStore implements AccessStore {
                 row.text("id"));
     }
 
-    private static AccessKey accessKey(Row row) throws SQLException {
+    private static AccessKey accessKey(ResultRow row) throws SQLException {
         return new AccessKey(
                 row.text("id"),
                 row.text("label"),
@@ -251,8 +251,8 @@ public final class PostgresAccessStore implements AccessStore {
                 new KeyRights(
                         row.name("role", Role.class),
                         new KeyScope(
-                                KeyScopeText.dronesOrAll(row.textOrNull("drones")),
-                                KeyScopeText.permissions(row.text("permissions")),
+                                KeyScopeColumns.dronesOrAll(row.textOrNull("drones")),
+                                KeyScopeColumns.permissions(row.text("permissions")),
                                 BoundsJson.read(row.textOrNull("bounds"))),
                         row.timeOrNull("expires_at")),
                 row.text("secret_hash"),

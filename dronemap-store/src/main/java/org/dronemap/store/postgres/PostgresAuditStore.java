@@ -7,17 +7,17 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditHead;
-import org.dronemap.core.audit.AuditLine;
 import org.dronemap.core.audit.AuditQuery;
 import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.audit.AuditStore;
+import org.dronemap.core.audit.AuditedCallRecord;
 
 /** The records of what was done, in PostgreSQL. Thread-safe. */
 final class PostgresAuditStore implements AuditStore {
-    private final Sql sql;
-    private final Ledger ledger;
+    private final SqlTransactions sql;
+    private final AuditLedger ledger;
 
-    PostgresAuditStore(Sql sql, Ledger ledger) {
+    PostgresAuditStore(SqlTransactions sql, AuditLedger ledger) {
         this.sql = sql;
         this.ledger = ledger;
     }
@@ -44,7 +44,7 @@ final class PostgresAuditStore implements AuditStore {
     }
 
     @Override
-    public List<AuditLine> search(AuditQuery query, long before, int limit) {
+    public List<AuditedCallRecord> search(AuditQuery query, long before, int limit) {
         AuditConditions conditions = new AuditConditions(query, before);
         List<AuditRecord> calls = sql.list(
                 "SELECT r.* FROM audit r LEFT JOIN audit e ON e.ends = r.sequence WHERE " + conditions.text()
@@ -53,7 +53,7 @@ final class PostgresAuditStore implements AuditStore {
                 conditions.arguments());
         Map<Long, AuditRecord> endings = endings(calls);
         return calls.stream()
-                .map(call -> new AuditLine(call, endings.get(call.sequence())))
+                .map(call -> new AuditedCallRecord(call, endings.get(call.sequence())))
                 .toList();
     }
 

@@ -15,15 +15,15 @@ import org.jspecify.annotations.Nullable;
 
 /** The log of commands in PostgreSQL. Thread-safe. */
 public final class PostgresCommandStore implements CommandStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresCommandStore(Sql sql) {
+    PostgresCommandStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
     @Override
     public boolean begin(CommandRecord command) {
-        OutcomeRow outcome = OutcomeRow.of(command.outcome());
+        OutcomeColumns outcome = OutcomeColumns.of(command.outcome());
         CommandRecord.Progress progress = command.progress();
         return sql.update(
                         """
@@ -54,7 +54,7 @@ public final class PostgresCommandStore implements CommandStore {
 
     @Override
     public void finish(CommandRecord command) {
-        OutcomeRow outcome = OutcomeRow.of(command.outcome());
+        OutcomeColumns outcome = OutcomeColumns.of(command.outcome());
         CommandRecord.Progress progress = command.progress();
         int written = sql.update(
                 """
@@ -99,13 +99,13 @@ public final class PostgresCommandStore implements CommandStore {
 
     @Override
     public int endUnfinished(Outcome outcome, Instant at) {
-        OutcomeRow row = OutcomeRow.of(outcome);
+        OutcomeColumns row = OutcomeColumns.of(outcome);
         return sql.update("""
                 UPDATE command SET phase = 'DONE', outcome = ?, outcome_by = ?, outcome_reason = ?, outcome_code = ?, finished_at = ?
                 WHERE phase <> 'DONE'""", row.result(), row.by(), row.reason(), row.code(), at);
     }
 
-    private static CommandRecord command(Row row) throws SQLException {
+    private static CommandRecord command(ResultRow row) throws SQLException {
         return new CommandRecord(
                 new CommandId(row.text("id")),
                 new DroneId(row.text("drone_id")),
@@ -116,13 +116,13 @@ public final class PostgresCommandStore implements CommandStore {
                 row.time("asked_at"),
                 row.name("phase", CommandPhase.class),
                 progress(row),
-                OutcomeRow.read(row),
+                OutcomeColumns.read(row),
                 row.timeOrNull("finished_at"),
                 row.longOrNull("epoch"),
                 row.textOrNull("content"));
     }
 
-    private static CommandRecord.@Nullable Progress progress(Row row) throws SQLException {
+    private static CommandRecord.@Nullable Progress progress(ResultRow row) throws SQLException {
         Integer done = row.integerOrNull("progress_done");
         Integer total = row.integerOrNull("progress_total");
         return done == null || total == null ? null : new CommandRecord.Progress(done, total);

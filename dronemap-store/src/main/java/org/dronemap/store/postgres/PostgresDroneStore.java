@@ -9,15 +9,15 @@ import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.KnownMission;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 
 /** Drones in PostgreSQL. Thread-safe. */
 public final class PostgresDroneStore implements DroneStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresDroneStore(Sql sql) {
+    PostgresDroneStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
@@ -82,7 +82,7 @@ public final class PostgresDroneStore implements DroneStore {
                     current_item = excluded.current_item""", id.value(), MissionItemJson.write(mission.items()), mission.hash(), mission.current());
     }
 
-    private static DroneRecord drone(Row row) throws SQLException {
+    private static DroneRecord drone(ResultRow row) throws SQLException {
         return new DroneRecord(
                 new DroneId(row.text("id")),
                 row.text("name"),
@@ -94,7 +94,7 @@ public final class PostgresDroneStore implements DroneStore {
                         row.text("vehicle"),
                         row.textOrNull("firmware"),
                         row.textOrNull("hardware_uid")),
-                new Standing(
+                new IdentityTrust(
                         row.name("evidence", Evidence.class),
                         row.textOrNull("link_identity"),
                         row.bool("distinct_hardware")),

@@ -8,8 +8,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.FlightQuery;
+import org.dronemap.core.history.FlightStatistics;
 import org.dronemap.core.history.FlightStore;
-import org.dronemap.core.history.Measures;
 import org.jspecify.annotations.Nullable;
 
 /** Flights in PostgreSQL. Thread-safe. */
@@ -31,9 +31,9 @@ public final class PostgresFlightStore implements FlightStore {
             excluded.last_longitude, excluded.users, excluded.operation_id, excluded.operation_words,
             excluded.notice)""";
 
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresFlightStore(Sql sql) {
+    PostgresFlightStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
@@ -84,10 +84,10 @@ public final class PostgresFlightStore implements FlightStore {
 
     @Override
     public void save(Flight flight) {
-        Measures measures = flight.measures();
+        FlightStatistics measures = flight.measures();
         Geodetic from = measures.takeOff();
         Geodetic last = measures.last();
-        Flight.Operation operation = flight.operation();
+        Flight.FlightOperation operation = flight.operation();
         sql.update(
                 SAVE,
                 flight.id(),
@@ -119,7 +119,7 @@ public final class PostgresFlightStore implements FlightStore {
         return sql.update("UPDATE flight SET notes = ? WHERE id = ?", notes, id) == 1;
     }
 
-    private static Flight flight(Row row) throws SQLException {
+    private static Flight flight(ResultRow row) throws SQLException {
         String operation = row.textOrNull("operation_id");
         return new Flight(
                 row.text("id"),
@@ -129,7 +129,7 @@ public final class PostgresFlightStore implements FlightStore {
                 row.timeOrNull("ended_at"),
                 row.name("state", Flight.State.class),
                 row.time("heard_at"),
-                new Measures(
+                new FlightStatistics(
                         row.float8("distance"),
                         row.number("highest"),
                         row.number("fastest"),
@@ -139,12 +139,12 @@ public final class PostgresFlightStore implements FlightStore {
                         place(row, "from_"),
                         place(row, "last_")),
                 row.texts("users"),
-                operation == null ? null : new Flight.Operation(operation, row.text("operation_words")),
+                operation == null ? null : new Flight.FlightOperation(operation, row.text("operation_words")),
                 row.textOrNull("notice"),
                 row.text("notes"));
     }
 
-    private static @Nullable Geodetic place(Row row, String prefix) throws SQLException {
+    private static @Nullable Geodetic place(ResultRow row, String prefix) throws SQLException {
         Double latitude = row.number(prefix + "latitude");
         Double longitude = row.number(prefix + "longitude");
         return latitude == null || longitude == null ? null : new Geodetic(latitude, longitude);

@@ -12,39 +12,39 @@ import org.dronemap.core.access.Gift;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
 import org.dronemap.core.access.GrantStore;
-import org.dronemap.core.access.Holdings;
-import org.dronemap.core.access.Subject;
+import org.dronemap.core.access.GrantSubject;
+import org.dronemap.core.access.OrganisationDirectory;
 import org.dronemap.core.access.UserGroup;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.store.GrantOrder;
+import org.dronemap.store.GrantOrdering;
 import org.jspecify.annotations.Nullable;
 
 /** Organisations and grants in PostgreSQL. Thread-safe. */
 public final class PostgresGrantStore implements GrantStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresGrantStore(Sql sql) {
+    PostgresGrantStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
     @Override
-    public Holdings holdings() {
+    public OrganisationDirectory holdings() {
         Map<DroneId, OrganisationId> owners = new HashMap<>();
         sql.list(
                         "SELECT * FROM drone_owner",
                         row -> Map.entry(new DroneId(row.text("drone_id")), OrganisationColumn.read(row)))
                 .forEach(entry -> owners.put(entry.getKey(), entry.getValue()));
-        return new Holdings(
+        return new OrganisationDirectory(
                 sorted(
                         sql.list("SELECT * FROM organisation", PostgresGrantStore::organisation),
-                        GrantOrder.ORGANISATIONS),
+                        GrantOrdering.ORGANISATIONS),
                 owners,
-                sorted(groups(), GrantOrder.GROUPS),
-                sorted(sql.list("SELECT * FROM fleet", PostgresGrantStore::fleet), GrantOrder.FLEETS),
-                sorted(sql.list("SELECT * FROM access_grant", PostgresGrantStore::grant), GrantOrder.GRANTS),
-                sorted(sql.list("SELECT * FROM drone_gift", PostgresGrantStore::gift), GrantOrder.GIFTS),
+                sorted(groups(), GrantOrdering.GROUPS),
+                sorted(sql.list("SELECT * FROM fleet", PostgresGrantStore::fleet), GrantOrdering.FLEETS),
+                sorted(sql.list("SELECT * FROM access_grant", PostgresGrantStore::grant), GrantOrdering.GRANTS),
+                sorted(sql.list("SELECT * FROM drone_gift", PostgresGrantStore::gift), GrantOrdering.GIFTS),
                 new HashSet<>(sql.list("SELECT * FROM only_granted", PostgresGrantStore::subject)));
     }
 
@@ -141,7 +141,7 @@ public final class PostgresGrantStore implements GrantStore {
                 fleet.id(),
                 OrganisationColumn.stored(fleet.organisation()),
                 fleet.name(),
-                KeyScopeText.list(fleet.drones()));
+                KeyScopeColumns.list(fleet.drones()));
     }
 
     @Override
@@ -161,8 +161,8 @@ public final class PostgresGrantStore implements GrantStore {
                 user(grant.subject()),
                 group(grant.subject()),
                 grant.object() instanceof GrantObject.OfFleet fleet ? fleet.id() : null,
-                grant.object() instanceof GrantObject.Drones drones ? KeyScopeText.list(drones.ids()) : null,
-                KeyScopeText.words(grant.permissions()),
+                grant.object() instanceof GrantObject.Drones drones ? KeyScopeColumns.list(drones.ids()) : null,
+                KeyScopeColumns.words(grant.permissions()),
                 grant.from(),
                 grant.until(),
                 grant.madeBy(),
@@ -176,7 +176,7 @@ public final class PostgresGrantStore implements GrantStore {
     }
 
     @Override
-    public void setOnlyGranted(Subject subject, boolean only) {
+    public void setOnlyGranted(GrantSubject subject, boolean only) {
         if (only) {
             sql.update(
                     "INSERT INTO only_granted (account_name, group_id) VALUES (?, ?) ON CONFLICT DO NOTHING",
@@ -196,29 +196,29 @@ public final class PostgresGrantStore implements GrantStore {
                 DELETE FROM user_group_member WHERE account_name = ?""", name, name, name);
     }
 
-    private static @Nullable String user(Subject subject) {
-        return subject instanceof Subject.OfUser user ? user.name() : null;
+    private static @Nullable String user(GrantSubject subject) {
+        return subject instanceof GrantSubject.OfUser user ? user.name() : null;
     }
 
-    private static @Nullable String group(Subject subject) {
-        return subject instanceof Subject.OfGroup group ? group.id() : null;
+    private static @Nullable String group(GrantSubject subject) {
+        return subject instanceof GrantSubject.OfGroup group ? group.id() : null;
     }
 
-    private static Organisation organisation(Row row) throws SQLException {
+    private static Organisation organisation(ResultRow row) throws SQLException {
         return new Organisation(new OrganisationId(row.text("id")), row.text("name"), row.time("made_at"));
     }
 
-    private static Fleet fleet(Row row) throws SQLException {
+    private static Fleet fleet(ResultRow row) throws SQLException {
         return new Fleet(
-                row.text("id"), OrganisationColumn.read(row), row.text("name"), KeyScopeText.ids(row.text("drones")));
+                row.text("id"), OrganisationColumn.read(row), row.text("name"), KeyScopeColumns.ids(row.text("drones")));
     }
 
-    private static Subject subject(Row row) throws SQLException {
+    private static GrantSubject subject(ResultRow row) throws SQLException {
         String user = row.textOrNull("account_name");
-        return user == null ? new Subject.OfGroup(row.text("group_id")) : new Subject.OfUser(user);
+        return user == null ? new GrantSubject.OfGroup(row.text("group_id")) : new GrantSubject.OfUser(user);
     }
 
-    private static Grant grant(Row row) throws SQLException {
+    private static Grant grant(ResultRow row) throws SQLException {
         return new Grant(
                 row.text("id"),
                 OrganisationColumn.read(row),
@@ -226,14 +226,14 @@ public final class PostgresGrantStore implements GrantStore {
                 row.bool("of_virtual_drones")
                         ? new GrantObject.Virtual()
                         : object(row.textOrNull("fleet_id"), row.textOrNull("drones")),
-                KeyScopeText.permissions(row.text("permissions")),
+                KeyScopeColumns.permissions(row.text("permissions")),
                 row.time("begins_at"),
                 row.timeOrNull("ends_at"),
                 row.text("made_by"),
                 row.time("made_at"));
     }
 
-    private static Gift gift(Row row) throws SQLException {
+    private static Gift gift(ResultRow row) throws SQLException {
         return new Gift(
                 new DroneId(row.text("drone_id")),
                 row.text("drone_name"),
@@ -247,6 +247,6 @@ public final class PostgresGrantStore implements GrantStore {
         if (fleet != null) {
             return new GrantObject.OfFleet(fleet);
         }
-        return drones == null ? new GrantObject.Everything() : new GrantObject.Drones(KeyScopeText.ids(drones));
+        return drones == null ? new GrantObject.Everything() : new GrantObject.Drones(KeyScopeColumns.ids(drones));
     }
 }

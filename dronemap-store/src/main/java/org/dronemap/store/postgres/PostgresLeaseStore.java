@@ -8,9 +8,9 @@ import org.dronemap.store.StoreException;
 
 /** Leases of control in PostgreSQL. Thread-safe. */
 public final class PostgresLeaseStore implements LeaseStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresLeaseStore(Sql sql) {
+    PostgresLeaseStore(SqlTransactions sql) {
         this.sql = sql;
     }
 

@@ -19,10 +19,10 @@ public final class PostgresLinkSecurityStore implements LinkSecurityStore {
     private static final String KEY = "key";
     private static final String NEXT = "next key";
 
-    private final Sql sql;
+    private final SqlTransactions sql;
     private final SecretBox box;
 
-    PostgresLinkSecurityStore(Sql sql, SecretBox box) {
+    PostgresLinkSecurityStore(SqlTransactions sql, SecretBox box) {
         this.sql = sql;
         this.box = box;
     }
@@ -54,7 +54,7 @@ public final class PostgresLinkSecurityStore implements LinkSecurityStore {
         sql.update("UPDATE link_security SET stamp = ? WHERE drone_id = ? AND stamp < ?", stamp, drone.value(), stamp);
     }
 
-    private LinkSecurity security(Row row) throws SQLException {
+    private LinkSecurity security(ResultRow row) throws SQLException {
         DroneId drone = new DroneId(row.text("drone_id"));
         LinkKey key = opened(row.textOrNull("sealed_key"), drone, KEY);
         return new LinkSecurity(

@@ -9,9 +9,9 @@ import org.dronemap.core.link.SavedLink;
 
 /** Links and vehicles' keys in PostgreSQL. Thread-safe. */
 public final class PostgresLinkStore implements LinkStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresLinkStore(Sql sql) {
+    PostgresLinkStore(SqlTransactions sql) {
         this.sql = sql;
     }
 

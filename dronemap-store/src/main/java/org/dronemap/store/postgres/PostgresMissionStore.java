@@ -6,13 +6,13 @@ import java.util.Optional;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.mission.SavedMission;
-import org.dronemap.store.MissionOrder;
+import org.dronemap.store.MissionOrdering;
 
 /** The mission library in PostgreSQL. Thread-safe. */
 public final class PostgresMissionStore implements MissionStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresMissionStore(Sql sql) {
+    PostgresMissionStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
@@ -20,7 +20,7 @@ public final class PostgresMissionStore implements MissionStore {
     public List<SavedMission> missions() {
         // Sorted here, for the order of names in a database depends on its collation.
         return sql.list("SELECT * FROM saved_mission", PostgresMissionStore::mission).stream()
-                .sorted(MissionOrder.BY_NAME)
+                .sorted(MissionOrdering.BY_NAME)
                 .toList();
     }
 
@@ -50,7 +50,7 @@ public final class PostgresMissionStore implements MissionStore {
         return sql.update("DELETE FROM saved_mission WHERE id = ?", id) > 0;
     }
 
-    private static SavedMission mission(Row row) throws SQLException {
+    private static SavedMission mission(ResultRow row) throws SQLException {
         return new SavedMission(
                 row.text("id"),
                 row.text("name"),

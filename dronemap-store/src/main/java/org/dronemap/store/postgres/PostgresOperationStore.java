@@ -16,9 +16,9 @@ import org.dronemap.store.StoreException;
 
 /** Operations and their journals in PostgreSQL; a state and its entry are one statement. Thread-safe. */
 public final class PostgresOperationStore implements OperationStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresOperationStore(Sql sql) {
+    PostgresOperationStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
@@ -122,7 +122,7 @@ public final class PostgresOperationStore implements OperationStore {
         return texts.toArray(new String[0]);
     }
 
-    private static SavedOperation read(Row row) throws SQLException {
+    private static SavedOperation read(ResultRow row) throws SQLException {
         List<String> texts = row.texts("given");
         List<SavedOperation.Given> given = new ArrayList<>();
         for (int i = 0; i + 1 < texts.size(); i += 2) {

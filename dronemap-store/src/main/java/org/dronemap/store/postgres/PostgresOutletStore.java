@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.OutletKey;
-import org.dronemap.core.access.OutletNumber;
 import org.dronemap.core.access.OutletStore;
+import org.dronemap.core.access.OutletSystemId;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.store.secret.SecretBox;
 import org.slf4j.Logger;
@@ -16,10 +16,10 @@ import org.slf4j.LoggerFactory;
 public final class PostgresOutletStore implements OutletStore {
     private static final Logger LOG = LoggerFactory.getLogger(PostgresOutletStore.class);
 
-    private final Sql sql;
+    private final SqlTransactions sql;
     private final SecretBox box;
 
-    PostgresOutletStore(Sql sql, SecretBox box) {
+    PostgresOutletStore(SqlTransactions sql, SecretBox box) {
         this.sql = sql;
         this.box = box;
     }
@@ -32,7 +32,7 @@ public final class PostgresOutletStore implements OutletStore {
     }
 
     /** A key that does not open is no key: its user stays outside until a new passphrase is set. */
-    private Optional<OutletKey> key(Row row) throws SQLException {
+    private Optional<OutletKey> key(ResultRow row) throws SQLException {
         String user = row.text("account");
         Optional<byte[]> secret = box.open(row.text("sealed_key"), place(user));
         if (secret.isEmpty()) {
@@ -65,17 +65,17 @@ public final class PostgresOutletStore implements OutletStore {
     }
 
     @Override
-    public List<OutletNumber> numbers() {
+    public List<OutletSystemId> numbers() {
         return sql.list(
                 "SELECT * FROM outlet_number ORDER BY account, system_id",
-                row -> new OutletNumber(
+                row -> new OutletSystemId(
                         row.text("account"),
                         new DroneId(row.text("drone_id")),
                         row.result().getInt("system_id")));
     }
 
     @Override
-    public void saveNumber(OutletNumber number) {
+    public void saveNumber(OutletSystemId number) {
         sql.update("""
                 INSERT INTO outlet_number (account, drone_id, system_id)
                 SELECT account.name, drone.id, ? FROM account, drone WHERE account.name = ? AND drone.id = ?

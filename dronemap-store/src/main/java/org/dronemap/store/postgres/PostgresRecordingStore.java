@@ -6,13 +6,13 @@ import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingStore;
-import org.dronemap.store.RecordingOrder;
+import org.dronemap.store.RecordingOrdering;
 
 /** Descriptions of recordings in PostgreSQL. Thread-safe. */
 public final class PostgresRecordingStore implements RecordingStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresRecordingStore(Sql sql) {
+    PostgresRecordingStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
@@ -20,7 +20,7 @@ public final class PostgresRecordingStore implements RecordingStore {
     public List<Recording> recordings() {
         // Sorted here, for the order of ids in a database depends on its collation.
         return sql.list("SELECT * FROM recording", PostgresRecordingStore::recording).stream()
-                .sorted(RecordingOrder.NEWEST_FIRST)
+                .sorted(RecordingOrdering.NEWEST_FIRST)
                 .toList();
     }
 
@@ -56,7 +56,7 @@ public final class PostgresRecordingStore implements RecordingStore {
         return sql.update("DELETE FROM recording WHERE id = ?", id) > 0;
     }
 
-    private static Recording recording(Row row) throws SQLException {
+    private static Recording recording(ResultRow row) throws SQLException {
         return new Recording(
                 row.text("id"),
                 new DroneId(row.text("drone_id")),

@@ -16,10 +16,10 @@ import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesQuery;
 import org.dronemap.core.history.SeriesSlot;
-import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryStore;
+import org.dronemap.core.history.TimeRange;
 import org.jspecify.annotations.Nullable;
 
 /** Telemetry in PostgreSQL: a table for each day, rows copied in. Thread-safe. */
@@ -27,12 +27,12 @@ public final class PostgresTelemetryStore implements TelemetryStore {
     private static final int ROWS_AT_ONCE = 2_000;
 
     private final DataSource dataSource;
-    private final DayGate gate = new DayGate();
-    private final TelemetryDays days;
+    private final DayWriteGate gate = new DayWriteGate();
+    private final TelemetryDayTables days;
 
     PostgresTelemetryStore(DataSource dataSource) {
         this.dataSource = dataSource;
-        this.days = new TelemetryDays(dataSource, gate);
+        this.days = new TelemetryDayTables(dataSource, gate);
     }
 
     @Override
@@ -40,7 +40,7 @@ public final class PostgresTelemetryStore implements TelemetryStore {
         try {
             gate.pass(points, () -> write(points, events));
         } catch (SQLException e) {
-            throw SqlSentence.exception(e);
+            throw SqlErrorMessages.exception(e);
         }
     }
 
@@ -72,7 +72,7 @@ public final class PostgresTelemetryStore implements TelemetryStore {
                 INSERT INTO drone_event (drone_id, at, kind, text, severity, done_by, command_id, result, reason)
                 VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)""")) {
             for (HistoryEvent event : events) {
-                Sql.set(
+                SqlTransactions.set(
                         statement,
                         event.drone().value(),
                         event.at(),
@@ -90,21 +90,21 @@ public final class PostgresTelemetryStore implements TelemetryStore {
     }
 
     @Override
-    public void points(DroneId drone, Span span, Consumer<TelemetryPoint> each) {
+    public void points(DroneId drone, TimeRange span, Consumer<TelemetryPoint> each) {
         String sql =
                 "SELECT " + TelemetryRows.ALL + " FROM telemetry WHERE drone_id = ? AND at >= ? AND at < ? ORDER BY at";
         try (Connection connection = dataSource.getConnection()) {
             // The driver reads in portions only within a transaction.
             connection.setAutoCommit(false);
             try (PreparedStatement statement =
-                    Sql.prepare(connection, sql, drone.value(), ceiling(span.from()), ceiling(span.until()))) {
+                    SqlTransactions.prepare(connection, sql, drone.value(), ceiling(span.from()), ceiling(span.until()))) {
                 statement.setFetchSize(ROWS_AT_ONCE);
                 eachOnce(statement, each);
             } finally {
                 connection.rollback();
             }
         } catch (SQLException e) {
-            throw SqlSentence.exception(e);
+            throw SqlErrorMessages.exception(e);
         }
     }
 
@@ -112,7 +112,7 @@ public final class PostgresTelemetryStore implements TelemetryStore {
         try (ResultSet result = statement.executeQuery()) {
             Instant before = null;
             while (result.next()) {
-                TelemetryPoint point = TelemetryRows.read(new Row(result));
+                TelemetryPoint point = TelemetryRows.read(new ResultRow(result));
                 if (!point.at().equals(before)) {
                     each.accept(point);
                 }
@@ -131,7 +131,7 @@ public final class PostgresTelemetryStore implements TelemetryStore {
                 + " FROM telemetry WHERE drone_id = ? AND at >= ? AND at < ?"
                 + " GROUP BY date_bin(make_interval(secs => ?), at, ?) ORDER BY 1";
         try (Connection connection = dataSource.getConnection();
-                PreparedStatement statement = Sql.prepare(
+                PreparedStatement statement = SqlTransactions.prepare(
                         connection,
                         sql,
                         query.drone().value(),
@@ -142,15 +142,15 @@ public final class PostgresTelemetryStore implements TelemetryStore {
                 ResultSet result = statement.executeQuery()) {
             List<SeriesSlot> slots = new ArrayList<>();
             while (result.next()) {
-                slots.add(slot(new Row(result), query.fields()));
+                slots.add(slot(new ResultRow(result), query.fields()));
             }
             return List.copyOf(slots);
         } catch (SQLException e) {
-            throw SqlSentence.exception(e);
+            throw SqlErrorMessages.exception(e);
         }
     }
 
-    private static SeriesSlot slot(Row row, List<TelemetryField> fields) throws SQLException {
+    private static SeriesSlot slot(ResultRow row, List<TelemetryField> fields) throws SQLException {
         List<SeriesSlot.@Nullable Extent> extents = new ArrayList<>(fields.size());
         for (int i = 0; i < fields.size(); i++) {
             Double least = row.number(2 + 2 * i);
@@ -161,23 +161,23 @@ public final class PostgresTelemetryStore implements TelemetryStore {
     }
 
     @Override
-    public List<HistoryEvent> events(DroneId drone, Span span, int limit) {
+    public List<HistoryEvent> events(DroneId drone, TimeRange span, int limit) {
         String sql = "SELECT * FROM drone_event WHERE drone_id = ? AND at >= ? AND at < ? ORDER BY at, id LIMIT ?";
         try (Connection connection = dataSource.getConnection();
-                PreparedStatement statement = Sql.prepare(
+                PreparedStatement statement = SqlTransactions.prepare(
                         connection, sql, drone.value(), ceiling(span.from()), ceiling(span.until()), limit);
                 ResultSet result = statement.executeQuery()) {
             List<HistoryEvent> events = new ArrayList<>();
             while (result.next()) {
-                events.add(event(new Row(result)));
+                events.add(event(new ResultRow(result)));
             }
             return List.copyOf(events);
         } catch (SQLException e) {
-            throw SqlSentence.exception(e);
+            throw SqlErrorMessages.exception(e);
         }
     }
 
-    private static HistoryEvent event(Row row) throws SQLException {
+    private static HistoryEvent event(ResultRow row) throws SQLException {
         return new HistoryEvent(
                 new DroneId(row.text("drone_id")),
                 row.time("at"),
@@ -205,7 +205,7 @@ public final class PostgresTelemetryStore implements TelemetryStore {
         try (Connection connection = dataSource.getConnection()) {
             return "PostgreSQL " + connection.getMetaData().getDatabaseProductVersion();
         } catch (SQLException e) {
-            throw SqlSentence.exception(e);
+            throw SqlErrorMessages.exception(e);
         }
     }
 }

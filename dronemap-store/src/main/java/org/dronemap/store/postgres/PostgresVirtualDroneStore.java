@@ -10,9 +10,9 @@ import org.dronemap.core.virtual.VirtualDroneStore;
 
 /** The virtual drones in PostgreSQL. Thread-safe. */
 public final class PostgresVirtualDroneStore implements VirtualDroneStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresVirtualDroneStore(Sql sql) {
+    PostgresVirtualDroneStore(SqlTransactions sql) {
         this.sql = sql;
     }
 

@@ -3,13 +3,13 @@ package org.dronemap.store.postgres;
 import java.util.List;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneStore;
-import org.dronemap.store.ZoneOrder;
+import org.dronemap.store.ZoneOrdering;
 
 /** The zones in PostgreSQL. Thread-safe. */
 public final class PostgresZoneStore implements ZoneStore {
-    private final Sql sql;
+    private final SqlTransactions sql;
 
-    PostgresZoneStore(Sql sql) {
+    PostgresZoneStore(SqlTransactions sql) {
         this.sql = sql;
     }
 
@@ -17,7 +17,7 @@ public final class PostgresZoneStore implements ZoneStore {
     public List<Zone> zones() {
         // Sorted here, for the order of names in a database depends on its collation.
         return sql.list("SELECT body FROM zone", row -> ZoneJson.read(row.text("body"))).stream()
-                .sorted(ZoneOrder.BY_NAME)
+                .sorted(ZoneOrdering.BY_NAME)
                 .toList();
     }
 

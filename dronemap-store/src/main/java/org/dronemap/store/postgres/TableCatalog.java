@@ -68,11 +68,11 @@ final class TableCatalog {
         return ordered;
     }
 
-    private interface Pair {
+    private interface TableReference {
         void of(String first, String second);
     }
 
-    private void pairs(String sql, Pair each) throws SQLException {
+    private void pairs(String sql, TableReference each) throws SQLException {
         try (PreparedStatement statement = connection.prepareStatement(sql)) {
             statement.setString(1, schema);
             try (ResultSet result = statement.executeQuery()) {

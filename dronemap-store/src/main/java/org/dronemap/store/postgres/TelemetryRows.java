@@ -72,7 +72,7 @@ final class TelemetryRows {
         }
     }
 
-    static TelemetryPoint read(Row row) throws SQLException {
+    static TelemetryPoint read(ResultRow row) throws SQLException {
         return new TelemetryPoint(
                 new DroneId(row.text("drone_id")),
                 row.time("at"),
@@ -89,7 +89,7 @@ final class TelemetryRows {
                 row.integerOrNull("mission_item"));
     }
 
-    private static @Nullable Position position(Row row) throws SQLException {
+    private static @Nullable Position position(ResultRow row) throws SQLException {
         Double latitude = row.number("latitude");
         Double longitude = row.number("longitude");
         Double amsl = row.number("altitude_amsl");
@@ -98,7 +98,7 @@ final class TelemetryRows {
         return place == null && amsl == null && aboveHome == null ? null : new Position(place, amsl, aboveHome);
     }
 
-    private static @Nullable Motion motion(Row row) throws SQLException {
+    private static @Nullable Motion motion(ResultRow row) throws SQLException {
         Double ground = row.number("ground_speed");
         Double air = row.number("air_speed");
         Double climb = row.number("climb_rate");
@@ -108,21 +108,21 @@ final class TelemetryRows {
                 : new Motion(ground, air, climb, heading);
     }
 
-    private static @Nullable Attitude attitude(Row row) throws SQLException {
+    private static @Nullable Attitude attitude(ResultRow row) throws SQLException {
         Double roll = row.number("roll");
         Double pitch = row.number("pitch");
         Double yaw = row.number("yaw");
         return roll == null || pitch == null || yaw == null ? null : new Attitude(roll, pitch, yaw);
     }
 
-    private static @Nullable Battery battery(Row row) throws SQLException {
+    private static @Nullable Battery battery(ResultRow row) throws SQLException {
         Integer percent = row.integerOrNull("battery_percent");
         Double volts = row.number("battery_volts");
         Double amps = row.number("battery_amps");
         return percent == null && volts == null && amps == null ? null : new Battery(percent, volts, amps);
     }
 
-    private static @Nullable Gps gps(Row row) throws SQLException {
+    private static @Nullable Gps gps(ResultRow row) throws SQLException {
         GpsFix fix = row.nameOrNull("gps_fix", GpsFix.class);
         return fix == null ? null : new Gps(fix, row.integerOrNull("satellites"), row.number("hdop"));
     }

@@ -7,8 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
@@ -16,15 +16,15 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.stored.StoredNames;
-import org.dronemap.core.virtual.Area;
 import org.dronemap.core.virtual.Assignment;
-import org.dronemap.core.virtual.Choice;
-import org.dronemap.core.virtual.Needs;
-import org.dronemap.core.virtual.Quantity;
-import org.dronemap.core.virtual.Run;
-import org.dronemap.core.virtual.Stage;
+import org.dronemap.core.virtual.DroneChoice;
+import org.dronemap.core.virtual.DroneRequirements;
+import org.dronemap.core.virtual.RequiredArea;
+import org.dronemap.core.virtual.SelectionCriterion;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunStage;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
@@ -48,7 +48,7 @@ final class VirtualDroneJson {
         to.put("organisation", drone.organisation().value());
         needs(drone.needs(), to.putObject("needs"));
         mission(drone.mission(), to);
-        Run run = drone.run();
+        VirtualRun run = drone.run();
         if (run != null) {
             run(run, to.putObject("run"));
         }
@@ -78,13 +78,13 @@ final class VirtualDroneJson {
         }
     }
 
-    private static void needs(Needs needs, ObjectNode to) {
+    private static void needs(DroneRequirements needs, ObjectNode to) {
         VehicleKind kind = needs.kind();
         to.put("kind", kind == null ? null : StoredNames.of(kind));
         ArrayNode capabilities = to.putArray("capabilities");
         needs.capabilities().stream().map(StoredNames::of).sorted().forEach(capabilities::add);
         to.put("enduranceMinutes", needs.enduranceMinutes());
-        Area area = needs.area();
+        RequiredArea area = needs.area();
         if (area != null) {
             ObjectNode circle = to.putObject("area");
             circle.put("latitudeDegrees", area.center().latitudeDegrees());
@@ -93,11 +93,11 @@ final class VirtualDroneJson {
         }
     }
 
-    private static Needs needs(JsonNode from) {
+    private static DroneRequirements needs(JsonNode from) {
         Set<Capability> capabilities = EnumSet.noneOf(Capability.class);
         from.required("capabilities")
                 .forEach(name -> capabilities.add(StoredNames.constant(Capability.class, name.stringValue())));
-        return new Needs(
+        return new DroneRequirements(
                 from.hasNonNull("kind") ? StoredNames.constant(VehicleKind.class, text(from, "kind")) : null,
                 capabilities,
                 from.hasNonNull("enduranceMinutes")
@@ -106,8 +106,8 @@ final class VirtualDroneJson {
                 from.has("area") ? area(from.required("area")) : null);
     }
 
-    private static Area area(JsonNode from) {
-        return new Area(
+    private static RequiredArea area(JsonNode from) {
+        return new RequiredArea(
                 new Geodetic(
                         from.required("latitudeDegrees").doubleValue(),
                         from.required("longitudeDegrees").doubleValue()),
@@ -124,7 +124,7 @@ final class VirtualDroneJson {
         return new Mission(MissionItemJson.read(from.required("mission").toString()));
     }
 
-    private static void run(Run run, ObjectNode to) {
+    private static void run(VirtualRun run, ObjectNode to) {
         to.put("ticket", run.ticket());
         mission(run.mission(), to);
         to.put("onCloudLoss", StoredNames.of(run.onCloudLoss()));
@@ -142,19 +142,19 @@ final class VirtualDroneJson {
         to.put("changedAt", run.changedAt().toString());
     }
 
-    private static Run run(JsonNode from) {
+    private static VirtualRun run(JsonNode from) {
         Map<DroneId, Instant> avoided = new LinkedHashMap<>();
         from.required("avoided")
                 .properties()
                 .forEach(entry -> avoided.put(
                         new DroneId(entry.getKey()),
                         Instant.parse(entry.getValue().stringValue())));
-        return new Run(
+        return new VirtualRun(
                 from.required("ticket").longValue(),
                 mission(from),
-                StoredNames.constant(CloudLoss.class, text(from, "onCloudLoss")),
+                StoredNames.constant(MissionCloudLossPolicy.class, text(from, "onCloudLoss")),
                 from.required("flown").intValue(),
-                StoredNames.constant(Stage.class, text(from, "stage")),
+                StoredNames.constant(VirtualRunStage.class, text(from, "stage")),
                 from.has("assignment") ? assignment(from.required("assignment")) : null,
                 avoided,
                 from.required("failures").intValue(),
@@ -185,9 +185,9 @@ final class VirtualDroneJson {
                 moment(from, "changedAt"));
     }
 
-    private static void choice(Choice choice, ObjectNode to) {
+    private static void choice(DroneChoice choice, ObjectNode to) {
         DroneId runnerUp = choice.runnerUp();
-        Quantity deciding = choice.deciding();
+        SelectionCriterion deciding = choice.deciding();
         to.put("chosen", choice.chosen().value());
         to.put("runnerUp", runnerUp == null ? null : runnerUp.value());
         to.put("deciding", deciding == null ? null : StoredNames.of(deciding));
@@ -200,14 +200,14 @@ final class VirtualDroneJson {
                         unfit.addObject().put("drone", one.drone().value()).put("why", one.why()));
     }
 
-    private static Choice choice(JsonNode from) {
-        List<Choice.Unfit> unfit = new ArrayList<>();
+    private static DroneChoice choice(JsonNode from) {
+        List<DroneChoice.Unfit> unfit = new ArrayList<>();
         from.required("unfit")
-                .forEach(one -> unfit.add(new Choice.Unfit(new DroneId(text(one, "drone")), text(one, "why"))));
-        return new Choice(
+                .forEach(one -> unfit.add(new DroneChoice.Unfit(new DroneId(text(one, "drone")), text(one, "why"))));
+        return new DroneChoice(
                 new DroneId(text(from, "chosen")),
                 from.hasNonNull("runnerUp") ? new DroneId(text(from, "runnerUp")) : null,
-                from.hasNonNull("deciding") ? StoredNames.constant(Quantity.class, text(from, "deciding")) : null,
+                from.hasNonNull("deciding") ? StoredNames.constant(SelectionCriterion.class, text(from, "deciding")) : null,
                 from.required("chosenValue").doubleValue(),
                 from.required("otherValue").doubleValue(),
                 text(from, "energy"),

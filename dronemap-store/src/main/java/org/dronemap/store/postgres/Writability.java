@@ -13,8 +13,8 @@ final class Writability {
 
     /** What says nothing about the next change, such as a refused value, changes nothing. */
     void failed(SQLException error) {
-        if (SqlSentence.isFull(error)) {
-            trouble = SqlSentence.of(error);
+        if (SqlErrorMessages.isFull(error)) {
+            trouble = SqlErrorMessages.of(error);
         }
     }
 

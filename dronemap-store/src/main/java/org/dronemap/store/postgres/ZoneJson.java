@@ -5,10 +5,10 @@ import java.util.List;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.stored.StoredNames;
-import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBinding;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
@@ -42,9 +42,9 @@ final class ZoneJson {
         to.put("name", zone.name());
         ShapeJson.write(zone.shape(), to);
         ShapeJson.write(zone.band(), to);
-        if (zone.binding() instanceof Binding.OfUser user) {
+        if (zone.binding() instanceof ZoneBinding.OfUser user) {
             to.put("user", user.name());
-        } else if (zone.binding() instanceof Binding.OfDrone drone) {
+        } else if (zone.binding() instanceof ZoneBinding.OfDrone drone) {
             to.put("drone", drone.id().value());
         }
         to.put("from", text(zone.validity().from()));
@@ -78,13 +78,13 @@ final class ZoneJson {
                         : OrganisationId.HOME);
     }
 
-    private static Binding binding(JsonNode from) {
+    private static ZoneBinding binding(JsonNode from) {
         if (from.has("user")) {
-            return new Binding.OfUser(from.required("user").stringValue());
+            return new ZoneBinding.OfUser(from.required("user").stringValue());
         }
         return from.has("drone")
-                ? new Binding.OfDrone(new DroneId(from.required("drone").stringValue()))
-                : Binding.EVERYBODY;
+                ? new ZoneBinding.OfDrone(new DroneId(from.required("drone").stringValue()))
+                : ZoneBinding.EVERYBODY;
     }
 
     private static @Nullable Instant moment(JsonNode from, String field) {

@@ -18,8 +18,8 @@ public final class ServerSecret {
     }
 
     /** Seals records of what was done; the key is given or kept likewise. */
-    public static HmacSeal seal(@Nullable String given, Path file) {
-        return new HmacSeal(bytes(given, file, "The key of the audit log"));
+    public static HmacKeyedHash seal(@Nullable String given, Path file) {
+        return new HmacKeyedHash(bytes(given, file, "The key of the audit log"));
     }
 
     private static byte[] bytes(@Nullable String given, Path file, String what) {

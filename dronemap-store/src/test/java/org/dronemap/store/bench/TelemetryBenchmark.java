@@ -18,11 +18,11 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.history.HistoryHealth;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesQuery;
-import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryStore;
-import org.dronemap.store.postgres.Database;
+import org.dronemap.core.history.TimeRange;
+import org.dronemap.store.postgres.PostgresStores;
 
 /**
  * Brings so many states a second for so many seconds, kills such a writer so many times, fills up to so many points, and looks
@@ -65,14 +65,14 @@ public final class TelemetryBenchmark {
         TelemetryBenchmark benchmark =
                 new TelemetryBenchmark(directory, rate, Integer.parseInt(arguments[2]), Long.parseLong(arguments[3]));
         List<String> parts = new ArrayList<>();
-        parts.add("\"machine\": \"" + Processors.model() + "\"");
+        parts.add("\"machine\": \"" + ProcessorTime.model() + "\"");
         parts.add("\"java\": \"" + Runtime.version() + "\"");
-        try (Database database = Database.openOwn(directory)) {
+        try (PostgresStores database = PostgresStores.openOwn(directory)) {
             parts.add("\"server\": \"" + database.telemetry().server() + "\"");
             parts.add(benchmark.write(database));
             parts.add(benchmark.look(database));
         }
-        parts.add(benchmark.killed(new Kills(directory, rate).kill(Integer.parseInt(arguments[4]))));
+        parts.add(benchmark.killed(new KillTrials(directory, rate).kill(Integer.parseInt(arguments[4]))));
         String missed = benchmark.missed.stream().map(goal -> '"' + goal + '"').collect(Collectors.joining(", "));
         parts.add("\"missedGoals\": [" + missed + "]");
         System.out.println("{\n  " + String.join(",\n  ", parts) + "\n}");
@@ -85,16 +85,16 @@ public final class TelemetryBenchmark {
         }
     }
 
-    private String write(Database database) throws IOException, SQLException {
+    private String write(PostgresStores database) throws IOException, SQLException {
         database.telemetry().tidy(FOR_EVER, begin);
         long all = (long) rate * seconds;
-        Processors before = Processors.now(directory);
+        ProcessorTime before = ProcessorTime.now(directory);
         double took;
-        Processors used;
-        OpenLoop written = new OpenLoop(database, rate);
-        try (OpenLoop loop = written) {
+        ProcessorTime used;
+        OpenLoopLoad written = new OpenLoopLoad(database, rate);
+        try (OpenLoopLoad loop = written) {
             took = loop.bring(all, number -> begin.plusNanos((long) (number * 1e9 / rate)));
-            used = Processors.now(directory).since(before);
+            used = ProcessorTime.now(directory).since(before);
         }
         HistoryHealth health = written.health();
         long kept = count(database);
@@ -104,7 +104,7 @@ public final class TelemetryBenchmark {
                 Locale.ROOT,
                 "\"writing\": {\"drones\": %d, \"pointsPerSecond\": %.0f, \"seconds\": %.1f, \"brought\": %d, \"inTheDatabase\": %d,"
                         + " \"dropped\": %d, \"serverCores\": %.2f, \"databaseCores\": %.2f, \"otherCores\": %.2f}",
-                BenchFleet.DRONES,
+                BenchmarkFleet.DRONES,
                 all / took,
                 took,
                 all,
@@ -115,7 +115,7 @@ public final class TelemetryBenchmark {
                 (used.machine() - used.own() - used.database()) / took);
     }
 
-    private static long count(Database database) throws SQLException {
+    private static long count(PostgresStores database) throws SQLException {
         try (Connection connection = database.dataSource().getConnection();
                 Statement statement = connection.createStatement();
                 ResultSet result = statement.executeQuery("SELECT count(*) FROM telemetry")) {
@@ -124,21 +124,21 @@ public final class TelemetryBenchmark {
         }
     }
 
-    private String look(Database database) throws SQLException, IOException {
+    private String look(PostgresStores database) throws SQLException, IOException {
         Instant first = begin.plusSeconds(seconds);
         long from = System.nanoTime();
         long filled = fill(database.telemetry(), total - count(database), first);
         double filling = (System.nanoTime() - from) / 1e9;
         double[] asWritten = looks(database.telemetry(), first);
-        Processors before = Processors.now(directory);
+        ProcessorTime before = ProcessorTime.now(directory);
         from = System.nanoTime();
         // What the server does when a day is over.
         database.telemetry().tidy(FOR_EVER, begin.plus(Duration.ofDays(2)));
         double sorting = (System.nanoTime() - from) / 1e9;
-        double sortingCpu = Processors.now(directory).since(before).database();
-        before = Processors.now(directory);
+        double sortingCpu = ProcessorTime.now(directory).since(before).database();
+        before = ProcessorTime.now(directory);
         double[] sorted = looks(database.telemetry(), first);
-        Processors looking = Processors.now(directory).since(before);
+        ProcessorTime looking = ProcessorTime.now(directory).since(before);
         goal("an hour of one drone in 100 ms", sorted[LOOKS / 2] < MOST_MILLIS);
         int[] states = {0};
         database.telemetry().points(looked(0), hour(first), point -> states[0]++);
@@ -171,7 +171,7 @@ public final class TelemetryBenchmark {
             for (int i = 0; i < FILL; i++, filled++) {
                 Instant at = from.plus(APART.multipliedBy(filled / LONG_FLIGHTS));
                 DroneId drone = looked(filled);
-                batch.add(TelemetryPoint.of(BenchFleet.state(filled, drone, at)));
+                batch.add(TelemetryPoint.of(BenchmarkFleet.state(filled, drone, at)));
             }
             store.append(batch, List.of());
         }
@@ -179,11 +179,11 @@ public final class TelemetryBenchmark {
     }
 
     private static DroneId looked(long number) {
-        return BenchFleet.drone(number % LONG_FLIGHTS * (BenchFleet.DRONES / LONG_FLIGHTS));
+        return BenchmarkFleet.drone(number % LONG_FLIGHTS * (BenchmarkFleet.DRONES / LONG_FLIGHTS));
     }
 
-    private static Span hour(Instant from) {
-        return new Span(from, from.plus(HOUR));
+    private static TimeRange hour(Instant from) {
+        return new TimeRange(from, from.plus(HOUR));
     }
 
     /** Each at another drone, so that what one look has read is of no use to the next. */
@@ -207,11 +207,11 @@ public final class TelemetryBenchmark {
         return millis;
     }
 
-    private String killed(List<Kills.Loss> losses) {
+    private String killed(List<KillTrials.Loss> losses) {
         String seconds = losses.stream()
                 .map(loss -> String.format(Locale.ROOT, "%.2f", loss.lostSeconds()))
                 .collect(Collectors.joining(", "));
-        long missing = losses.stream().mapToLong(Kills.Loss::missing).sum();
+        long missing = losses.stream().mapToLong(KillTrials.Loss::missing).sum();
         goal(
                 "a kill costs a second at most",
                 losses.stream().allMatch(loss -> loss.lostSeconds() <= MOST_LOST_SECONDS));

@@ -8,12 +8,12 @@ import java.util.List;
 import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditHead;
-import org.dronemap.core.audit.AuditLine;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditQuery;
 import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.audit.AuditStore;
-import org.dronemap.store.secret.HmacSeal;
+import org.dronemap.core.audit.AuditedCallRecord;
+import org.dronemap.store.secret.HmacKeyedHash;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 /** What every store of audit records does. */
 public abstract class AuditStoreContract {
     private static final Instant AT = Instant.parse("2026-03-04T05:06:07.123456Z");
-    public static final AuditChain CHAIN = new AuditChain(new HmacSeal(new byte[] {1, 2, 3}));
+    public static final AuditChain CHAIN = new AuditChain(new HmacKeyedHash(new byte[] {1, 2, 3}));
 
     protected AuditStore store;
 
@@ -90,8 +90,8 @@ public abstract class AuditStoreContract {
 
         assertThat(end.entry().ends()).isEqualTo(open.sequence());
         assertThat(store.underWay()).isEmpty();
-        AuditLine line = only(AuditQuery.ALL);
-        assertThat(line).isEqualTo(new AuditLine(open, end));
+        AuditedCallRecord line = only(AuditQuery.ALL);
+        assertThat(line).isEqualTo(new AuditedCallRecord(open, end));
         assertThat(line.outcome()).isEqualTo(AuditOutcome.FAILED);
         assertThat(line.reason()).isEqualTo("no");
         assertThat(line.latencyMillis()).isEqualTo(2_000);
@@ -152,8 +152,8 @@ public abstract class AuditStoreContract {
                 .containsExactly(2L);
     }
 
-    private AuditLine only(AuditQuery query) {
-        List<AuditLine> lines = store.search(query, Long.MAX_VALUE, 10);
+    private AuditedCallRecord only(AuditQuery query) {
+        List<AuditedCallRecord> lines = store.search(query, Long.MAX_VALUE, 10);
         assertThat(lines).hasSize(1);
         return lines.get(0);
     }

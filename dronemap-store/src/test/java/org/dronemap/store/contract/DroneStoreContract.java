@@ -11,8 +11,8 @@ import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.KnownMission;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -65,7 +65,7 @@ public abstract class DroneStoreContract {
                     new DroneKey("::1", 65535, 255),
                     "tcp",
                     new Identification(kind, "PX4", "PX4", null, null),
-                    Standing.UNPROVED,
+                    IdentityTrust.UNPROVED,
                     HEARD,
                     512.25);
             store.save(drone);
@@ -76,8 +76,8 @@ public abstract class DroneStoreContract {
     @Test
     void keepsHowADroneShowedWhoItIs() {
         for (Evidence evidence : Evidence.values()) {
-            for (Standing standing :
-                    List.of(new Standing(evidence, null, false), new Standing(evidence, "key 7", true))) {
+            for (IdentityTrust standing :
+                    List.of(new IdentityTrust(evidence, null, false), new IdentityTrust(evidence, "key 7", true))) {
                 DroneRecord drone = new DroneRecord(
                         COPTER,
                         "one",
@@ -184,7 +184,7 @@ public abstract class DroneStoreContract {
                 new DroneKey("127.0.0.1", 14601, 1),
                 "udp",
                 new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", firmware, hardwareUid),
-                Standing.UNPROVED,
+                IdentityTrust.UNPROVED,
                 HEARD,
                 null);
     }

@@ -8,8 +8,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.FlightQuery;
+import org.dronemap.core.history.FlightStatistics;
 import org.dronemap.core.history.FlightStore;
-import org.dronemap.core.history.Measures;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -19,8 +19,8 @@ public abstract class FlightStoreContract {
     private static final Instant START = Instant.parse("2026-03-04T05:06:07.123456Z");
     private static final DroneId DRONE = new DroneId("copter-1");
     private static final DroneId OTHER = new DroneId("plane-2");
-    private static final Measures MEASURES =
-            new Measures(1234.5, 99.25, 12.5, 600.0, 98, 42, new Geodetic(47.3977, 8.5456), new Geodetic(47.5, 8.6));
+    private static final FlightStatistics MEASURES =
+            new FlightStatistics(1234.5, 99.25, 12.5, 600.0, 98, 42, new Geodetic(47.3977, 8.5456), new Geodetic(47.5, 8.6));
 
     private FlightStore store;
 
@@ -61,7 +61,7 @@ public abstract class FlightStoreContract {
                 START.plusSeconds(60),
                 MEASURES,
                 List.of("alice", "bob"),
-                new Flight.Operation("v1", "The virtual drone “Survey” of ann"),
+                new Flight.FlightOperation("v1", "The virtual drone “Survey” of ann"),
                 "There was no contact for a while.",
                 "");
         store.save(ended);
@@ -134,7 +134,7 @@ public abstract class FlightStoreContract {
                 START.plusNanos(1_999),
                 Flight.State.ENDED,
                 START.plusNanos(1_999),
-                Measures.NONE,
+                FlightStatistics.NONE,
                 List.of(),
                 null,
                 null,
@@ -169,7 +169,7 @@ public abstract class FlightStoreContract {
                 end,
                 end == null ? Flight.State.RUNNING : Flight.State.ENDED,
                 start,
-                Measures.NONE,
+                FlightStatistics.NONE,
                 users,
                 null,
                 null,

@@ -12,9 +12,9 @@ import org.dronemap.core.access.Gift;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
 import org.dronemap.core.access.GrantStore;
-import org.dronemap.core.access.Holdings;
+import org.dronemap.core.access.GrantSubject;
+import org.dronemap.core.access.OrganisationDirectory;
 import org.dronemap.core.access.Permission;
-import org.dronemap.core.access.Subject;
 import org.dronemap.core.access.UserGroup;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.Organisation;
@@ -46,7 +46,7 @@ public abstract class GrantStoreContract {
 
     @Test
     void holdsNothingAtFirst() {
-        assertThat(store.holdings()).isEqualTo(Holdings.NONE);
+        assertThat(store.holdings()).isEqualTo(OrganisationDirectory.NONE);
     }
 
     @Test
@@ -67,14 +67,14 @@ public abstract class GrantStoreContract {
         store.save(new UserGroup("g1", RESCUE.id(), "crew", Set.of("ann")));
         store.save(new Fleet("f1", RESCUE.id(), "trucks", Set.of(ONE)));
         store.save(group("g2", "others", "bob"));
-        store.setOnlyGranted(new Subject.OfGroup("g1"), true);
-        store.add(grant("a", RESCUE.id(), new Subject.OfUser("ann"), new GrantObject.Everything()));
+        store.setOnlyGranted(new GrantSubject.OfGroup("g1"), true);
+        store.add(grant("a", RESCUE.id(), new GrantSubject.OfUser("ann"), new GrantObject.Everything()));
 
         assertThat(store.deleteOrganisation(RESCUE.id())).isTrue();
         assertThat(store.deleteOrganisation(RESCUE.id())).isFalse();
 
         assertThat(store.holdings())
-                .isEqualTo(new Holdings(
+                .isEqualTo(new OrganisationDirectory(
                         List.of(),
                         Map.of(),
                         List.of(group("g2", "others", "bob")),
@@ -124,13 +124,13 @@ public abstract class GrantStoreContract {
     @Test
     void forgetsWhatAGroupWasGrantedWithTheGroup() {
         store.save(group("g1", "crew", "ann"));
-        store.setOnlyGranted(new Subject.OfGroup("g1"), true);
-        store.add(grant("a", new Subject.OfGroup("g1"), new GrantObject.Everything()));
+        store.setOnlyGranted(new GrantSubject.OfGroup("g1"), true);
+        store.add(grant("a", new GrantSubject.OfGroup("g1"), new GrantObject.Everything()));
 
         assertThat(store.deleteGroup("g1")).isTrue();
         assertThat(store.deleteGroup("g1")).isFalse();
 
-        assertThat(store.holdings()).isEqualTo(Holdings.NONE);
+        assertThat(store.holdings()).isEqualTo(OrganisationDirectory.NONE);
     }
 
     @Test
@@ -141,7 +141,7 @@ public abstract class GrantStoreContract {
         store.save(new Fleet("f2", OrganisationId.HOME, "none", Set.of()));
         assertThat(store.holdings().fleets())
                 .containsExactly(new Fleet("f2", OrganisationId.HOME, "none", Set.of()), smaller);
-        store.add(grant("a", new Subject.OfUser("ann"), new GrantObject.OfFleet("f1")));
+        store.add(grant("a", new GrantSubject.OfUser("ann"), new GrantObject.OfFleet("f1")));
 
         assertThat(store.deleteFleet("f1")).isTrue();
         assertThat(store.deleteFleet("f1")).isFalse();
@@ -154,19 +154,19 @@ public abstract class GrantStoreContract {
         store.save(RESCUE);
         store.save(group("g1", "crew", "ann"));
         store.save(new Fleet("f1", OrganisationId.HOME, "trucks", Set.of(ONE)));
-        Grant all = grant("a", RESCUE.id(), new Subject.OfUser("ann"), new GrantObject.Everything());
-        Grant some = grant("b", new Subject.OfGroup("g1"), new GrantObject.Drones(Set.of(ONE, TWO)));
+        Grant all = grant("a", RESCUE.id(), new GrantSubject.OfUser("ann"), new GrantObject.Everything());
+        Grant some = grant("b", new GrantSubject.OfGroup("g1"), new GrantObject.Drones(Set.of(ONE, TWO)));
         Grant fleet = new Grant(
                 "c",
                 OrganisationId.HOME,
-                new Subject.OfUser("bob"),
+                new GrantSubject.OfUser("bob"),
                 new GrantObject.OfFleet("f1"),
                 EnumSet.allOf(Permission.class),
                 NOON,
                 null,
                 "root",
                 NOON.plusSeconds(1));
-        Grant virtual = grant("d", new Subject.OfUser("ann"), new GrantObject.Virtual());
+        Grant virtual = grant("d", new GrantSubject.OfUser("ann"), new GrantObject.Virtual());
         store.add(virtual);
         store.add(fleet);
         store.add(some);
@@ -181,8 +181,8 @@ public abstract class GrantStoreContract {
 
     @Test
     void knowsWhoSeesOnlyWhatWasGranted() {
-        Subject ann = new Subject.OfUser("ann");
-        Subject crew = new Subject.OfGroup("g1");
+        GrantSubject ann = new GrantSubject.OfUser("ann");
+        GrantSubject crew = new GrantSubject.OfGroup("g1");
         store.save(group("g1", "crew"));
         store.setOnlyGranted(ann, true);
         store.setOnlyGranted(ann, true);
@@ -196,9 +196,9 @@ public abstract class GrantStoreContract {
     @Test
     void forgetsAUser() {
         store.save(group("g1", "crew", "ann", "bob"));
-        store.add(grant("a", new Subject.OfUser("ann"), new GrantObject.Everything()));
-        store.add(grant("b", new Subject.OfUser("bob"), new GrantObject.Everything()));
-        store.setOnlyGranted(new Subject.OfUser("ann"), true);
+        store.add(grant("a", new GrantSubject.OfUser("ann"), new GrantObject.Everything()));
+        store.add(grant("b", new GrantSubject.OfUser("bob"), new GrantObject.Everything()));
+        store.setOnlyGranted(new GrantSubject.OfUser("ann"), true);
 
         store.forgetUser("ann");
 
@@ -211,11 +211,11 @@ public abstract class GrantStoreContract {
         return new UserGroup(id, OrganisationId.HOME, name, Set.of(members));
     }
 
-    protected static Grant grant(String id, Subject subject, GrantObject object) {
+    protected static Grant grant(String id, GrantSubject subject, GrantObject object) {
         return grant(id, OrganisationId.HOME, subject, object);
     }
 
-    private static Grant grant(String id, OrganisationId organisation, Subject subject, GrantObject object) {
+    private static Grant grant(String id, OrganisationId organisation, GrantSubject subject, GrantObject object) {
         return new Grant(
                 id, organisation, subject, object, Set.of(Permission.PLAN), NOON, NOON.plusSeconds(60), "root", NOON);
     }

@@ -9,8 +9,8 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.OutletKey;
-import org.dronemap.core.access.OutletNumber;
 import org.dronemap.core.access.OutletStore;
+import org.dronemap.core.access.OutletSystemId;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.core.drone.DroneId;
@@ -102,27 +102,27 @@ public abstract class OutletStoreContract {
 
     @Test
     void noNumberIsGivenTwiceToAUser() {
-        store.saveNumber(new OutletNumber("ann", COPTER, 7));
-        store.saveNumber(new OutletNumber("ann", OTHER, 7));
-        store.saveNumber(new OutletNumber("ann", COPTER, 8));
-        store.saveNumber(new OutletNumber("bob", OTHER, 7));
+        store.saveNumber(new OutletSystemId("ann", COPTER, 7));
+        store.saveNumber(new OutletSystemId("ann", OTHER, 7));
+        store.saveNumber(new OutletSystemId("ann", COPTER, 8));
+        store.saveNumber(new OutletSystemId("bob", OTHER, 7));
         assertThat(store.numbers())
-                .containsExactly(new OutletNumber("ann", COPTER, 7), new OutletNumber("bob", OTHER, 7));
+                .containsExactly(new OutletSystemId("ann", COPTER, 7), new OutletSystemId("bob", OTHER, 7));
     }
 
     @Test
     void numbersGoWithTheirUserAndTheirDrone() {
-        store.saveNumber(new OutletNumber("ann", COPTER, 7));
-        store.saveNumber(new OutletNumber("ann", OTHER, 8));
-        store.saveNumber(new OutletNumber("bob", OTHER, 8));
+        store.saveNumber(new OutletSystemId("ann", COPTER, 7));
+        store.saveNumber(new OutletSystemId("ann", OTHER, 8));
+        store.saveNumber(new OutletSystemId("bob", OTHER, 8));
         stores.drones().delete(COPTER);
         stores.access().deleteUser("bob");
-        assertThat(store.numbers()).containsExactly(new OutletNumber("ann", OTHER, 8));
+        assertThat(store.numbers()).containsExactly(new OutletSystemId("ann", OTHER, 8));
     }
 
     @Test
     void aNumberOfADroneThatIsGoneIsNotKept() {
-        store.saveNumber(new OutletNumber("ann", new DroneId("d7k2m9q4xz"), 7));
+        store.saveNumber(new OutletSystemId("ann", new DroneId("d7k2m9q4xz"), 7));
         assertThat(store.numbers()).isEmpty();
     }
 

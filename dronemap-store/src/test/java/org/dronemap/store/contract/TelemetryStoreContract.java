@@ -24,10 +24,10 @@ import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesBuilder;
 import org.dronemap.core.history.SeriesQuery;
 import org.dronemap.core.history.SeriesSlot;
-import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryStore;
+import org.dronemap.core.history.TimeRange;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -124,7 +124,7 @@ public abstract class TelemetryStoreContract {
         store.append(List.of(height(DRONE, 3, 3), height(OTHER, 1, 9), height(DRONE, 1, 1)), List.of());
         store.append(List.of(height(DRONE, 2, 2), height(DRONE, 0, 0)), List.of());
 
-        assertThat(heights(new Span(START.plusSeconds(1), START.plusSeconds(3))))
+        assertThat(heights(new TimeRange(START.plusSeconds(1), START.plusSeconds(3))))
                 .containsExactly(1.0, 2.0);
     }
 
@@ -169,7 +169,7 @@ public abstract class TelemetryStoreContract {
         store.append(flight, List.of());
         SeriesQuery query = new SeriesQuery(
                 DRONE,
-                new Span(START.plusSeconds(10), START.plusSeconds(900)),
+                new TimeRange(START.plusSeconds(10), START.plusSeconds(900)),
                 List.of(TelemetryField.ALTITUDE_ABOVE_HOME, TelemetryField.BATTERY_PERCENT, TelemetryField.HDOP),
                 37);
 
@@ -189,7 +189,7 @@ public abstract class TelemetryStoreContract {
         store.append(List.of(height(DRONE, 0, 1), height(DRONE, 5, 2)), List.of());
 
         List<SeriesSlot> slots = store.series(new SeriesQuery(
-                DRONE, new Span(START, START.plusSeconds(10)), List.of(TelemetryField.ALTITUDE_ABOVE_HOME), 1_000));
+                DRONE, new TimeRange(START, START.plusSeconds(10)), List.of(TelemetryField.ALTITUDE_ABOVE_HOME), 1_000));
 
         assertThat(slots)
                 .containsExactly(
@@ -227,7 +227,7 @@ public abstract class TelemetryStoreContract {
 
         assertThat(store.events(DRONE, all(), 10)).containsExactly(armed, message, command);
         assertThat(store.events(DRONE, all(), 2)).containsExactly(armed, message);
-        assertThat(store.events(DRONE, new Span(START.minusSeconds(9), START), 10))
+        assertThat(store.events(DRONE, new TimeRange(START.minusSeconds(9), START), 10))
                 .containsExactly(armed);
     }
 
@@ -287,14 +287,14 @@ public abstract class TelemetryStoreContract {
         return found;
     }
 
-    private List<Double> heights(Span span) {
+    private List<Double> heights(TimeRange span) {
         List<Double> found = new ArrayList<>();
         store.points(DRONE, span, point -> found.add(TelemetryField.ALTITUDE_ABOVE_HOME.of(point)));
         return found;
     }
 
-    private static Span all() {
-        return new Span(START.minus(Duration.ofDays(100)), START.plus(Duration.ofDays(100)));
+    private static TimeRange all() {
+        return new TimeRange(START.minus(Duration.ofDays(100)), START.plus(Duration.ofDays(100)));
     }
 
     private static TelemetryPoint height(DroneId drone, long second, double meters) {

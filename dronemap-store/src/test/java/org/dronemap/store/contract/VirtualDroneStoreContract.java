@@ -7,8 +7,8 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -20,16 +20,16 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.core.virtual.Area;
 import org.dronemap.core.virtual.Assignment;
-import org.dronemap.core.virtual.Choice;
-import org.dronemap.core.virtual.Needs;
-import org.dronemap.core.virtual.Quantity;
-import org.dronemap.core.virtual.Run;
-import org.dronemap.core.virtual.Stage;
+import org.dronemap.core.virtual.DroneChoice;
+import org.dronemap.core.virtual.DroneRequirements;
+import org.dronemap.core.virtual.RequiredArea;
+import org.dronemap.core.virtual.SelectionCriterion;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
+import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunStage;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -74,16 +74,16 @@ public abstract class VirtualDroneStoreContract {
 
     @Test
     void givesBackPlannedOnesAndThoseUnderWayAsTheyWere() {
-        VirtualDrone planned = drone("v2", Needs.NONE, null);
+        VirtualDrone planned = drone("v2", DroneRequirements.NONE, null);
         VirtualDrone demanding = drone(
                 "v1",
-                new Needs(
+                new DroneRequirements(
                         VehicleKind.FIXED_WING,
                         Set.of(Capability.TAKE_PICTURE, Capability.SET_RELAY),
                         25,
-                        new Area(new Geodetic(-17, 179.9), 250.5)),
-                run(Stage.FLYING, assignment(COPTER)));
-        VirtualDrone waiting = drone("v3", Needs.NONE, run(Stage.QUEUED, null)).recalling(OTHER);
+                        new RequiredArea(new Geodetic(-17, 179.9), 250.5)),
+                run(VirtualRunStage.FLYING, assignment(COPTER)));
+        VirtualDrone waiting = drone("v3", DroneRequirements.NONE, run(VirtualRunStage.QUEUED, null)).recalling(OTHER);
 
         store.save(planned);
         store.save(demanding);
@@ -94,9 +94,9 @@ public abstract class VirtualDroneStoreContract {
 
     @Test
     void replacesAndForgets() {
-        VirtualDrone bound = drone("v1", Needs.NONE, run(Stage.UPLOADING, assignment(COPTER)));
+        VirtualDrone bound = drone("v1", DroneRequirements.NONE, run(VirtualRunStage.UPLOADING, assignment(COPTER)));
         store.save(bound);
-        VirtualDrone done = bound.with(run(Stage.DONE, null)).with("Renamed “x”", Needs.NONE, MISSION);
+        VirtualDrone done = bound.with(run(VirtualRunStage.DONE, null)).with("Renamed “x”", DroneRequirements.NONE, MISSION);
         store.save(done);
 
         assertThat(store.virtualDrones()).containsExactly(done);
@@ -106,14 +106,14 @@ public abstract class VirtualDroneStoreContract {
 
     @Test
     void bindsNoDroneTwice() {
-        VirtualDrone first = drone("v1", Needs.NONE, run(Stage.FLYING, assignment(COPTER)));
-        VirtualDrone second = drone("v2", Needs.NONE, run(Stage.UPLOADING, assignment(COPTER)));
+        VirtualDrone first = drone("v1", DroneRequirements.NONE, run(VirtualRunStage.FLYING, assignment(COPTER)));
+        VirtualDrone second = drone("v2", DroneRequirements.NONE, run(VirtualRunStage.UPLOADING, assignment(COPTER)));
         store.save(first);
 
         assertThatThrownBy(() -> store.save(second)).isInstanceOf(RuntimeException.class);
         assertThat(store.virtualDrones()).containsExactly(first);
 
-        store.save(first.with(run(Stage.DONE, null)));
+        store.save(first.with(run(VirtualRunStage.DONE, null)));
         store.save(second);
         assertThat(store.virtualDrones()).hasSize(2);
     }
@@ -129,7 +129,7 @@ public abstract class VirtualDroneStoreContract {
         assertThat(store.warehouse()).containsExactly(OTHER);
     }
 
-    private static VirtualDrone drone(String id, Needs needs, @Nullable Run run) {
+    private static VirtualDrone drone(String id, DroneRequirements needs, @Nullable VirtualRun run) {
         return new VirtualDrone(
                 new VirtualDroneId(id),
                 "Survey",
@@ -143,11 +143,11 @@ public abstract class VirtualDroneStoreContract {
                 THEN);
     }
 
-    private static Run run(Stage stage, @Nullable Assignment assignment) {
-        return new Run(
+    private static VirtualRun run(VirtualRunStage stage, @Nullable Assignment assignment) {
+        return new VirtualRun(
                 7,
                 MISSION,
-                CloudLoss.RETURN_TO_LAUNCH,
+                MissionCloudLossPolicy.RETURN_TO_LAUNCH,
                 1,
                 stage,
                 assignment,
@@ -159,14 +159,14 @@ public abstract class VirtualDroneStoreContract {
     }
 
     private static Assignment assignment(DroneId drone) {
-        Choice choice = new Choice(
+        DroneChoice choice = new DroneChoice(
                 drone,
                 OTHER,
-                Quantity.LINK_LOSS,
+                SelectionCriterion.LINK_LOSS,
                 1,
                 2.5,
                 "some 3 %",
-                List.of(new Choice.Unfit(OTHER, "It is armed or in the air.")));
+                List.of(new DroneChoice.Unfit(OTHER, "It is armed or in the air.")));
         return new Assignment(choice, 0, 12.5, new CommandId("command-1"), 1, THEN);
     }
 }

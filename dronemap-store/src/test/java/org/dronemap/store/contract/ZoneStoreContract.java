@@ -9,10 +9,10 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBinding;
 import org.dronemap.core.zone.ZoneStore;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -47,7 +47,7 @@ public abstract class ZoneStoreContract {
                 "b “quoted”",
                 new FenceZone.Circle(true, new Geodetic(-17, 179.9), 250.5),
                 new AltitudeBand(10.0, 120.5, Altitude.Reference.AMSL),
-                new Binding.OfUser("bob"),
+                new ZoneBinding.OfUser("bob"),
                 new Validity(CHANGED, CHANGED.plusSeconds(3600)),
                 BreachAction.RETURN_TO_LAUNCH,
                 "alice",
@@ -57,7 +57,7 @@ public abstract class ZoneStoreContract {
                 "c",
                 AREA,
                 new AltitudeBand(null, 60.0, Altitude.Reference.HOME),
-                new Binding.OfDrone(new DroneId("drone-1")),
+                new ZoneBinding.OfDrone(new DroneId("drone-1")),
                 new Validity(null, CHANGED),
                 BreachAction.LAND,
                 "alice",
@@ -95,7 +95,7 @@ public abstract class ZoneStoreContract {
                 name,
                 shape,
                 AltitudeBand.ALL,
-                Binding.EVERYBODY,
+                ZoneBinding.EVERYBODY,
                 Validity.ALWAYS,
                 BreachAction.HOLD,
                 "alice",

@@ -18,16 +18,16 @@ import java.util.Map;
 import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditHead;
+import org.dronemap.core.audit.AuditHeadWriter;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.AuditVerifier;
-import org.dronemap.core.audit.HeadKeeper;
 import org.dronemap.core.audit.SignedHead;
-import org.dronemap.core.time.SystemTime;
-import org.dronemap.store.file.HeadsFile;
-import org.dronemap.store.secret.HmacSeal;
+import org.dronemap.core.time.RealTime;
+import org.dronemap.store.file.FileAuditHeadStore;
+import org.dronemap.store.secret.HmacKeyedHash;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -37,7 +37,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Whoever can write to the database, and even to the files beside it, cannot change what was done without being seen. */
 class AuditTamperingTest {
     private static final Instant AT = Instant.parse("2026-03-04T05:06:07.123456Z");
-    private static final AuditChain CHAIN = new AuditChain(new HmacSeal(new byte[] {7, 7, 7}));
+    private static final AuditChain CHAIN = new AuditChain(new HmacKeyedHash(new byte[] {7, 7, 7}));
     private static final int RECORDS = 8;
     /** Columns whose text can be changed byte by byte; the others hold numbers and times. */
     private static final List<String> TEXTS = List.of(
@@ -63,18 +63,18 @@ class AuditTamperingTest {
     @TempDir
     private Path directory;
 
-    private Database database;
+    private PostgresStores database;
     private AuditStore store;
-    private HeadsFile heads;
-    private HeadKeeper keeper;
+    private FileAuditHeadStore heads;
+    private AuditHeadWriter keeper;
     private SignedHead receipt;
 
     @BeforeEach
     void fill() {
         database = SharedDatabase.another();
         store = database.audit(CHAIN);
-        heads = new HeadsFile(directory.resolve("audit-heads"));
-        keeper = new HeadKeeper(store, heads, CHAIN, new SystemTime());
+        heads = new FileAuditHeadStore(directory.resolve("audit-heads"));
+        keeper = new AuditHeadWriter(store, heads, CHAIN, new RealTime());
         keeper.start();
         for (int i = 1; i <= RECORDS; i++) {
             store.append(entry(i));
@@ -217,7 +217,7 @@ class AuditTamperingTest {
 
     @Test
     void findsAChainMadeAnewWithAnotherKey() throws SQLException {
-        remake(new AuditChain(new HmacSeal(new byte[] {1})));
+        remake(new AuditChain(new HmacKeyedHash(new byte[] {1})));
         assertThat(verify(null).firstBad()).isEqualTo(1);
     }
 
@@ -255,7 +255,7 @@ class AuditTamperingTest {
 
     @Test
     void takesNoReceiptButItsOwn() {
-        SignedHead foreign = new AuditChain(new HmacSeal(new byte[] {9}))
+        SignedHead foreign = new AuditChain(new HmacKeyedHash(new byte[] {9}))
                 .sign(SignedHead.Kind.ANCHORED, receipt.head(), receipt.at());
         assertThat(verify(foreign).why()).contains("not one of this server");
     }
@@ -268,7 +268,7 @@ class AuditTamperingTest {
         database = SharedDatabase.again();
         store = database.audit(CHAIN);
         keeper.close();
-        keeper = new HeadKeeper(store, heads, CHAIN, new SystemTime());
+        keeper = new AuditHeadWriter(store, heads, CHAIN, new RealTime());
         keeper.restored();
         store.append(entry(50));
         store.append(entry(51));

@@ -37,19 +37,19 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Position;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.Flight;
+import org.dronemap.core.history.FlightStatistics;
 import org.dronemap.core.history.HistoryEvent;
-import org.dronemap.core.history.Measures;
 import org.dronemap.core.history.Retention;
-import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryPoint;
+import org.dronemap.core.history.TimeRange;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
@@ -69,7 +69,7 @@ class BackupTest {
             new DroneKey("127.0.0.1", 14601, 1),
             "udp",
             new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "", null),
-            Standing.UNPROVED,
+            IdentityTrust.UNPROVED,
             AT,
             499.5);
     private static final KnownMission KNOWN =
@@ -107,7 +107,7 @@ class BackupTest {
     @TempDir
     private Path temporary;
 
-    private Database database;
+    private PostgresStores database;
 
     @BeforeEach
     void fill() {
@@ -134,7 +134,7 @@ class BackupTest {
                 null,
                 Flight.State.RUNNING,
                 AT,
-                Measures.NONE,
+                FlightStatistics.NONE,
                 List.of("alice, \"{bob}\""),
                 null,
                 null,
@@ -151,7 +151,7 @@ class BackupTest {
         database.telemetry().append(List.of(), List.of(event));
 
         List<TelemetryPoint> points = new ArrayList<>();
-        Span span = new Span(AT.minusSeconds(1), AT.plusSeconds(50 * 86_400L));
+        TimeRange span = new TimeRange(AT.minusSeconds(1), AT.plusSeconds(50 * 86_400L));
         database.telemetry().points(DRONE.id(), span, points::add);
         assertThat(points).containsExactly(point, unexpected);
         assertThat(database.telemetry().events(DRONE.id(), span, 10)).containsExactly(event, event);

@@ -9,8 +9,8 @@ import java.sql.Statement;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
-import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.core.audit.AuditedCall;
 import org.dronemap.store.StoreException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -21,7 +21,7 @@ class FullDiskTest {
     private static final User ANN = new User("ann", Role.VIEWER, AccountState.ACTIVE, "hash", false);
     private static final User BOB = new User("bob", Role.VIEWER, AccountState.ACTIVE, "hash", false);
 
-    private final Database database = SharedDatabase.another();
+    private final PostgresStores database = SharedDatabase.another();
 
     @BeforeEach
     void fill() throws SQLException {
@@ -50,7 +50,7 @@ class FullDiskTest {
     }
 
     private void addInACall(User user) {
-        new Activity(
+        new AuditedCall(
                         PostgresAuditStoreTest.entry("alice", "POST /api/v1/users", null, AuditOutcome.SUCCEEDED),
                         System::nanoTime)
                 .during(() -> database.access().addUser(user));

@@ -15,12 +15,12 @@ import java.util.concurrent.Executors;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
-import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditHead;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.audit.AuditStore;
-import org.dronemap.core.audit.AuditedCommands;
+import org.dronemap.core.audit.AuditedCall;
+import org.dronemap.core.audit.AuditedCommandStore;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
@@ -37,14 +37,14 @@ class PostgresAuditStoreTest extends AuditStoreContract {
     private static final Instant AT = Instant.parse("2026-03-04T05:06:07Z");
     private static final User ANN = new User("ann", Role.VIEWER, AccountState.ACTIVE, "x", false);
 
-    private @Nullable Database opened;
+    private @Nullable PostgresStores opened;
 
     @Override
     protected AuditStore emptyStore() {
         return database().audit(CHAIN);
     }
 
-    private Database database() {
+    private PostgresStores database() {
         if (opened == null) {
             opened = SharedDatabase.another();
         }
@@ -59,7 +59,7 @@ class PostgresAuditStoreTest extends AuditStoreContract {
 
     @Test
     void writesAChangeAndItsRecordInOneTransaction() throws SQLException {
-        Activity call = call();
+        AuditedCall call = call();
         call.during(() -> database().access().addUser(ANN));
 
         assertThat(store.after(0, 10)).hasSize(1);
@@ -84,7 +84,7 @@ class PostgresAuditStoreTest extends AuditStoreContract {
 
     @Test
     void leavesTheRecordToTheEndOfTheCallWhenNothingWasChanged() {
-        Activity call = call();
+        AuditedCall call = call();
         call.during(() -> database().access().deleteUser("nobody"));
         assertThat(store.head()).isEqualTo(AuditHead.EMPTY);
         assertThat(call.claim()).isPresent();
@@ -92,7 +92,7 @@ class PostgresAuditStoreTest extends AuditStoreContract {
 
     @Test
     void leavesOneRecordForSeveralChangesOfACall() {
-        Activity call = call();
+        AuditedCall call = call();
         call.during(() -> {
             database().access().addUser(ANN);
             database().access().updateUser(ANN.withState(AccountState.DISABLED));
@@ -105,9 +105,9 @@ class PostgresAuditStoreTest extends AuditStoreContract {
 
     @Test
     void writesWhatIsBesideACallWithoutItsRecord() {
-        Activity call = call();
+        AuditedCall call = call();
         call.during(() -> {
-            Activity.aside(() -> database().access().addUser(ANN));
+            AuditedCall.aside(() -> database().access().addUser(ANN));
             return ANN;
         });
         assertThat(store.head()).isEqualTo(AuditHead.EMPTY);
@@ -116,7 +116,7 @@ class PostgresAuditStoreTest extends AuditStoreContract {
 
     @Test
     void writesACommandItsEndAndTheirRecordsTogether() throws SQLException {
-        CommandStore commands = new AuditedCommands(database().commands(), store, System::nanoTime);
+        CommandStore commands = new AuditedCommandStore(database().commands(), store, System::nanoTime);
         CommandRecord command = command("command-1");
         assertThat(commands.begin(command)).isTrue();
         assertThat(commands.begin(command)).isFalse();
@@ -136,7 +136,7 @@ class PostgresAuditStoreTest extends AuditStoreContract {
 
     @Test
     void endsWhatWasUnderWayWhenTheServerDied() {
-        CommandStore commands = new AuditedCommands(database().commands(), store, System::nanoTime);
+        CommandStore commands = new AuditedCommandStore(database().commands(), store, System::nanoTime);
         commands.begin(command("command-1"));
         assertThat(commands.endUnfinished(new Outcome.Unknown("restart"), AT.plusSeconds(1)))
                 .isEqualTo(1);
@@ -149,7 +149,7 @@ class PostgresAuditStoreTest extends AuditStoreContract {
 
     @Test
     void chainsWhatManyWriteAtOnce() {
-        CommandStore commands = new AuditedCommands(database().commands(), store, System::nanoTime);
+        CommandStore commands = new AuditedCommandStore(database().commands(), store, System::nanoTime);
         ExecutorService threads = Executors.newFixedThreadPool(16);
         try {
             List<CompletableFuture<Boolean>> begun = new ArrayList<>();
@@ -182,8 +182,8 @@ class PostgresAuditStoreTest extends AuditStoreContract {
         assertThat(CHAIN.follows(head, next)).isTrue();
     }
 
-    private static Activity call() {
-        return new Activity(entry("alice", "POST /api/v1/users", null, AuditOutcome.SUCCEEDED), System::nanoTime);
+    private static AuditedCall call() {
+        return new AuditedCall(entry("alice", "POST /api/v1/users", null, AuditOutcome.SUCCEEDED), System::nanoTime);
     }
 
     private static CommandRecord command(String id) {

@@ -7,8 +7,8 @@ import java.util.Set;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.GrantObject;
 import org.dronemap.core.access.GrantStore;
+import org.dronemap.core.access.GrantSubject;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.access.Subject;
 import org.dronemap.core.access.User;
 import org.dronemap.core.access.UserGroup;
 import org.dronemap.store.StoreException;
@@ -16,7 +16,7 @@ import org.dronemap.store.contract.GrantStoreContract;
 import org.junit.jupiter.api.Test;
 
 class PostgresGrantStoreTest extends GrantStoreContract {
-    private Database database = SharedDatabase.empty();
+    private PostgresStores database = SharedDatabase.empty();
 
     @Override
     protected GrantStore emptyStore() {
@@ -31,8 +31,8 @@ class PostgresGrantStoreTest extends GrantStoreContract {
     void forgetsWhatAUserWasGrantedWithTheUser() {
         GrantStore store = emptyStore();
         store.save(group("g1", "crew", "ann"));
-        store.add(grant("a", new Subject.OfUser("ann"), new GrantObject.Everything()));
-        store.setOnlyGranted(new Subject.OfUser("ann"), true);
+        store.add(grant("a", new GrantSubject.OfUser("ann"), new GrantObject.Everything()));
+        store.setOnlyGranted(new GrantSubject.OfUser("ann"), true);
 
         database.access().deleteUser("ann");
 

@@ -16,7 +16,7 @@ class PostgresLeaseStoreTest extends LeaseStoreContract {
 
     @Override
     protected LeaseStore emptyStore(List<DroneRecord> drones) {
-        Database database = SharedDatabase.empty();
+        PostgresStores database = SharedDatabase.empty();
         known = drones;
         droneStore = database.drones();
         drones.forEach(droneStore::save);

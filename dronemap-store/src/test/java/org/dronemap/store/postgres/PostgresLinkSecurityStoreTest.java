@@ -19,7 +19,7 @@ class PostgresLinkSecurityStoreTest extends LinkSecurityStoreContract {
     private static final LinkSecurity SECURED = new LinkSecurity(COPTER, LinkPolicy.REQUIRED, key(1), key(2), true, 5);
 
     private final SecretBox box = new SecretBox(new byte[SecretBox.SECRET_BYTES]);
-    private final Database database = SharedDatabase.empty();
+    private final PostgresStores database = SharedDatabase.empty();
 
     @Override
     protected Stores emptyStores() {

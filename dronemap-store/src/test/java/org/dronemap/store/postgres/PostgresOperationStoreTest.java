@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class PostgresOperationStoreTest extends OperationStoreContract {
-    private final Database database = SharedDatabase.empty();
+    private final PostgresStores database = SharedDatabase.empty();
 
     @TempDir
     private Path temporary;

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 
 class PostgresOutletStoreTest extends OutletStoreContract {
     private final SecretBox box = new SecretBox(new byte[SecretBox.SECRET_BYTES]);
-    private final Database database = SharedDatabase.empty();
+    private final PostgresStores database = SharedDatabase.empty();
 
     @Override
     protected Stores emptyStores() {

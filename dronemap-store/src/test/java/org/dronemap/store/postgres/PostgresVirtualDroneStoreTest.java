@@ -10,7 +10,7 @@ import org.dronemap.store.contract.VirtualDroneStoreContract;
 import org.junit.jupiter.api.Test;
 
 class PostgresVirtualDroneStoreTest extends VirtualDroneStoreContract {
-    private final Database database = SharedDatabase.empty();
+    private final PostgresStores database = SharedDatabase.empty();
 
     @Override
     protected VirtualDroneStore emptyStore(List<DroneRecord> drones) {

@@ -10,8 +10,8 @@ import java.sql.SQLException;
 import java.sql.Statement;
 import java.time.Duration;
 import java.util.List;
-import org.dronemap.store.postgres.own.Homes;
-import org.dronemap.store.postgres.own.OwnPostgres;
+import org.dronemap.store.postgres.own.BundledPostgres;
+import org.dronemap.store.postgres.own.TestDatabaseDirectories;
 
 /**
  * One real PostgreSQL for all tests of a test JVM: starting one takes seconds. It does not wait for the disk, since no power cut
@@ -19,9 +19,9 @@ import org.dronemap.store.postgres.own.OwnPostgres;
  */
 final class SharedDatabase {
     private static final Path DIRECTORY = temporary();
-    private static final OwnPostgres OWN = start();
-    private static final Database DATABASE =
-            Database.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
+    private static final BundledPostgres OWN = start();
+    private static final PostgresStores DATABASE =
+            PostgresStores.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
 
     /** Only of those that hold something, since each table that is emptied has its files made anew, also an empty one. */
     private static final String EMPTY = """
@@ -55,9 +55,9 @@ final class SharedDatabase {
 
     private SharedDatabase() {}
 
-    private static OwnPostgres start() {
-        Homes.putPrograms(DIRECTORY);
-        OwnPostgres own = OwnPostgres.start(DIRECTORY);
+    private static BundledPostgres start() {
+        TestDatabaseDirectories.putPrograms(DIRECTORY);
+        BundledPostgres own = BundledPostgres.start(DIRECTORY);
         try (Connection connection = DriverManager.getConnection(own.jdbcUrl(), own.user(), own.password());
                 Statement statement = connection.createStatement()) {
             for (String setting : List.of("fsync", "full_page_writes")) {
@@ -70,7 +70,7 @@ final class SharedDatabase {
         }
     }
 
-    static Database empty() {
+    static PostgresStores empty() {
         try (Connection connection = DATABASE.dataSource().getConnection();
                 Statement statement = connection.createStatement()) {
             statement.execute(EMPTY);
@@ -81,14 +81,14 @@ final class SharedDatabase {
     }
 
     /** The same tables through a pool of its own, with a ledger that no other test has written in; close it. */
-    static Database another() {
+    static PostgresStores another() {
         empty();
         return again();
     }
 
     /** The same with what is in it. */
-    static Database again() {
-        return Database.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
+    static PostgresStores again() {
+        return PostgresStores.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
     }
 
     static String url(String database) {
@@ -114,6 +114,6 @@ final class SharedDatabase {
     private static void stop() {
         DATABASE.close();
         OWN.close();
-        Homes.delete(DIRECTORY);
+        TestDatabaseDirectories.delete(DIRECTORY);
     }
 }

@@ -14,10 +14,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.history.HistoryHealth;
-import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryWriter;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.history.TimeRange;
+import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.Test;
 
 /** What becomes of telemetry while its tables do not take anything, or are not there. */
@@ -25,11 +25,11 @@ class TelemetryOutageTest {
     private static final Instant START = Instant.parse("2026-03-04T05:06:07Z");
     private static final DroneId DRONE = new DroneId("copter-1");
     private static final int ROOM = 100;
-    private static final TelemetryWriter.Rhythm QUICK =
-            new TelemetryWriter.Rhythm(Duration.ofMillis(10), 50, ROOM, Duration.ofMillis(50));
+    private static final TelemetryWriter.BatchSettings QUICK =
+            new TelemetryWriter.BatchSettings(Duration.ofMillis(10), 50, ROOM, Duration.ofMillis(50));
 
-    private final Database database = SharedDatabase.empty();
-    private final TelemetryWriter writer = new TelemetryWriter(database.telemetry(), QUICK, new SystemTime());
+    private final PostgresStores database = SharedDatabase.empty();
+    private final TelemetryWriter writer = new TelemetryWriter(database.telemetry(), QUICK, new RealTime());
     private int brought;
 
     @Test
@@ -67,7 +67,7 @@ class TelemetryOutageTest {
         await().atMost(Duration.ofSeconds(60)).until(() -> writer.health().waiting() == 0);
         HistoryHealth health = writer.health();
         List<TelemetryPoint> kept = new ArrayList<>();
-        database.telemetry().points(DRONE, new Span(START, START.plusSeconds(86_400)), kept::add);
+        database.telemetry().points(DRONE, new TimeRange(START, START.plusSeconds(86_400)), kept::add);
         assertThat(kept.size() + health.dropped()).isEqualTo(brought);
         assertThat(health.written()).isEqualTo(kept.size());
         writer.close();

@@ -16,11 +16,11 @@ import java.lang.annotation.Target;
 @Target(ElementType.METHOD)
 public @interface Access {
     /** The least that a caller must be. */
-    From from();
+    AccessLevel from();
 
-    About about();
+    ResourceScope about();
 
-    Cost costs() default Cost.REQUEST;
+    RequestCost costs() default RequestCost.REQUEST;
 
-    Audit audit() default Audit.BY_METHOD;
+    AuditPolicy audit() default AuditPolicy.BY_METHOD;
 }

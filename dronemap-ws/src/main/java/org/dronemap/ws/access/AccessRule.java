@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  *     not have it
  */
 public record AccessRule(
-        From from, Cost costs, Audit audit, @Nullable RestOperation operation) {
+        AccessLevel from, RequestCost costs, AuditPolicy audit, @Nullable RestOperation operation) {
     static AccessRule of(RestOperation operation) {
         Access access = operation.access();
         return new AccessRule(access.from(), access.costs(), operation.audit(), operation);
@@ -21,12 +21,12 @@ public record AccessRule(
      * takes by other methods; where all of it is open, so is the answer that this method is not taken.
      */
     static AccessRule withoutHandler(String method, List<RestOperation> others) {
-        From strictest = others.stream()
+        AccessLevel strictest = others.stream()
                 .map(operation -> operation.access().from())
                 .reduce((one, other) -> one.compareTo(other) > 0 ? one : other)
-                .orElse(From.VIEWER);
-        From from = strictest.compareTo(From.VIEWER) > 0 ? From.VIEWER : strictest;
-        Cost costs = from == From.ANYBODY ? others.get(0).access().costs() : Cost.REQUEST;
-        return new AccessRule(from, costs, Audit.BY_METHOD.of(method), null);
+                .orElse(AccessLevel.VIEWER);
+        AccessLevel from = strictest.compareTo(AccessLevel.VIEWER) > 0 ? AccessLevel.VIEWER : strictest;
+        RequestCost costs = from == AccessLevel.ANYBODY ? others.get(0).access().costs() : RequestCost.REQUEST;
+        return new AccessRule(from, costs, AuditPolicy.BY_METHOD.of(method), null);
     }
 }

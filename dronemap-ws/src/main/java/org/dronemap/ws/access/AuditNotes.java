@@ -8,12 +8,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditOutcome;
-import org.dronemap.core.audit.PlainText;
-import org.dronemap.ws.problem.Problem;
+import org.dronemap.core.audit.AuditText;
+import org.dronemap.core.audit.AuditedCall;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.RejectionKind;
-import org.dronemap.ws.reading.Alternatives;
+import org.dronemap.ws.reading.RecordAlternatives;
 import org.jspecify.annotations.Nullable;
 
 /** Details noted of a call in its record; only members known to hold no secret are written. */
@@ -61,8 +61,8 @@ public final class AuditNotes {
     private AuditNotes() {}
 
     /** The call that this thread works for is turned away. Values that clients sent are not repeated. */
-    public static void turnedAway(Problem problem) {
-        Activity.current().ifPresent(call -> {
+    public static void turnedAway(ProblemView problem) {
+        AuditedCall.current().ifPresent(call -> {
             RejectionKind kind = kind(problem);
             call.turnedAway(
                     problem.status() >= 500 ? AuditOutcome.FAILED : AuditOutcome.REFUSED, reason(kind, problem));
@@ -72,24 +72,24 @@ public final class AuditNotes {
         });
     }
 
-    private static RejectionKind kind(Problem problem) {
+    private static RejectionKind kind(ProblemView problem) {
         return Stream.of(RejectionKind.values())
                 .filter(one -> problem.type().endsWith(":" + one.code()))
                 .findFirst()
                 .orElse(RejectionKind.BROKEN);
     }
 
-    private static String reason(RejectionKind kind, Problem problem) {
+    private static String reason(RejectionKind kind, ProblemView problem) {
         return switch (kind) {
-            case INVALID -> kind.title() + ": " + PlainText.withoutSecrets(String.valueOf(problem.field())) + ".";
+            case INVALID -> kind.title() + ": " + AuditText.withoutSecrets(String.valueOf(problem.field())) + ".";
             case MALFORMED, MEDIA_TYPE -> kind.title() + ".";
-            default -> PlainText.withoutSecrets(problem.detail());
+            default -> AuditText.withoutSecrets(problem.detail());
         };
     }
 
     /** The call that this thread works for was sent this. */
     public static void sent(Object body) {
-        Activity.current().ifPresent(call -> call.parameters(summary(body, false), summary(body, true)));
+        AuditedCall.current().ifPresent(call -> call.parameters(summary(body, false), summary(body, true)));
     }
 
     /** {@code bare}: with the values of numbers and switches, but not of texts. */
@@ -98,7 +98,7 @@ public final class AuditNotes {
             return body instanceof byte[] bytes ? bytes.length + " bytes" : "";
         }
         return Stream.concat(
-                        Alternatives.toldBy(body.getClass()).entrySet().stream()
+                        RecordAlternatives.toldBy(body.getClass()).entrySet().stream()
                                 .map(told -> bare ? told.getKey() : told.getKey() + "=" + told.getValue()),
                         Stream.of(body.getClass().getRecordComponents())
                                 .flatMap(component -> member(body, component, bare).stream()))
@@ -154,7 +154,7 @@ public final class AuditNotes {
 
     /** For people: short, and nothing in it that looks like a key. */
     public static String told(String value) {
-        return PlainText.of(PlainText.withoutSecrets(value), LONGEST_VALUE);
+        return AuditText.of(AuditText.withoutSecrets(value), LONGEST_VALUE);
     }
 
     private static @Nullable Object value(Object body, Method accessor) {

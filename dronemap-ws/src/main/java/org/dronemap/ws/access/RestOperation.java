@@ -14,7 +14,7 @@ public record RestOperation(@Nullable String id, String method, PathPattern patt
         return method + " " + pattern.getPatternString();
     }
 
-    public Audit audit() {
+    public AuditPolicy audit() {
         return access.audit().of(method);
     }
 }

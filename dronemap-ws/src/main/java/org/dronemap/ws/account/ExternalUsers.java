@@ -8,7 +8,7 @@ import org.dronemap.core.access.User;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.jspecify.annotations.Nullable;
 
 /** Accounts of people whom another authority vouches for; they belong to the first organisation. Any thread. */
@@ -19,9 +19,9 @@ public final class ExternalUsers {
     private static final String BETWEEN = "~";
 
     private final AccessStore store;
-    private final Accounts accounts;
+    private final AccountChanges accounts;
     private final PasswordHashing passwords;
-    private final Secrets secrets;
+    private final SecretGenerator secrets;
 
     /**
      * Whom the authority vouches for; authority and subject together stay the same for ever, the rest may change.
@@ -35,7 +35,7 @@ public final class ExternalUsers {
             @Nullable String name,
             @Nullable Role role) {}
 
-    public ExternalUsers(AccessStore store, Accounts accounts, PasswordHashing passwords, Secrets secrets) {
+    public ExternalUsers(AccessStore store, AccountChanges accounts, PasswordHashing passwords, SecretGenerator secrets) {
         this.store = store;
         this.accounts = accounts;
         this.passwords = passwords;
@@ -45,7 +45,7 @@ public final class ExternalUsers {
     /** The user with the role that the authority gives now; a new one, in that state, when there was none. */
     public User admit(Identity identity, AccountState whenNew) {
         String mark = BETWEEN
-                + Secrets.hash(identity.authority() + "\n" + identity.subject()).substring(0, MARK);
+                + SecretGenerator.hash(identity.authority() + "\n" + identity.subject()).substring(0, MARK);
         User user = find(mark).orElseGet(() -> add(identity, mark, whenNew));
         Role role = identity.role();
         if (role == null || role == user.role()) {

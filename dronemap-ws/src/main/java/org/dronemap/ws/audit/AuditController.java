@@ -9,12 +9,12 @@ import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.core.audit.AuditQuery;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.reading.JsonReader;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
@@ -49,33 +49,33 @@ public class AuditController {
     }
 
     @GetMapping
-    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION)
     @Operation(
             operationId = "searchAudit",
             summary = "Look for records (supervisor)",
             description = "Newest first, 50 unless limit says otherwise (1 to 200); go on with before = next. Times are"
                     + " as 2026-03-04T05:06:07Z.")
     public AuditService.AuditPage records(
-            @ParameterObject @ModelAttribute AuditSearch search,
+            @ParameterObject @ModelAttribute AuditSearchRequest search,
             @RequestParam(required = false) @Nullable Long before,
             @RequestParam(required = false) @Nullable Integer limit) {
         return audit.page(current.principal(), search, before, limit);
     }
 
     @GetMapping("/file")
-    @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
-    @TakesOrGivesFile(gives = {"text/csv", "application/jsonl"})
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
+    @FileMediaTypes(gives = {"text/csv", "application/jsonl"})
     @Operation(
             operationId = "exportAudit",
             summary = "Take all that are looked for along as a file (supervisor)",
             description = "form: csv, or jsonl for a line of JSON each. Newest first.")
     public void file(
-            @ParameterObject @ModelAttribute AuditSearch search,
+            @ParameterObject @ModelAttribute AuditSearchRequest search,
             @RequestParam(defaultValue = "csv") String form,
             HttpServletResponse response)
             throws IOException {
         AuditQuery query = audit.checked(current.principal(), search);
-        AuditFile file = AuditFile.named(form);
+        AuditExportFormat file = AuditExportFormat.named(form);
         response.setContentType(file.mediaType() + ";charset=UTF-8");
         response.setHeader(HttpHeaders.CONTENT_DISPOSITION, "attachment; filename=\"" + file.fileName() + "\"");
         Writer out = new BufferedWriter(new OutputStreamWriter(response.getOutputStream(), StandardCharsets.UTF_8));
@@ -85,27 +85,27 @@ public class AuditController {
     }
 
     @GetMapping("/receipt")
-    @Access(from = From.SUPERVISOR, about = About.SERVER)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.SERVER)
     @Operation(
             operationId = "getAuditReceipt",
             summary = "Get a receipt for all records up to now (supervisor)",
             description =
                     "Kept outside of the server, it shows later whether any of them was changed or removed, even by"
                             + " whoever runs the server.")
-    public ResponseEntity<ReceiptView> receipt() {
+    public ResponseEntity<AuditReceiptView> receipt() {
         return ResponseEntity.ok()
                 .header(HttpHeaders.CONTENT_DISPOSITION, "attachment; filename=\"dronemap-receipt.json\"")
                 .body(audit.receipt(current.principal()));
     }
 
     @PostMapping("/verification")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(never = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
+    @ResponseStatuses(never = 409)
     @Operation(
             operationId = "verifyAudit",
             summary = "Verify all records, against a receipt too if one is sent (administrator)",
             description = "Names the first record that is not as it was.")
-    public AuditService.VerdictView verify(@RequestBody(required = false) @Nullable ReceiptView receipt) {
+    public AuditService.VerdictView verify(@RequestBody(required = false) @Nullable AuditReceiptView receipt) {
         return audit.verify(current.principal(), receipt);
     }
 }

@@ -6,13 +6,13 @@ import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.audit.AuditHead;
-import org.dronemap.core.audit.AuditLine;
+import org.dronemap.core.audit.AuditHeadWriter;
 import org.dronemap.core.audit.AuditQuery;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
-import org.dronemap.core.audit.HeadKeeper;
+import org.dronemap.core.audit.AuditedCallRecord;
 import org.dronemap.core.audit.SignedHead;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.DroneProblem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
@@ -27,7 +27,7 @@ public final class AuditService {
     private static final int PAGE_OF_EXPORT = 1_000;
 
     private final AuditStore store;
-    private final HeadKeeper heads;
+    private final AuditHeadWriter heads;
     private final Verification verification;
 
     /** Compares all records with what is kept beside them, and with a receipt if there is one. */
@@ -46,17 +46,17 @@ public final class AuditService {
             boolean sound, long records, @Nullable Long firstBad, String detail) {}
 
     /** Takes records one after the other. */
-    public interface Taker {
+    public interface AuditSink {
         void take(AuditView record) throws IOException;
     }
 
-    public AuditService(AuditStore store, HeadKeeper heads, Verification verification) {
+    public AuditService(AuditStore store, AuditHeadWriter heads, Verification verification) {
         this.store = store;
         this.heads = heads;
         this.verification = verification;
     }
 
-    public AuditPage page(Principal principal, AuditSearch search, @Nullable Long before, @Nullable Integer limit) {
+    public AuditPage page(Principal principal, AuditSearchRequest search, @Nullable Long before, @Nullable Integer limit) {
         AuditQuery query = checked(principal, search);
         int most = limit == null ? USUALLY : limit;
         if (most < 1 || most > MOST_AT_ONCE) {
@@ -68,24 +68,24 @@ public final class AuditService {
                     ProblemParameter.LEAST.is(1),
                     ProblemParameter.MOST.is(MOST_AT_ONCE));
         }
-        List<AuditLine> lines = store.search(query, before == null ? Long.MAX_VALUE : before, most);
+        List<AuditedCallRecord> lines = store.search(query, before == null ? Long.MAX_VALUE : before, most);
         Long next = lines.size() < most ? null : lines.get(most - 1).record().sequence();
         return new AuditPage(lines.stream().map(AuditView::of).toList(), next);
     }
 
     /** What somebody may look for: records of people of the own organisation; those who run the server see all. */
-    public AuditQuery checked(Principal principal, AuditSearch search) {
-        Roles.requireForAll(principal, Role.SUPERVISOR);
+    public AuditQuery checked(Principal principal, AuditSearchRequest search) {
+        RoleChecks.requireForAll(principal, Role.SUPERVISOR);
         boolean all = principal.organisation().isHome() && principal.may(Role.ADMINISTRATOR);
         return search.query(all ? null : principal.organisation().value());
     }
 
     /** All that fit, newest first, up to what was there when it began. */
-    public void export(AuditQuery query, Taker to) throws IOException {
+    public void export(AuditQuery query, AuditSink to) throws IOException {
         long before = store.head().sequence() + 1;
-        List<AuditLine> lines = store.search(query, before, PAGE_OF_EXPORT);
+        List<AuditedCallRecord> lines = store.search(query, before, PAGE_OF_EXPORT);
         while (!lines.isEmpty()) {
-            for (AuditLine line : lines) {
+            for (AuditedCallRecord line : lines) {
                 to.take(AuditView.of(line));
             }
             before = lines.get(lines.size() - 1).record().sequence();
@@ -93,18 +93,18 @@ public final class AuditService {
         }
     }
 
-    public ReceiptView receipt(Principal principal) {
-        Roles.requireServer(principal, Role.SUPERVISOR);
+    public AuditReceiptView receipt(Principal principal) {
+        RoleChecks.requireServer(principal, Role.SUPERVISOR);
         if (store.head().equals(AuditHead.EMPTY)) {
             throw Rejection.of(
                     DroneProblem.NOTHING_RECORDED,
                     "Nothing has been recorded yet; there is nothing to give a receipt for.");
         }
-        return ReceiptView.of(heads.receipt());
+        return AuditReceiptView.of(heads.receipt());
     }
 
-    public VerdictView verify(Principal principal, @Nullable ReceiptView receipt) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+    public VerdictView verify(Principal principal, @Nullable AuditReceiptView receipt) {
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         return told(verification.verify(receipt == null ? null : receipt.signedHead()));
     }
 

@@ -4,9 +4,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import org.dronemap.core.audit.AuditEntry;
-import org.dronemap.core.audit.AuditLine;
 import org.dronemap.core.audit.AuditOutcome;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.core.audit.AuditedCallRecord;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -27,14 +27,14 @@ public record AuditView(
         @Nullable String command,
         String parameters,
 
-        @ValuesOf(AuditOutcome.class) String outcome,
+        @EnumValues(AuditOutcome.class) String outcome,
 
         @Nullable String reason,
         @Nullable Long latencyMillis,
 
         @Schema(description = "Of the record, over all before it as well")
         String hash) {
-    static AuditView of(AuditLine line) {
+    static AuditView of(AuditedCallRecord line) {
         AuditEntry entry = line.record().entry();
         return new AuditView(
                 line.record().sequence(),

@@ -21,30 +21,30 @@ public final class Budgets {
     private static final int MOST_REMEMBERED = 10_000;
     private static final double NANOS = 1e9;
 
-    private final Rates rates;
+    private final BudgetRates rates;
     private final LongSupplier nanoClock;
-    private final Map<Work, LongAdder> refused = new EnumMap<>(Work.class);
+    private final Map<WorkKind, LongAdder> refused = new EnumMap<>(WorkKind.class);
 
     /** Guarded by this. */
-    private final Map<Whose, Purse> purses = new LinkedHashMap<>(16, 0.75f, true) {
+    private final Map<BudgetKey, Balance> purses = new LinkedHashMap<>(16, 0.75f, true) {
         private static final long serialVersionUID = 1L;
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<Whose, Purse> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<BudgetKey, Balance> eldest) {
             return size() > MOST_REMEMBERED;
         }
     };
 
-    private record Whose(Work work, String user) {}
+    private record BudgetKey(WorkKind work, String user) {}
 
     /** What was left at a moment. */
-    private record Purse(double left, long atNanos) {}
+    private record Balance(double left, long atNanos) {}
 
     /** {@code nanoClock} is monotonic. */
-    public Budgets(Rates rates, LongSupplier nanoClock) {
+    public Budgets(BudgetRates rates, LongSupplier nanoClock) {
         this.rates = rates;
         this.nanoClock = nanoClock;
-        for (Work work : Work.values()) {
+        for (WorkKind work : WorkKind.values()) {
             refused.put(work, new LongAdder());
         }
     }
@@ -54,12 +54,12 @@ public final class Budgets {
      *
      * @throws Throttled when there is none left, with how long to wait
      */
-    public void take(Work work, String user) {
+    public void take(WorkKind work, String user) {
         Double rate = rates.perSecond().get(work);
         if (rate == null) {
             return;
         }
-        double missing = missing(new Whose(work, user), rate);
+        double missing = missing(new BudgetKey(work, user), rate);
         if (missing > 0) {
             count(work).increment();
             throw Throttled.of(
@@ -71,16 +71,16 @@ public final class Budgets {
     }
 
     /** Nothing when it could be paid. */
-    private synchronized double missing(Whose whose, double rate) {
+    private synchronized double missing(BudgetKey whose, double rate) {
         long now = nanoClock.getAsLong();
         double most = Math.max(1, rate * SECONDS_SAVED);
-        Purse before = purses.get(whose);
+        Balance before = purses.get(whose);
         double left = before == null ? most : Math.min(most, before.left() + (now - before.atNanos()) / NANOS * rate);
-        purses.put(whose, new Purse(left < 1 ? left : left - 1, now));
+        purses.put(whose, new Balance(left < 1 ? left : left - 1, now));
         return left < 1 ? 1 - left : 0;
     }
 
-    private LongAdder count(Work work) {
+    private LongAdder count(WorkKind work) {
         @Nullable LongAdder adder = refused.get(work);
         if (adder == null) {
             throw new IllegalStateException("no count of " + work);
@@ -89,7 +89,7 @@ public final class Budgets {
     }
 
     /** How often that work was refused since the start. */
-    public long refusedCount(Work work) {
+    public long refusedCount(WorkKind work) {
         return count(work).sum();
     }
 

@@ -5,11 +5,11 @@ import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
@@ -34,8 +34,8 @@ public class BroadcastController {
     }
 
     @PostMapping
-    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
+    @ResponseStatuses({200, 202})
     @Operation(
             operationId = "broadcastCommand",
             summary = "Give one command to several drones or all (operator)",
@@ -47,7 +47,7 @@ public class BroadcastController {
                     @Nullable
                     Double wait,
             @RequestBody BroadcastRequest request) {
-        Duration longest = CommandAnswer.wait(wait);
+        Duration longest = CommandResponse.wait(wait);
         BroadcastView broadcast = broadcasts.submit(current.principal(), current.face(), request);
         return broadcasts.awaitEnd(broadcast, longest).thenApply(BroadcastController::answer);
     }

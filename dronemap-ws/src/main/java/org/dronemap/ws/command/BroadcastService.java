@@ -13,9 +13,9 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.problem.Outages;
+import org.dronemap.ws.problem.OutageClassifier;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
@@ -40,7 +40,7 @@ public final class BroadcastService {
 
     /** Checks what holds for all, then asks the gate for each; what one drone cannot do keeps no other from it. */
     public BroadcastView submit(Principal principal, String face, BroadcastRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         CommandRequest command = request.command();
         if (command == null) {
             throw InvalidInput.missing("command", "a command such as {\"type\":\"land\"}");
@@ -79,7 +79,7 @@ public final class BroadcastService {
                     ? BroadcastView.Result.refused(drone, name, rejection)
                     : BroadcastView.Result.given(drone, name, commands.command(principal, refused));
         } catch (RuntimeException failed) {
-            return BroadcastView.Result.refused(drone, name, Outages.told(failed));
+            return BroadcastView.Result.refused(drone, name, OutageClassifier.told(failed));
         }
     }
 

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.annotation.JsonIgnore;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import java.util.Map;
-import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
@@ -33,7 +33,7 @@ public record BroadcastView(String id, List<Result> results) {
         }
 
         static Result refused(String drone, @Nullable String name, Rejection why) {
-            return new Result(drone, name, null, why.sentence(), why.code().word(), Problem.values(why));
+            return new Result(drone, name, null, why.sentence(), why.code().word(), ProblemView.values(why));
         }
     }
 

@@ -7,12 +7,12 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.access.SoapName;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.ResponseEntity;
@@ -42,8 +42,8 @@ public class CommandController {
     }
 
     @PostMapping("/drones/{id}/commands")
-    @Access(from = From.PLANNER, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
+    @ResponseStatuses({200, 202})
     @SoapName(alternatives = {"takeOff=takeoff", "goTo=goto"})
     @Operation(
             operationId = "giveCommand",
@@ -57,13 +57,13 @@ public class CommandController {
                     @Nullable
                     Double wait,
             @RequestBody CommandRequest request) {
-        Duration longest = CommandAnswer.wait(wait);
+        Duration longest = CommandResponse.wait(wait);
         CommandView command = commands.submit(current.principal(), current.face(), id, request);
-        return CommandAnswer.within(longest, commands, command);
+        return CommandResponse.within(longest, commands, command);
     }
 
     @GetMapping("/drones/{id}/commands")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "listCommands",
             summary = "List a drone's last commands",
@@ -73,7 +73,7 @@ public class CommandController {
     }
 
     @GetMapping("/commands/{id}")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(operationId = "getCommand", summary = "Look at one command")
     public CommandView command(@PathVariable String id) {
         return commands.command(current.principal(), id);

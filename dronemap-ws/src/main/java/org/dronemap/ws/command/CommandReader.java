@@ -4,17 +4,17 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.mission.MissionReader;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Alternatives;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -34,7 +34,7 @@ final class CommandReader {
     private static Map<Class<?>, CommandKind> kinds() {
         Map<String, CommandKind> named = Stream.of(CommandKind.values())
                 .collect(Collectors.toMap(kind -> WireNames.lowerFirst(kind.word()), kind -> kind));
-        return Alternatives.of(CommandRequest.class).orElseThrow().records().entrySet().stream()
+        return RecordAlternatives.of(CommandRequest.class).orElseThrow().records().entrySet().stream()
                 .collect(Collectors.toUnmodifiableMap(
                         Map.Entry::getValue,
                         one -> Objects.requireNonNull(
@@ -44,12 +44,12 @@ final class CommandReader {
     /** What the drone needs beside what was asked. */
     static Command complete(Command asked, DroneState drone) {
         return asked instanceof Command.UploadMission upload
-                ? new Command.UploadMission(TakeOffFirst.complete(upload.mission(), drone))
+                ? new Command.UploadMission(TakeOffInserter.complete(upload.mission(), drone))
                 : asked;
     }
 
     static Geodetic place(@Nullable Double latitude, @Nullable Double longitude) {
-        return new Geodetic(Ranges.latitude("latitude", latitude), Ranges.longitude("longitude", longitude));
+        return new Geodetic(FieldRanges.latitude("latitude", latitude), FieldRanges.longitude("longitude", longitude));
     }
 
     /** Without a place: where the vehicle is. */
@@ -83,10 +83,10 @@ final class CommandReader {
         };
     }
 
-    static CloudLoss cloudLoss(@Nullable String value) {
+    static MissionCloudLossPolicy cloudLoss(@Nullable String value) {
         return switch (value == null ? "continue" : value) {
-            case "continue" -> CloudLoss.CONTINUE;
-            case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
+            case "continue" -> MissionCloudLossPolicy.CONTINUE;
+            case "rtl" -> MissionCloudLossPolicy.RETURN_TO_LAUNCH;
             default ->
                 throw InvalidInput.outside(
                         ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", CLOUD_LOSS, "\"" + value + "\"");

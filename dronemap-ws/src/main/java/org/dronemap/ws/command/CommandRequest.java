@@ -20,9 +20,9 @@ import org.dronemap.core.parameter.ParameterSet;
 import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.mission.MissionReader;
-import org.dronemap.ws.reading.ObjectsOnly;
-import org.dronemap.ws.reading.Ranges;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
@@ -31,7 +31,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
  * Fence, rally points and the download of a log have addresses of their own.
  */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(value = CommandRequest.Arm.class, name = "arm"),
     @JsonSubTypes.Type(value = CommandRequest.Disarm.class, name = "disarm"),
@@ -119,8 +119,8 @@ public sealed interface CommandRequest {
     @Schema(name = "TakeOffCommand", description = "Climb straight up.")
     record TakeOff(
             @Schema(requiredMode = REQUIRED, description = "Metres above home")
-            @Min(Ranges.LEAST_TAKE_OFF)
-            @Max(Ranges.MOST_TAKE_OFF)
+            @Min(FieldRanges.LEAST_TAKE_OFF)
+            @Max(FieldRanges.MOST_TAKE_OFF)
             @Nullable
             Double altitude,
 
@@ -129,7 +129,7 @@ public sealed interface CommandRequest {
             implements CommandRequest {
         @Override
         public Command command(DroneState drone, ParameterSet held) {
-            return new Command.TakeOff(Ranges.takeOffAltitude("altitude", altitude));
+            return new Command.TakeOff(FieldRanges.takeOffAltitude("altitude", altitude));
         }
     }
 
@@ -160,14 +160,14 @@ public sealed interface CommandRequest {
     @Schema(name = "GoToCommand", description = "Fly to a place and stay there.")
     record GoTo(
             @Schema(requiredMode = REQUIRED, description = "Degrees")
-            @Min(-Ranges.LATITUDE)
-            @Max(Ranges.LATITUDE)
+            @Min(-FieldRanges.LATITUDE)
+            @Max(FieldRanges.LATITUDE)
             @Nullable
             Double latitude,
 
             @Schema(requiredMode = REQUIRED, description = "Degrees")
-            @Min(-Ranges.LONGITUDE)
-            @Max(Ranges.LONGITUDE)
+            @Min(-FieldRanges.LONGITUDE)
+            @Max(FieldRanges.LONGITUDE)
             @Nullable
             Double longitude,
 
@@ -178,7 +178,7 @@ public sealed interface CommandRequest {
             Double altitude,
 
             @Schema(description = "home as it is now (the default) or amsl")
-            @ValuesOf(Altitude.Reference.class)
+            @EnumValues(Altitude.Reference.class)
             @Nullable
             String altitudeReference,
 
@@ -245,8 +245,8 @@ public sealed interface CommandRequest {
     @Schema(name = "TurnCommand", description = "Turn on the spot.")
     record Turn(
             @Schema(requiredMode = REQUIRED, description = "Degrees from where it looks now, clockwise when positive")
-            @Min(-Ranges.MOST_TURN)
-            @Max(Ranges.MOST_TURN)
+            @Min(-FieldRanges.MOST_TURN)
+            @Max(FieldRanges.MOST_TURN)
             @Nullable
             Double degrees,
 
@@ -255,7 +255,7 @@ public sealed interface CommandRequest {
             implements CommandRequest {
         @Override
         public Command command(DroneState drone, ParameterSet held) {
-            return new Command.Turn(Ranges.turn("degrees", degrees));
+            return new Command.Turn(FieldRanges.turn("degrees", degrees));
         }
     }
 
@@ -271,11 +271,11 @@ public sealed interface CommandRequest {
     record SetRelay(
             @Schema(requiredMode = REQUIRED, description = "Which relay, 0 to 15")
             @Min(0)
-            @Max(Ranges.LAST_RELAY)
+            @Max(FieldRanges.LAST_RELAY)
             @Nullable
             Integer relay,
 
-            @Schema(requiredMode = REQUIRED) @ValuesOf(RelaySetting.class) @Nullable
+            @Schema(requiredMode = REQUIRED) @EnumValues(RelaySetting.class) @Nullable
             String setting,
 
             @Nullable String id,
@@ -283,16 +283,16 @@ public sealed interface CommandRequest {
             implements CommandRequest {
         @Override
         public Command command(DroneState drone, ParameterSet held) {
-            return new Command.SetRelay(Ranges.relay("relay", relay), CommandReader.relaySetting(setting));
+            return new Command.SetRelay(FieldRanges.relay("relay", relay), CommandReader.relaySetting(setting));
         }
     }
 
     @Schema(name = "SetHomeCommand", description = "Move home; without a place to where the vehicle is.")
     record SetHome(
-            @Schema(description = "Degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            @Schema(description = "Degrees") @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
             Double latitude,
 
-            @Schema(description = "Degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            @Schema(description = "Degrees") @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
             Double longitude,
 
             @Schema(description = "Metres")
@@ -302,7 +302,7 @@ public sealed interface CommandRequest {
             Double altitude,
 
             @Schema(description = "home as it is now (the default) or amsl")
-            @ValuesOf(Altitude.Reference.class)
+            @EnumValues(Altitude.Reference.class)
             @Nullable
             String altitudeReference,
 
@@ -358,14 +358,14 @@ public sealed interface CommandRequest {
     @Schema(name = "GoToLocalCommand", description = "Go to a place on the vehicle's own map.")
     record GoToLocal(
             @Schema(requiredMode = REQUIRED, description = "Metres along the x axis of that map")
-            @Min(-Ranges.MOST_ON_MAP)
-            @Max(Ranges.MOST_ON_MAP)
+            @Min(-FieldRanges.MOST_ON_MAP)
+            @Max(FieldRanges.MOST_ON_MAP)
             @Nullable
             Double x,
 
             @Schema(requiredMode = REQUIRED, description = "Metres along the y axis of that map")
-            @Min(-Ranges.MOST_ON_MAP)
-            @Max(Ranges.MOST_ON_MAP)
+            @Min(-FieldRanges.MOST_ON_MAP)
+            @Max(FieldRanges.MOST_ON_MAP)
             @Nullable
             Double y,
 
@@ -374,7 +374,7 @@ public sealed interface CommandRequest {
             implements CommandRequest {
         @Override
         public Command command(DroneState drone, ParameterSet held) {
-            return new org.dronemap.core.command.GoToLocal(Ranges.onMap("x", x), Ranges.onMap("y", y), null);
+            return new org.dronemap.core.command.GoToLocal(FieldRanges.onMap("x", x), FieldRanges.onMap("y", y), null);
         }
     }
 

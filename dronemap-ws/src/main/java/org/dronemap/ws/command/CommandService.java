@@ -7,7 +7,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.access.Sight;
+import org.dronemap.core.access.VisibilityLevel;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.UnknownDroneException;
@@ -19,17 +19,17 @@ import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.MissionDoubts;
+import org.dronemap.core.mission.MissionWarnings;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.budget.Budgets;
-import org.dronemap.ws.budget.Work;
+import org.dronemap.ws.budget.WorkKind;
 import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.history.Nameless;
+import org.dronemap.ws.history.NameRedaction;
 import org.dronemap.ws.problem.DroneProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
@@ -59,7 +59,7 @@ public final class CommandService {
     /** What is for safety costs nothing, however much somebody asked for before. */
     void pay(Principal principal, CommandRequest request) {
         if (!isForSafety(request)) {
-            budgets.take(Work.COMMAND, principal.name());
+            budgets.take(WorkKind.COMMAND, principal.name());
         }
     }
 
@@ -100,14 +100,14 @@ public final class CommandService {
         Position position = drone.position();
         Geodetic from = position == null ? null : position.point();
         if (command instanceof Command.UploadMission upload) {
-            return MissionDoubts.about(upload.mission(), from);
+            return MissionWarnings.about(upload.mission(), from);
         }
-        return command instanceof Command.GoTo goTo ? MissionDoubts.about(goTo.point(), from) : List.of();
+        return command instanceof Command.GoTo goTo ? MissionWarnings.about(goTo.point(), from) : List.of();
     }
 
     /** Gives a checked command; {@code givenId} is the client's own. */
     CommandView give(Principal principal, String face, DroneState drone, @Nullable String givenId, Command command) {
-        budgets.take(Work.COMMAND, principal.name());
+        budgets.take(WorkKind.COMMAND, principal.name());
         return give(new CommandGate.Source(principal, face), drone, givenId, command);
     }
 
@@ -130,7 +130,7 @@ public final class CommandService {
         if (!record.isOf(
                 principal.name(), principal.account(), drone.id(), CommandReader.complete(asked, drone), asked)) {
             String which =
-                    principal.sight(record.drone(), record.at()) != Sight.NONE ? " (" + record.summary() + ")" : "";
+                    principal.sight(record.drone(), record.at()) != VisibilityLevel.NONE ? " (" + record.summary() + ")" : "";
             throw Rejection.of(
                     DroneProblem.COMMAND_ID_TAKEN,
                     "The id " + record.id() + " belongs to another command already" + which + "; take a new one.",
@@ -142,7 +142,7 @@ public final class CommandService {
         try {
             return cloud.gate().submit(source, drone.id(), id, CommandReader.complete(asked, drone), asked);
         } catch (UnknownDroneException removedMeanwhile) {
-            throw Rejection.unknown(UnknownProblem.DRONE, drone.id().value());
+            throw Rejection.unknown(NotFoundProblem.DRONE, drone.id().value());
         }
     }
 
@@ -175,7 +175,7 @@ public final class CommandService {
                 .filter(CommandService::isId)
                 .flatMap(text -> cloud.gate().find(new CommandId(text)))
                 .flatMap(record -> shown(principal, record))
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.COMMAND, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.COMMAND, id));
     }
 
     /** Newest first. */
@@ -189,7 +189,7 @@ public final class CommandService {
         CommandView view = CommandView.of(record);
         return switch (principal.sight(record.drone(), record.at())) {
             case NONE -> Optional.empty();
-            case WITHOUT_NAMES -> Optional.of(view.withoutNames(Nameless.OTHERS));
+            case WITHOUT_NAMES -> Optional.of(view.withoutNames(NameRedaction.OTHERS));
             case ALL -> Optional.of(view);
         };
     }

@@ -9,7 +9,7 @@ import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -20,10 +20,10 @@ public record CommandView(
         String drone,
         String by,
         String face,
-        @ValuesOf(CommandKind.class) String type,
+        @EnumValues(CommandKind.class) String type,
         String summary,
         Instant at,
-        @ValuesOf(CommandPhase.class) String phase,
+        @EnumValues(CommandPhase.class) String phase,
         @Nullable OutcomeView outcome,
         @Nullable Instant finishedAt,
         @Nullable ProgressView progress,
@@ -37,7 +37,7 @@ public record CommandView(
     /** How it ended; {@code by} says who refused. */
     @Schema(name = "CommandOutcomeView")
     public record OutcomeView(
-            @ValuesOf(Outcome.Kind.class) String result,
+            @EnumValues(Outcome.Kind.class) String result,
 
             @Schema(allowableValues = {"gate", "vehicle"}) @Nullable
             String by,

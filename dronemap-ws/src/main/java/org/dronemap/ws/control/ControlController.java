@@ -2,13 +2,13 @@ package org.dronemap.ws.control;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Audit;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.AuditPolicy;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.drone.ControlView;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
@@ -38,14 +38,14 @@ public class ControlController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(operationId = "getControl", summary = "See who has control")
     public ControlView control(@PathVariable String id) {
         return controls.control(current.principal(), id);
     }
 
     @PostMapping("/take")
-    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
     @Operation(
             operationId = "takeControl",
             summary = "Take control where nobody has it (operator)",
@@ -55,8 +55,8 @@ public class ControlController {
     }
 
     @PostMapping("/request")
-    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers({200, 202})
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
+    @ResponseStatuses({200, 202})
     @Operation(
             operationId = "requestControl",
             summary = "Ask the holder for control (operator)",
@@ -67,21 +67,21 @@ public class ControlController {
     }
 
     @PostMapping("/grant")
-    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
     @Operation(operationId = "grantControl", summary = "Give control to somebody who asks for it (holder)")
     public ResponseEntity<ControlView> grant(@PathVariable String id, @RequestBody ControlRequest.Grant with) {
         return act(id, with);
     }
 
     @PostMapping("/refuse")
-    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
     @Operation(operationId = "refuseControl", summary = "Keep control from somebody who asks for it (holder)")
     public ResponseEntity<ControlView> refuse(@PathVariable String id, @RequestBody ControlRequest.Refuse with) {
         return act(id, with);
     }
 
     @PostMapping("/hand-over")
-    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
     @Operation(
             operationId = "handOverControl",
             summary = "Give control to somebody (holder)",
@@ -91,7 +91,7 @@ public class ControlController {
     }
 
     @PostMapping("/take-over")
-    @Access(from = From.SUPERVISOR, about = About.DRONE, costs = Cost.NOTHING)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
     @Operation(
             operationId = "takeOverControl",
             summary = "Take control from whoever has it, with a reason (supervisor)")
@@ -100,7 +100,7 @@ public class ControlController {
     }
 
     @PostMapping("/heartbeat")
-    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.NOTHING, audit = Audit.LEFT_OUT)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING, audit = AuditPolicy.LEFT_OUT)
     @Operation(
             operationId = "keepControl",
             summary = "Say that the holder is there (holder)",
@@ -110,8 +110,8 @@ public class ControlController {
     }
 
     @DeleteMapping
-    @Access(from = From.PLANNER, about = About.DRONE, costs = Cost.NOTHING)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE, costs = RequestCost.NOTHING)
+    @ResponseStatuses(refuses = 409)
     @Operation(operationId = "releaseControl", summary = "Give control back (holder)")
     public ResponseEntity<ControlView> release(@PathVariable String id) {
         return act(id, new ControlRequest.Release());

@@ -5,7 +5,7 @@ import jakarta.validation.constraints.Size;
 import java.util.function.Function;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.reading.Names;
+import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** What a client does about the control of a drone; one record for each, with what goes with it. Nothing is checked yet. */
@@ -123,7 +123,7 @@ public sealed interface ControlRequest {
 
         @Override
         public LeaseEvent read(String by, Function<@Nullable String, String> pilot) {
-            return new LeaseEvent.TakeOver(by, Names.checked("reason", reason, LONGEST_REASON));
+            return new LeaseEvent.TakeOver(by, NameRules.checked("reason", reason, LONGEST_REASON));
         }
     }
 
@@ -162,7 +162,7 @@ public sealed interface ControlRequest {
     }
 
     private static @Nullable String checked(@Nullable String reason) {
-        return reason == null || reason.isBlank() ? null : Names.checked("reason", reason, LONGEST_REASON);
+        return reason == null || reason.isBlank() ? null : NameRules.checked("reason", reason, LONGEST_REASON);
     }
 
     /** Without spaces around it; throws {@link InvalidInput} where there is none. */

@@ -2,7 +2,7 @@ package org.dronemap.ws.control;
 
 import java.util.concurrent.CompletionException;
 import org.dronemap.core.access.AccessStore;
-import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -16,18 +16,18 @@ import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseDenial;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
-import org.dronemap.ws.account.Accounts;
+import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.drone.ControlView;
 import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.outlet.OutletControl;
+import org.dronemap.ws.outlet.OutletGateway;
 import org.dronemap.ws.problem.CommandProblem;
 import org.dronemap.ws.problem.ControlProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemCode;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -40,8 +40,8 @@ public final class ControlService {
     private final CloudManager cloud;
     private final DroneService drones;
     private final AccessStore access;
-    private final GrantBook grants;
-    private final OutletControl outlet;
+    private final GrantRegistry grants;
+    private final OutletGateway outlet;
 
     /** How it is now; {@code waiting}: the holder was asked, and decides. */
     public record Answer(ControlView control, boolean waiting) {}
@@ -50,9 +50,9 @@ public final class ControlService {
             CloudManager cloud,
             DroneService drones,
             AccessStore access,
-            Accounts accounts,
-            GrantBook grants,
-            OutletControl outlet) {
+            AccountChanges accounts,
+            GrantRegistry grants,
+            OutletGateway outlet) {
         this.cloud = cloud;
         this.drones = drones;
         this.access = access;
@@ -109,7 +109,7 @@ public final class ControlService {
         try {
             return cloud.controls().apply(drone, event);
         } catch (UnknownDroneException removedMeanwhile) {
-            throw Rejection.unknown(UnknownProblem.DRONE, drone.value());
+            throw Rejection.unknown(NotFoundProblem.DRONE, drone.value());
         } catch (CompletionException notWritten) {
             LOG.warn("A change of who has control of {} could not be written down", drone, notWritten);
             throw Rejection.of(

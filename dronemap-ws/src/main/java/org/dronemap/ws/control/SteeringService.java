@@ -10,10 +10,10 @@ import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.budget.Budgets;
-import org.dronemap.ws.budget.Work;
+import org.dronemap.ws.budget.WorkKind;
 import org.dronemap.ws.drone.DroneService;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
 
 /** Use cases around steering; the one way from any face to the gate for setpoints. Any thread; nothing here waits. */
 public final class SteeringService {
@@ -29,14 +29,14 @@ public final class SteeringService {
 
     /** Steers for at most half a second from now on; throws a rejection when nothing was taken. */
     public void steer(Principal principal, String face, String drone, SteeringRequest request) {
-        budgets.take(Work.REQUEST, principal.name());
+        budgets.take(WorkKind.REQUEST, principal.name());
         DroneId id = drones.state(principal, drone, Role.OPERATOR).id();
         Setpoint setpoint = request.setpoint();
         Optional<Refusal> why;
         try {
             why = cloud.setpoints().steer(new CommandGate.Source(principal, face, request.epoch()), id, setpoint);
         } catch (UnknownDroneException removedMeanwhile) {
-            throw Rejection.unknown(UnknownProblem.DRONE, drone);
+            throw Rejection.unknown(NotFoundProblem.DRONE, drone);
         }
         if (why.isPresent()) {
             throw Rejection.refused(why.get(), id, null, cloud.controls().control(id));

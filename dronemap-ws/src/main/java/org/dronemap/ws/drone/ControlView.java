@@ -4,12 +4,12 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
-import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
-import org.dronemap.core.lease.ControlRequest;
-import org.dronemap.core.lease.Holder;
-import org.dronemap.core.lease.Tenure;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.core.lease.ControlState;
+import org.dronemap.core.lease.Lease;
+import org.dronemap.core.lease.LeaseHolder;
+import org.dronemap.core.lease.LeaseRequest;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -40,7 +40,7 @@ public record ControlView(
     /** Somebody asks for control. */
     @Schema(name = "ControlAskedView")
     public record RequestView(String by, @Nullable String reason, Instant at) {
-        static RequestView of(ControlRequest request) {
+        static RequestView of(LeaseRequest request) {
             return new RequestView(request.by(), request.reason(), millis(request.at()));
         }
     }
@@ -48,7 +48,7 @@ public record ControlView(
     /** What happened: who did it or whom it befell, and who else it is about; null: the pilot, or nobody. */
     @Schema(name = "ControlChangeView", description = "What happened to the control of a drone.")
     public record ChangeView(
-            @ValuesOf(ControlChange.Kind.class) String kind,
+            @EnumValues(ControlChange.Kind.class) String kind,
 
             @Schema(description = "Who did it, or whom it befell; null: the pilot") @Nullable
             String by,
@@ -63,8 +63,8 @@ public record ControlView(
         }
     }
 
-    public static ControlView of(Control control) {
-        Tenure tenure = control.tenure();
+    public static ControlView of(ControlState control) {
+        Lease tenure = control.tenure();
         return new ControlView(
                 state(tenure),
                 tenure == null ? null : name(tenure.holder()),
@@ -74,14 +74,14 @@ public record ControlView(
                 control.requests().stream().map(RequestView::of).toList());
     }
 
-    private static String state(@Nullable Tenure tenure) {
+    private static String state(@Nullable Lease tenure) {
         if (tenure == null) {
             return "free";
         }
-        return tenure.holder() instanceof Holder.Pilot ? "pilot" : "held";
+        return tenure.holder() instanceof LeaseHolder.Pilot ? "pilot" : "held";
     }
 
-    private static @Nullable String name(@Nullable Holder holder) {
+    private static @Nullable String name(@Nullable LeaseHolder holder) {
         return holder == null ? null : holder.label().orElse(null);
     }
 

@@ -5,11 +5,11 @@ import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.access.SoapName;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.web.bind.annotation.DeleteMapping;
@@ -40,7 +40,7 @@ public class DroneController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @SoapName("getDronesList")
     @Operation(operationId = "listDrones", summary = "List the drones")
     public Drones drones(
@@ -50,23 +50,23 @@ public class DroneController {
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(operationId = "getDrone", summary = "Look at one drone")
     public DroneView drone(@PathVariable String id) {
         return drones.drone(current.principal(), id);
     }
 
     @PatchMapping("/{id}")
-    @Access(from = From.OPERATOR, about = About.DRONE)
-    @Answers(never = 409)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses(never = 409)
     @Operation(operationId = "renameDrone", summary = "Give a drone another name (operator)")
     public DroneView rename(@PathVariable String id, @RequestBody RenameRequest request) {
         return drones.rename(current.principal(), id, request);
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "removeDrone", summary = "Forget a lost drone (administrator)")
     public void remove(@PathVariable String id) {

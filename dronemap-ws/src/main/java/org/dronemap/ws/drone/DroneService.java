@@ -10,12 +10,12 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.DroneProblem;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
-import org.dronemap.ws.reading.Names;
+import org.dronemap.ws.reading.NameRules;
 
 /** Use cases around drones: list, look, name, remove. Any thread. */
 public final class DroneService {
@@ -24,9 +24,9 @@ public final class DroneService {
     private static final Set<LinkState> HEARD = EnumSet.of(LinkState.LIVE, LinkState.SUSPECT);
 
     private final CloudManager cloud;
-    private final DroneViews views;
+    private final DroneViewMapper views;
 
-    public DroneService(CloudManager cloud, DroneViews views) {
+    public DroneService(CloudManager cloud, DroneViewMapper views) {
         this.cloud = cloud;
         this.views = views;
     }
@@ -53,7 +53,7 @@ public final class DroneService {
 
     public DroneView rename(Principal principal, String id, RenameRequest request) {
         DroneId drone = state(principal, id, Role.OPERATOR).id();
-        cloud.rename(drone, Names.checked("name", request.name(), LONGEST_NAME));
+        cloud.rename(drone, NameRules.checked("name", request.name(), LONGEST_NAME));
         return drone(principal, id);
     }
 
@@ -68,23 +68,23 @@ public final class DroneService {
 
     /** For those who may do with it what takes that role. */
     DroneState state(Principal principal, String id, Role needed) {
-        Roles.require(principal, needed);
+        RoleChecks.require(principal, needed);
         DroneState state = state(principal, id);
-        Roles.require(principal, needed, state.id());
+        RoleChecks.require(principal, needed, state.id());
         return state;
     }
 
     /** The same for those who may do what takes either role, such as plan or command. */
     DroneState state(Principal principal, String id, Role needed, Role orElse) {
-        Roles.require(principal, principal.may(needed) ? needed : orElse);
+        RoleChecks.require(principal, principal.may(needed) ? needed : orElse);
         DroneState state = state(principal, id);
-        Roles.require(principal, principal.may(needed, state.id()) ? needed : orElse, state.id());
+        RoleChecks.require(principal, principal.may(needed, state.id()) ? needed : orElse, state.id());
         return state;
     }
 
     /** What the asker may not see is told from what is not there by nothing. */
     DroneState state(Principal principal, String id) {
-        return find(principal, id).orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, id));
+        return find(principal, id).orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, id));
     }
 
     Optional<DroneState> find(Principal principal, String id) {

@@ -14,7 +14,7 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.ws.mission.MissionItemView;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
 /** A drone as clients see it; a fact that nobody knows is null. */
@@ -25,7 +25,7 @@ public record DroneView(
         boolean replay,
         LinkView link,
         IdentityView identity,
-        @ValuesOf(VehicleKind.class) String kind,
+        @EnumValues(VehicleKind.class) String kind,
         String autopilot,
         String vehicle,
         @Nullable String firmware,
@@ -33,7 +33,7 @@ public record DroneView(
         List<String> modes,
         @Nullable Boolean armed,
         @Nullable Boolean readyToArm,
-        @ValuesOf(FlightPhase.class) @Nullable String flight,
+        @EnumValues(FlightPhase.class) @Nullable String flight,
         @Nullable PositionView position,
         @Nullable LocalView local,
 
@@ -72,7 +72,7 @@ public record DroneView(
             int port,
             int systemId,
             String transport,
-            @ValuesOf(LinkState.class) String state,
+            @EnumValues(LinkState.class) String state,
             @Nullable Instant lastHeard,
             QualityView quality,
 
@@ -82,7 +82,7 @@ public record DroneView(
     /** How it showed who it is: its address, hardware, signature or link; only the last two prove it. */
     @Schema(name = "DroneIdentityView")
     public record IdentityView(
-            @ValuesOf(Evidence.class) String evidence,
+            @EnumValues(Evidence.class) String evidence,
             boolean proved,
             @Nullable String hardwareId) {}
 
@@ -154,7 +154,7 @@ public record DroneView(
      */
     @Schema(name = "DroneCloudLossView")
     public record CloudLossView(
-            @ValuesOf(CloudLossState.State.class) String state,
+            @EnumValues(CloudLossState.State.class) String state,
             @Nullable String action,
             @Nullable Double afterSeconds,
             @Nullable Double returnHeight,
@@ -179,13 +179,13 @@ public record DroneView(
             List<Integer> reached,
             @Nullable Integer total,
             boolean running,
-            @ValuesOf(MissionPhase.class) @Nullable String state,
+            @EnumValues(MissionPhase.class) @Nullable String state,
             @Nullable String notice,
             @Nullable String hash) {}
 
     /** A sentence of the vehicle or about it. */
     @Schema(name = "DroneMessageView")
-    public record MessageView(@ValuesOf(Severity.class) String severity, String text, Instant at) {}
+    public record MessageView(@EnumValues(Severity.class) String severity, String text, Instant at) {}
 
     /** Whether a command can be given now, and if not, why. */
     @Schema(name = "DroneActionView")

@@ -6,7 +6,7 @@ import java.util.List;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.history.HistoryEvent;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
@@ -16,14 +16,14 @@ import org.jspecify.annotations.Nullable;
 public record EventView(
         Instant at,
 
-        @ValuesOf(HistoryEvent.Kind.class) String kind,
+        @EnumValues(HistoryEvent.Kind.class) String kind,
 
         String text,
-        @ValuesOf(Severity.class) @Nullable String severity,
+        @EnumValues(Severity.class) @Nullable String severity,
         @Nullable String by,
         @Schema(description = "Id of the command") @Nullable String command,
 
-        @ValuesOf(Outcome.Kind.class) @Nullable String result,
+        @EnumValues(Outcome.Kind.class) @Nullable String result,
 
         @Nullable String reason) {
 

@@ -5,7 +5,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import org.dronemap.core.cloud.Outlook;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -17,7 +17,7 @@ public record OutlookView(
                         "kept: somebody has it; waits: nobody has, and it is brought home unless somebody takes it;"
                                 + " returns: it is on its way home or down; helpless: nobody has it, and nothing can be done for"
                                 + " it; leftAlone: a pilot or another ground station flies it, or the rules say so")
-        @ValuesOf(Outlook.State.class)
+        @EnumValues(Outlook.State.class)
         String state,
 
         @Schema(description = "A sentence: what happens then")

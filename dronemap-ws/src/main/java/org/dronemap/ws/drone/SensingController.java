@@ -4,11 +4,11 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.Optional;
 import org.dronemap.core.drone.Picture;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.CacheControl;
 import org.springframework.http.MediaType;
@@ -32,19 +32,19 @@ public class SensingController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "getSensed",
             summary = "Look at what its sensors brought last",
             description = "Each kind is counted; the drone in the stream says the newest numbers.")
-    public SensedView sensed(@PathVariable String id) {
+    public SensingView sensed(@PathVariable String id) {
         return sensing.sensed(current.principal(), id);
     }
 
     @GetMapping("/picture")
-    @Access(from = From.VIEWER, about = About.DRONE)
-    @Answers({200, 204})
-    @TakesOrGivesFile(gives = {"image/jpeg", "image/png"})
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
+    @ResponseStatuses({200, 204})
+    @FileMediaTypes(gives = {"image/jpeg", "image/png"})
     @Operation(
             operationId = "getSensedPicture",
             summary = "The newest picture of its camera",
@@ -54,9 +54,9 @@ public class SensingController {
     }
 
     @GetMapping("/map")
-    @Access(from = From.VIEWER, about = About.DRONE)
-    @Answers({200, 204})
-    @TakesOrGivesFile(gives = {"image/jpeg", "image/png"})
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
+    @ResponseStatuses({200, 204})
+    @FileMediaTypes(gives = {"image/jpeg", "image/png"})
     @Operation(
             operationId = "getSensedMap",
             summary = "Its map, drawn from above",

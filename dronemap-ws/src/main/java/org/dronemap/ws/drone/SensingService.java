@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.Picture;
-import org.dronemap.core.drone.Sensed;
+import org.dronemap.core.drone.SensorSnapshot;
 
 /** Use cases around what drones' sensors bring, for all who see the drone. Any thread. */
 public final class SensingService {
@@ -16,13 +16,13 @@ public final class SensingService {
         this.drones = drones;
     }
 
-    public SensedView sensed(Principal principal, String droneId) {
-        return SensedView.of(of(principal, droneId));
+    public SensingView sensed(Principal principal, String droneId) {
+        return SensingView.of(of(principal, droneId));
     }
 
     /** Empty when none came yet. */
     public Optional<Picture> picture(Principal principal, String droneId) {
-        return Optional.ofNullable(of(principal, droneId).picture()).map(Sensed.Kept::value);
+        return Optional.ofNullable(of(principal, droneId).picture()).map(SensorSnapshot.Sample::value);
     }
 
     /** Empty when none came yet. */
@@ -31,7 +31,7 @@ public final class SensingService {
                 .map(kept -> kept.value().picture());
     }
 
-    private Sensed of(Principal principal, String droneId) {
+    private SensorSnapshot of(Principal principal, String droneId) {
         return cloud.sensed(drones.state(principal, droneId).id());
     }
 }

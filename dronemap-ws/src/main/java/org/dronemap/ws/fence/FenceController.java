@@ -2,12 +2,12 @@ package org.dronemap.ws.fence;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.command.CommandAnswer;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.command.CommandResponse;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.DeleteMapping;
@@ -35,7 +35,7 @@ public class FenceController {
     }
 
     @GetMapping("/fence")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "getFence",
             summary = "Look at the fence",
@@ -45,27 +45,27 @@ public class FenceController {
     }
 
     @PostMapping("/fence/refresh")
-    @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers(202)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE)
+    @ResponseStatuses(202)
     @Operation(operationId = "readFence", summary = "Read the fence from the vehicle (operator)")
     public ResponseEntity<CommandView> readFence(@PathVariable String id) {
-        return CommandAnswer.begun(fences.readFence(current.caller(), id));
+        return CommandResponse.begun(fences.readFence(current.caller(), id));
     }
 
     @PutMapping("/fence")
-    @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers(202)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE)
+    @ResponseStatuses(202)
     @Operation(
             operationId = "setFence",
             summary = "Replace the fence (operator)",
             description = "Up to 50 polygons and circles.")
     public ResponseEntity<CommandView> setFence(@PathVariable String id, @RequestBody FenceView fence) {
-        return CommandAnswer.begun(fences.setFence(current.caller(), id, fence));
+        return CommandResponse.begun(fences.setFence(current.caller(), id, fence));
     }
 
     @PutMapping("/fence/zones")
-    @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers(202)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE)
+    @ResponseStatuses(202)
     @Operation(
             operationId = "setFenceFromZones",
             summary = "Make the cloud's zones the vehicle's own fence (planner)",
@@ -74,19 +74,19 @@ public class FenceController {
                             + " also where the vehicle does not hear the cloud. Zones that a vehicle cannot keep are named among"
                             + " the warnings. What was its fence before is replaced.")
     public ResponseEntity<CommandView> putZonesOnBoard(@PathVariable String id) {
-        return CommandAnswer.begun(fences.putZonesOnBoard(current.caller(), id));
+        return CommandResponse.begun(fences.putZonesOnBoard(current.caller(), id));
     }
 
     @DeleteMapping("/fence")
-    @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers(value = 202, refuses = 409)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE)
+    @ResponseStatuses(value = 202, refuses = 409)
     @Operation(operationId = "clearFence", summary = "Take the fence away (operator)")
     public ResponseEntity<CommandView> clearFence(@PathVariable String id) {
-        return CommandAnswer.begun(fences.clearFence(current.caller(), id));
+        return CommandResponse.begun(fences.clearFence(current.caller(), id));
     }
 
     @GetMapping("/rally-points")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "getRallyPoints",
             summary = "Look at the rally points",
@@ -96,30 +96,30 @@ public class FenceController {
     }
 
     @PostMapping("/rally-points/refresh")
-    @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers(202)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE)
+    @ResponseStatuses(202)
     @Operation(operationId = "readRallyPoints", summary = "Read the rally points from the vehicle (operator)")
     public ResponseEntity<CommandView> readRallyPoints(@PathVariable String id) {
-        return CommandAnswer.begun(fences.readRallyPoints(current.caller(), id));
+        return CommandResponse.begun(fences.readRallyPoints(current.caller(), id));
     }
 
     @PutMapping("/rally-points")
-    @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers(202)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE)
+    @ResponseStatuses(202)
     @Operation(
             operationId = "setRallyPoints",
             summary = "Replace the rally points (operator)",
             description = "Up to 50.")
     public ResponseEntity<CommandView> setRallyPoints(
             @PathVariable String id, @RequestBody FenceView.RallyView points) {
-        return CommandAnswer.begun(fences.setRallyPoints(current.caller(), id, points));
+        return CommandResponse.begun(fences.setRallyPoints(current.caller(), id, points));
     }
 
     @DeleteMapping("/rally-points")
-    @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers(value = 202, refuses = 409)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE)
+    @ResponseStatuses(value = 202, refuses = 409)
     @Operation(operationId = "clearRallyPoints", summary = "Take the rally points away (operator)")
     public ResponseEntity<CommandView> clearRallyPoints(@PathVariable String id) {
-        return CommandAnswer.begun(fences.clearRallyPoints(current.caller(), id));
+        return CommandResponse.begun(fences.clearRallyPoints(current.caller(), id));
     }
 }

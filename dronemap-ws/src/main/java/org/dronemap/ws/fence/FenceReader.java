@@ -8,8 +8,8 @@ import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.PointView;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.TelemetryPointView;
 import org.jspecify.annotations.Nullable;
 
 /** Turns a fence or rally points that a client wrote into the real ones, or says which member is wrong. */
@@ -64,10 +64,10 @@ final class FenceReader {
         return read;
     }
 
-    static Geodetic point(String at, FenceView.@Nullable PointView point) {
+    static Geodetic point(String at, FenceView.@Nullable TelemetryPointView point) {
         return new Geodetic(
-                Ranges.latitude(at + "latitude", point == null ? null : point.latitude()),
-                Ranges.longitude(at + "longitude", point == null ? null : point.longitude()));
+                FieldRanges.latitude(at + "latitude", point == null ? null : point.latitude()),
+                FieldRanges.longitude(at + "longitude", point == null ? null : point.longitude()));
     }
 
     static List<RallyPoint> rally(FenceView.RallyView written) {
@@ -86,7 +86,7 @@ final class FenceReader {
             FenceView.RallyPointView one = points.get(index);
             read.add(new RallyPoint(
                     point(at, new FenceView.PointView(one.latitude(), one.longitude())),
-                    Ranges.checked(at + "altitude", one.altitude(), 0, 10_000, "m above home")));
+                    FieldRanges.checked(at + "altitude", one.altitude(), 0, 10_000, "m above home")));
         }
         return read;
     }

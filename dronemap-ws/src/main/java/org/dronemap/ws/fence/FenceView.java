@@ -11,9 +11,9 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.reading.ObjectsOnly;
-import org.dronemap.ws.reading.PointView;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
+import org.dronemap.ws.reading.TelemetryPointView;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
@@ -22,7 +22,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
 public record FenceView(@Nullable List<ZoneView> zones) {
     /** An area that the vehicle stays in or out of; one record for each type. */
     @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-    @JsonTypeResolver(ObjectsOnly.class)
+    @JsonTypeResolver(ObjectOnlyTypeResolver.class)
     @JsonSubTypes({
         @JsonSubTypes.Type(value = PolygonView.class, name = "polygon"),
         @JsonSubTypes.Type(value = CircleView.class, name = "circle")
@@ -49,7 +49,7 @@ public record FenceView(@Nullable List<ZoneView> zones) {
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "3 to 100")
             @Size(min = FenceReader.LEAST_CORNERS, max = FenceReader.MOST_CORNERS)
             @Nullable
-            List<PointView> corners)
+            List<TelemetryPointView> corners)
             implements ZoneView {
         @Override
         public FenceZone read(String at) {
@@ -65,11 +65,11 @@ public record FenceView(@Nullable List<ZoneView> zones) {
             Boolean inside,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
-            PointView center,
+            TelemetryPointView center,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres, 1 to 100000")
-            @Min(Ranges.LEAST_RADIUS)
-            @Max(Ranges.MOST_RADIUS)
+            @Min(FieldRanges.LEAST_RADIUS)
+            @Max(FieldRanges.MOST_RADIUS)
             @Nullable
             Double radius)
             implements ZoneView {
@@ -78,20 +78,20 @@ public record FenceView(@Nullable List<ZoneView> zones) {
             return new FenceZone.Circle(
                     FenceReader.inside(at, inside),
                     FenceReader.point(at + "center.", center),
-                    Ranges.radius(at + "radius", radius));
+                    FieldRanges.radius(at + "radius", radius));
         }
     }
 
     /** Degrees. */
     @Schema(name = "FencePointView")
-    public record PointView(
-            @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+    public record TelemetryPointView(
+            @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
             Double latitude,
 
-            @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
             Double longitude) {
-        static PointView of(Geodetic point) {
-            return new PointView(point.latitudeDegrees(), point.longitudeDegrees());
+        static TelemetryPointView of(Geodetic point) {
+            return new TelemetryPointView(point.latitudeDegrees(), point.longitudeDegrees());
         }
     }
 
@@ -114,10 +114,10 @@ public record FenceView(@Nullable List<ZoneView> zones) {
     /** The altitude is above home, in metres. */
     @Schema(name = "FenceRallyPointView")
     public record RallyPointView(
-            @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
             Double latitude,
 
-            @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
             Double longitude,
 
             @Nullable Double altitude) {}
@@ -129,12 +129,12 @@ public record FenceView(@Nullable List<ZoneView> zones) {
 
     private static ZoneView zone(FenceZone zone) {
         return zone instanceof FenceZone.Circle circle
-                ? new CircleView(circle.inside(), PointView.of(circle.center()), circle.radiusMeters())
+                ? new CircleView(circle.inside(), TelemetryPointView.of(circle.center()), circle.radiusMeters())
                 : polygon((FenceZone.Polygon) zone);
     }
 
     private static ZoneView polygon(FenceZone.Polygon polygon) {
         return new PolygonView(
-                polygon.inside(), polygon.corners().stream().map(PointView::of).toList());
+                polygon.inside(), polygon.corners().stream().map(TelemetryPointView::of).toList());
     }
 }

@@ -3,14 +3,14 @@ package org.dronemap.ws.follow;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.AccessStore;
-import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.EffectivePermissions;
+import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.core.conduct.OperationRights;
-import org.dronemap.core.conduct.VirtualRights;
+import org.dronemap.core.conduct.VirtualDroneRights;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
@@ -21,18 +21,18 @@ import org.jspecify.annotations.Nullable;
  * Rights of accounts for which the cloud may fly, looked up at most once a second. Asked many times a second, looked up
  * once. Any thread.
  */
-public final class AccountRights implements VirtualRights, OperationRights, FollowReliefs.Owners {
+public final class AccountRights implements VirtualDroneRights, OperationRights, FollowReliefScheduler.Owners {
     private static final long FRESH_NANOS = 1_000_000_000L;
 
     private final AccessStore store;
-    private final GrantBook grants;
+    private final GrantRegistry grants;
     private final Time time;
     private final ConcurrentHashMap<String, Known> known = new ConcurrentHashMap<>();
 
     /** Null: there is no such user who may do anything now. */
     private record Known(@Nullable Principal principal, long nanos) {}
 
-    public AccountRights(AccessStore store, GrantBook grants, Time time) {
+    public AccountRights(AccessStore store, GrantRegistry grants, Time time) {
         this.store = store;
         this.grants = grants;
         this.time = time;
@@ -78,7 +78,7 @@ public final class AccountRights implements VirtualRights, OperationRights, Foll
     }
 
     private Principal principal(User user) {
-        Reach reach = grants.reach(user.organisation(), user.name());
+        EffectivePermissions reach = grants.reach(user.organisation(), user.name());
         return Principal.of(user, user.role(), KeyScope.ALL, null, reach);
     }
 }

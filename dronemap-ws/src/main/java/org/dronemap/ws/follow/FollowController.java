@@ -5,12 +5,12 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Audit;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.AuditPolicy;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.access.SoapName;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -44,7 +44,7 @@ public class FollowController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @SoapName("getFollowsList")
     @Operation(
             operationId = "listFollows",
@@ -55,15 +55,15 @@ public class FollowController {
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(operationId = "getFollow", summary = "Look at one follow")
     public FollowView one(@PathVariable String id) {
         return follows.one(current.principal(), id);
     }
 
     @PostMapping
-    @Access(from = From.OPERATOR, about = About.SHARED)
-    @Answers(value = 201, refuses = 404)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
+    @ResponseStatuses(value = 201, refuses = 404)
     @SoapName("followRequest")
     @Operation(
             operationId = "openFollow",
@@ -78,14 +78,14 @@ public class FollowController {
     }
 
     @PatchMapping("/{id}")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(operationId = "changeFollow", summary = "Change where the drone stays (operator)")
     public FollowView change(@PathVariable String id, @RequestBody FollowRequest.PlaceRequest request) {
         return follows.change(current.principal(), id, request);
     }
 
     @PostMapping("/{id}/positions")
-    @Access(from = From.OPERATOR, about = About.SHARED, audit = Audit.REFUSALS_ONLY)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED, audit = AuditPolicy.REFUSALS_ONLY)
     @SoapName("sendNewGPSLocation")
     @Operation(
             operationId = "reportFollowPositions",
@@ -98,7 +98,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/start")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @SoapName("startTracking")
     @Operation(
             operationId = "startFollow",
@@ -109,7 +109,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/cancel")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @SoapName("cancelFollowRequest")
     @Operation(
             operationId = "cancelFollow",
@@ -120,7 +120,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/pause")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @SoapName("disableTracking")
     @Operation(
             operationId = "pauseFollow",
@@ -131,7 +131,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/continue")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @SoapName("enableTracking")
     @Operation(
             operationId = "continueFollow",
@@ -142,7 +142,7 @@ public class FollowController {
     }
 
     @PostMapping("/{id}/stop")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @SoapName("stopTracking")
     @Operation(
             operationId = "stopFollow",

@@ -5,20 +5,20 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import org.dronemap.cognitive.follow.Side;
+import org.dronemap.cognitive.follow.StandOffSide;
 import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.operation.TargetReport;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** Turns what a client wants of a follow into what the follow understands, or says which member is wrong. */
 final class FollowReader {
-    private static final FollowOrder.Place USUAL = new FollowOrder.Place(new Side.Behind(), 8, 15);
+    private static final FollowOrder.RelativePlace USUAL = new FollowOrder.RelativePlace(new StandOffSide.Behind(), 8, 15);
     static final int LONGEST_NAME = 60;
     static final int MOST_POSITIONS = 60;
     static final int MOST_MINUTES = 60;
@@ -59,37 +59,37 @@ final class FollowReader {
     private FollowReader() {}
 
     static String name(FollowRequest.OpenRequest request) {
-        return request.name() == null ? "Follow" : Names.checked("name", request.name(), LONGEST_NAME);
+        return request.name() == null ? "Follow" : NameRules.checked("name", request.name(), LONGEST_NAME);
     }
 
     static Geodetic near(FollowRequest.OpenRequest request) {
         return new Geodetic(
-                Ranges.latitude("latitude", request.latitude()), Ranges.longitude("longitude", request.longitude()));
+                FieldRanges.latitude("latitude", request.latitude()), FieldRanges.longitude("longitude", request.longitude()));
     }
 
     static double minutes(FollowRequest.OpenRequest request) {
-        return Ranges.checked("minutes", or(request.minutes(), USUAL_MINUTES), 1, MOST_MINUTES, "minutes");
+        return FieldRanges.checked("minutes", or(request.minutes(), USUAL_MINUTES), 1, MOST_MINUTES, "minutes");
     }
 
     static double speed(FollowRequest.OpenRequest request) {
-        return Ranges.checked("speed", or(request.speed(), USUAL_SPEED), 1, FASTEST, "m/s");
+        return FieldRanges.checked("speed", or(request.speed(), USUAL_SPEED), 1, FASTEST, "m/s");
     }
 
     static int patience(FollowRequest.OpenRequest request) {
-        return (int) Ranges.checked(
+        return (int) FieldRanges.checked(
                 "patience", or(request.patience(), USUAL_PATIENCE), LEAST_PATIENCE, MOST_PATIENCE, "seconds");
     }
 
-    static FollowOrder.Place place(FollowRequest.OpenRequest request) {
+    static FollowOrder.RelativePlace place(FollowRequest.OpenRequest request) {
         FollowRequest.PlaceRequest place = request.place();
         return place == null ? USUAL : place(place, USUAL, "place.");
     }
 
-    static FollowOrder.Place place(FollowRequest.PlaceRequest request, FollowOrder.Place before, String above) {
-        return new FollowOrder.Place(
+    static FollowOrder.RelativePlace place(FollowRequest.PlaceRequest request, FollowOrder.RelativePlace before, String above) {
+        return new FollowOrder.RelativePlace(
                 side(request, before.side(), above),
-                Ranges.checked(above + "distance", or(request.distance(), before.distanceMeters()), 0, FARTHEST, "m"),
-                Ranges.checked(
+                FieldRanges.checked(above + "distance", or(request.distance(), before.distanceMeters()), 0, FARTHEST, "m"),
+                FieldRanges.checked(
                         above + "height",
                         or(request.height(), before.heightMeters()),
                         (int) FollowOrder.LOWEST_METERS,
@@ -97,16 +97,16 @@ final class FollowReader {
                         "m"));
     }
 
-    private static Side side(FollowRequest.PlaceRequest request, Side before, String above) {
+    private static StandOffSide side(FollowRequest.PlaceRequest request, StandOffSide before, String above) {
         if (request.side() == null) {
             return before;
         }
         return switch (request.side()) {
-            case "behind" -> new Side.Behind();
-            case "ahead" -> new Side.Ahead();
+            case "behind" -> new StandOffSide.Behind();
+            case "ahead" -> new StandOffSide.Ahead();
             case "fixed" ->
-                new Side.Fixed(
-                        Ranges.checked(above + "bearing", request.bearing(), -FULL_CIRCLE, FULL_CIRCLE, "degrees"));
+                new StandOffSide.Fixed(
+                        FieldRanges.checked(above + "bearing", request.bearing(), -FULL_CIRCLE, FULL_CIRCLE, "degrees"));
             case "orbit" -> orbit(request, above);
             default ->
                 throw InvalidInput.outside(
@@ -114,8 +114,8 @@ final class FollowReader {
         };
     }
 
-    private static Side orbit(FollowRequest.PlaceRequest request, String above) {
-        double turn = Ranges.checked(above + "turn", request.turn(), -MOST_TURN, MOST_TURN, "degrees a second");
+    private static StandOffSide orbit(FollowRequest.PlaceRequest request, String above) {
+        double turn = FieldRanges.checked(above + "turn", request.turn(), -MOST_TURN, MOST_TURN, "degrees a second");
         if (turn == 0) {
             throw InvalidInput.outside(
                     ValueProblem.VALUE_OUT_OF_RANGE,
@@ -126,14 +126,14 @@ final class FollowReader {
                     ProblemParameter.MOST.is(30),
                     ProblemParameter.UNIT.is("degrees a second"));
         }
-        return new Side.Orbit(turn);
+        return new StandOffSide.Orbit(turn);
     }
 
     private static double or(@Nullable Double value, double otherwise) {
         return value == null ? otherwise : value;
     }
 
-    static List<Sighting> sightings(FollowRequest.PositionsRequest request, Instant heard) {
+    static List<TargetReport> sightings(FollowRequest.PositionsRequest request, Instant heard) {
         Instant sent = request.sent();
         if (sent == null) {
             throw InvalidInput.missing("sent", "a time");
@@ -154,13 +154,13 @@ final class FollowReader {
         Duration measured = roundTrip == null
                 ? null
                 : Duration.ofMillis(
-                        (long) Ranges.checked("roundTrip", roundTrip, 0, LONGEST_ROUND_TRIP, "milliseconds"));
-        List<Sighting> sightings = new ArrayList<>();
+                        (long) FieldRanges.checked("roundTrip", roundTrip, 0, LONGEST_ROUND_TRIP, "milliseconds"));
+        List<TargetReport> sightings = new ArrayList<>();
         for (int index = 0; index < positions.size(); index++) {
             sightings.add(sighting(
-                    positions.get(index), "positions[" + index + "]", new Said(time("sent", sent), heard, measured)));
+                    positions.get(index), "positions[" + index + "]", new Transmission(time("sent", sent), heard, measured)));
         }
-        sightings.sort(Comparator.comparingLong(Sighting::number));
+        sightings.sort(Comparator.comparingLong(TargetReport::number));
         return sightings;
     }
 
@@ -172,10 +172,10 @@ final class FollowReader {
         return time;
     }
 
-    private record Said(
+    private record Transmission(
             Instant sent, Instant heard, @Nullable Duration roundTrip) {}
 
-    private static Sighting sighting(FollowRequest.@Nullable PositionRequest position, String field, Said said) {
+    private static TargetReport sighting(FollowRequest.@Nullable PositionRequest position, String field, Transmission said) {
         if (position == null || position.at() == null) {
             throw InvalidInput.missing(field + ".at", "a time");
         }
@@ -197,7 +197,7 @@ final class FollowReader {
         Double speed = optional(field + ".speed", position.speed(), 0, FASTEST_PHONE, "m/s");
         Double course = optional(field + ".course", position.course(), -FULL_CIRCLE, FULL_CIRCLE, "degrees");
         Instant then = at.isAfter(said.sent()) ? said.sent() : at;
-        return new Sighting(
+        return new TargetReport(
                 // By the time that it is taken for: nothing that comes later may seem to be known.
                 id == null ? then.toEpochMilli() : id,
                 then,
@@ -205,13 +205,13 @@ final class FollowReader {
                 said.heard(),
                 said.roundTrip(),
                 new Geodetic(
-                        Ranges.latitude(field + ".latitude", position.latitude()),
-                        Ranges.longitude(field + ".longitude", position.longitude())),
-                Ranges.checked(field + ".accuracy", or(position.accuracy(), USUAL_ACCURACY), 0, WORST_ACCURACY, "m"),
-                speed == null || course == null ? null : new Sighting.Motion(speed, course));
+                        FieldRanges.latitude(field + ".latitude", position.latitude()),
+                        FieldRanges.longitude(field + ".longitude", position.longitude())),
+                FieldRanges.checked(field + ".accuracy", or(position.accuracy(), USUAL_ACCURACY), 0, WORST_ACCURACY, "m"),
+                speed == null || course == null ? null : new TargetReport.Motion(speed, course));
     }
 
     private static @Nullable Double optional(String field, @Nullable Double value, int least, int most, String unit) {
-        return value == null ? null : Double.valueOf(Ranges.checked(field, value, least, most, unit));
+        return value == null ? null : Double.valueOf(FieldRanges.checked(field, value, least, most, unit));
     }
 }

@@ -3,7 +3,7 @@ package org.dronemap.ws.follow;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
-import org.dronemap.core.conduct.Reception;
+import org.dronemap.core.conduct.TargetReportResult;
 import org.jspecify.annotations.Nullable;
 
 /** Result of the positions that a phone sent. */
@@ -32,11 +32,11 @@ public record FollowReceipt(
         private @Nullable Long upTo;
 
         /** False: it and those after it have to wait. */
-        boolean add(long number, Reception reception) {
-            if (reception == Reception.CROWDED) {
+        boolean add(long number, TargetReportResult reception) {
+            if (reception == TargetReportResult.CROWDED) {
                 return false;
             }
-            if (reception == Reception.TAKEN) {
+            if (reception == TargetReportResult.TAKEN) {
                 taken++;
             } else {
                 known++;

@@ -7,7 +7,7 @@ import jakarta.validation.constraints.Size;
 import java.time.Instant;
 import java.util.List;
 import org.dronemap.cognitive.operation.follow.FollowOrder;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
 /** Requests about follows as a client writes them, unchecked. Nothing is checked yet. */
@@ -20,14 +20,14 @@ public final class FollowRequest {
             description = "Where a phone is that asks to be followed, and where the drone is to stay beside it.")
     public record OpenRequest(
             @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED)
-            @Min(-Ranges.LATITUDE)
-            @Max(Ranges.LATITUDE)
+            @Min(-FieldRanges.LATITUDE)
+            @Max(FieldRanges.LATITUDE)
             @Nullable
             Double latitude,
 
             @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED)
-            @Min(-Ranges.LONGITUDE)
-            @Max(Ranges.LONGITUDE)
+            @Min(-FieldRanges.LONGITUDE)
+            @Max(FieldRanges.LONGITUDE)
             @Nullable
             Double longitude,
 
@@ -136,14 +136,14 @@ public final class FollowRequest {
             Instant at,
 
             @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED)
-            @Min(-Ranges.LATITUDE)
-            @Max(Ranges.LATITUDE)
+            @Min(-FieldRanges.LATITUDE)
+            @Max(FieldRanges.LATITUDE)
             @Nullable
             Double latitude,
 
             @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED)
-            @Min(-Ranges.LONGITUDE)
-            @Max(Ranges.LONGITUDE)
+            @Min(-FieldRanges.LONGITUDE)
+            @Max(FieldRanges.LONGITUDE)
             @Nullable
             Double longitude,
 

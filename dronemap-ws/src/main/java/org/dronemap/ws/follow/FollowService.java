@@ -8,43 +8,43 @@ import java.util.Set;
 import java.util.function.BiFunction;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowOrder;
+import org.dronemap.cognitive.operation.follow.FollowStage;
 import org.dronemap.cognitive.operation.follow.FollowState;
-import org.dronemap.cognitive.operation.follow.Stage;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.OperationListener;
-import org.dronemap.core.conduct.Operations.Picture;
+import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.Operations;
-import org.dronemap.core.conduct.Reception;
+import org.dronemap.core.conduct.TargetReportResult;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
-import org.dronemap.core.operation.Reach;
+import org.dronemap.core.operation.ReporterState;
 import org.dronemap.core.operation.SavedOperation;
-import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.operation.TargetReport;
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.access.Roles;
-import org.dronemap.ws.operation.OperationDesk;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.operation.OperationService;
 import org.dronemap.ws.problem.AccessProblem;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 
 /** Use cases around follows: ask for one, start, tell where the phone is, pause, change, stop. Any thread. */
 public final class FollowService {
     private final Operations operations;
     private final OperationKind<FollowState, FollowInput> kind;
-    private final OperationDesk<FollowState, FollowInput> desk;
-    private final FollowDrones drones;
-    private final FollowViews views;
+    private final OperationService<FollowState, FollowInput> desk;
+    private final FollowDroneSelector drones;
+    private final FollowViewMapper views;
     private final Warehouse warehouse;
 
     /** What follows are conducted by. */
-    public record Conduct(Operations operations, OperationKind<FollowState, FollowInput> kind, CloudManager cloud) {}
+    public record OperationContext(Operations operations, OperationKind<FollowState, FollowInput> kind, CloudManager cloud) {}
 
     /** The drones that may be armed with nobody beside them, as they are whenever it is asked. */
     @FunctionalInterface
@@ -52,46 +52,46 @@ public final class FollowService {
         Set<DroneId> drones();
     }
 
-    public FollowService(Conduct conduct, Warehouse warehouse, Time time) {
+    public FollowService(OperationContext conduct, Warehouse warehouse, Time time) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
-        this.drones = new FollowDrones(conduct.cloud());
-        this.views = new FollowViews(conduct);
+        this.drones = new FollowDroneSelector(conduct.cloud());
+        this.views = new FollowViewMapper(conduct);
         this.warehouse = warehouse;
-        desk = new OperationDesk<>(
+        desk = new OperationService<>(
                 operations,
                 kind,
                 conduct.cloud(),
-                new OperationDesk.Words('f', "follow", "a follow flies", UnknownProblem.FOLLOW),
+                new OperationService.Terms('f', "follow", "a follow flies", NotFoundProblem.FOLLOW),
                 FollowService::isShownTo,
                 time);
     }
 
     /** Those under way and the newest that are over, the newest first. */
     public List<FollowView> all(Principal principal) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         return desk.all(principal).stream().map(views::view).toList();
     }
 
     public FollowView one(Principal principal, String id) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         return views.view(desk.find(principal, id));
     }
 
     /** A drone is chosen and kept for it; it stays on the ground until it is started. */
     public FollowView open(Principal principal, FollowRequest.OpenRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         desk.requireWithoutBounds(principal);
         List<DroneState> candidates = candidates(principal, request);
         String name = FollowReader.name(request);
         Geodetic near = FollowReader.near(request);
-        FollowOrder.Place place = FollowReader.place(request);
-        FollowDrones.Task task = new FollowDrones.Task(near, place, FollowReader.minutes(request));
+        FollowOrder.RelativePlace place = FollowReader.place(request);
+        FollowDroneSelector.Task task = new FollowDroneSelector.Task(near, place, FollowReader.minutes(request));
         double speed = FollowReader.speed(request);
         int patience = FollowReader.patience(request);
         desk.requireRoom(principal);
         Instant at = desk.now();
-        FollowOrder.Chosen chosen = drones.choose(principal, candidates, task, at);
+        FollowOrder.ChosenDrone chosen = drones.choose(principal, candidates, task, at);
         FollowOrder order = new FollowOrder(chosen, near, place, speed, patience);
         OperationId id = desk.newId();
         FollowState state = FollowState.begin(id, order, at);
@@ -109,7 +109,7 @@ public final class FollowService {
         return List.of(all.stream()
                 .filter(drone -> drone.id().value().equals(wanted))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, wanted)));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, wanted)));
     }
 
     public FollowView start(Principal principal, String id) {
@@ -126,14 +126,14 @@ public final class FollowService {
 
     /** The only way in which a drone that somebody took comes back to its follow. */
     public FollowView goOn(Principal principal, String id) {
-        return wish(principal, id, (by, at) -> new FollowInput.GoOn(at, by), true);
+        return wish(principal, id, (by, at) -> new FollowInput.Resume(at, by), true);
     }
 
     /** A drone that nobody has any more, and that stands in the air, is taken for that. */
     public FollowView stop(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
-        Picture<FollowState> follow = desk.find(principal, id);
-        if (follow.state().stage() == Stage.SUSPENDED
+        RoleChecks.require(principal, Role.OPERATOR);
+        Snapshot<FollowState> follow = desk.find(principal, id);
+        if (follow.state().stage() == FollowStage.SUSPENDED
                 && drones.isLeftAloft(follow.state().drone())) {
             goOn(principal, id);
         }
@@ -141,16 +141,16 @@ public final class FollowService {
     }
 
     public FollowView change(Principal principal, String id, FollowRequest.PlaceRequest request) {
-        Roles.require(principal, Role.OPERATOR);
-        FollowOrder.Place place = FollowReader.place(
+        RoleChecks.require(principal, Role.OPERATOR);
+        FollowOrder.RelativePlace place = FollowReader.place(
                 request, desk.find(principal, id).state().order().place(), "");
-        return wish(principal, id, (by, at) -> new FollowInput.Change(at, by, place));
+        return wish(principal, id, (by, at) -> new FollowInput.ChangePlace(at, by, place));
     }
 
     /** Where the phone is; whoever asked to be followed says that, and nobody else. */
     public FollowReceipt positions(Principal principal, String id, FollowRequest.PositionsRequest request) {
-        Roles.require(principal, Role.OPERATOR);
-        Picture<FollowState> follow = desk.find(principal, id);
+        RoleChecks.require(principal, Role.OPERATOR);
+        Snapshot<FollowState> follow = desk.find(principal, id);
         if (!follow.saved().account().equals(principal.account())) {
             throw Rejection.of(
                     AccessProblem.OWNER_ONLY,
@@ -159,11 +159,11 @@ public final class FollowService {
         }
         // Where the phone is said to be, there the drone flies.
         desk.requireWithoutBounds(principal);
-        Roles.require(principal, Role.OPERATOR, follow.state().drone());
+        RoleChecks.require(principal, Role.OPERATOR, follow.state().drone());
         FollowReceipt.Count count = new FollowReceipt.Count();
-        for (Sighting sighting : FollowReader.sightings(request, desk.now())) {
-            Reception reception = operations.sighted(kind, follow.saved().id(), sighting);
-            if (reception == Reception.UNHEARD) {
+        for (TargetReport sighting : FollowReader.sightings(request, desk.now())) {
+            TargetReportResult reception = operations.sighted(kind, follow.saved().id(), sighting);
+            if (reception == TargetReportResult.UNHEARD) {
                 throw desk.over(id);
             }
             if (!count.add(sighting.number(), reception)) {
@@ -179,7 +179,7 @@ public final class FollowService {
     }
 
     /** How its phone is reached from now on; false when it is not under way. */
-    public boolean reached(String id, Reach how) {
+    public boolean reached(String id, ReporterState how) {
         return operations.reached(kind, new OperationId(id), how);
     }
 
@@ -199,20 +199,20 @@ public final class FollowService {
     }
 
     /** Those under way. */
-    public List<Picture<FollowState>> underWay() {
+    public List<Snapshot<FollowState>> underWay() {
         return operations.underWay(kind);
     }
 
     /** As it was stored; empty: it is another kind of operation. */
-    public Optional<Picture<FollowState>> picture(SavedOperation saved) {
+    public Optional<Snapshot<FollowState>> picture(SavedOperation saved) {
         return desk.picture(saved);
     }
 
-    public FollowView view(Picture<FollowState> follow) {
+    public FollowView view(Snapshot<FollowState> follow) {
         return views.view(follow);
     }
 
-    public static boolean isShownTo(Principal principal, Picture<FollowState> follow) {
+    public static boolean isShownTo(Principal principal, Snapshot<FollowState> follow) {
         return principal.organisation().equals(follow.saved().organisation())
                 && principal.sees(follow.state().drone());
     }
@@ -224,10 +224,10 @@ public final class FollowService {
     /** {@code hands}: control that the user has of the drone goes over to the follow, once nothing speaks against the wish. */
     private FollowView wish(
             Principal principal, String id, BiFunction<String, Instant, FollowInput> what, boolean hands) {
-        Roles.require(principal, Role.OPERATOR);
-        Picture<FollowState> follow = desk.find(principal, id);
+        RoleChecks.require(principal, Role.OPERATOR);
+        Snapshot<FollowState> follow = desk.find(principal, id);
         desk.requireWithoutBounds(principal);
-        Roles.require(principal, Role.OPERATOR, follow.state().drone());
+        RoleChecks.require(principal, Role.OPERATOR, follow.state().drone());
         if (follow.saved().endedAt() != null) {
             throw desk.over(id);
         }

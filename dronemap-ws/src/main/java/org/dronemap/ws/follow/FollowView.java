@@ -4,14 +4,14 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
-import org.dronemap.cognitive.follow.Side;
+import org.dronemap.cognitive.follow.StandOffSide;
 import org.dronemap.cognitive.operation.follow.FollowOrder;
+import org.dronemap.cognitive.operation.follow.FollowStage;
 import org.dronemap.cognitive.operation.follow.FollowState;
-import org.dronemap.cognitive.operation.follow.Stage;
-import org.dronemap.core.conduct.Operations.Picture;
-import org.dronemap.core.operation.Reach;
-import org.dronemap.ws.reading.PointView;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.core.conduct.Operations.Snapshot;
+import org.dronemap.core.operation.ReporterState;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.TelemetryPointView;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -29,7 +29,7 @@ public record FollowView(
         Instant endedAt,
 
         @Schema(description = "allocated: a drone is kept on the ground; suspended: somebody else has the drone")
-        @ValuesOf(Stage.class)
+        @EnumValues(FollowStage.class)
         String state,
 
         Instant since,
@@ -47,7 +47,7 @@ public record FollowView(
         int patience,
 
         @Schema(description = "What it said, the newest 30, the oldest first; first why this drone was chosen")
-        List<ToldView> told,
+        List<NoticeView> told,
 
         @Schema(
                 description =
@@ -62,7 +62,7 @@ public record FollowView(
             String drone,
             String droneName,
 
-            @Schema(description = "As of a follow: starting, tracking, suspended or returning") @ValuesOf(Stage.class)
+            @Schema(description = "As of a follow: starting, tracking, suspended or returning") @EnumValues(FollowStage.class)
             String state,
 
             @Schema(description = "It is on its way to replace the drone that follows; false: it flies home")
@@ -88,7 +88,7 @@ public record FollowView(
     /** What changes all the time; what nobody knows is null. */
     @Schema(name = "FollowNowView", description = "What changes all the time; null: nobody knows it.")
     public record NowView(
-            @Nullable PointView droneAt,
+            @Nullable TelemetryPointView droneAt,
 
             @Schema(description = "metres above its home") @Nullable
             Double height,
@@ -112,18 +112,18 @@ public record FollowView(
                             "How the phone is reached on the stream: vague: where it says it is is of no use; asleep: its page"
                                     + " stands still; cut: it has no network; gone: its page was closed; null: it does"
                                     + " not speak there")
-            @ValuesOf(Reach.class)
+            @EnumValues(ReporterState.class)
             @Nullable
             String reach) {}
 
     /** Degrees. */
     @Schema(name = "FollowPointView")
-    public record PointView(double latitude, double longitude) {}
+    public record TelemetryPointView(double latitude, double longitude) {}
 
     /** Where the phone said last that it is. */
     @Schema(name = "FollowPhoneView")
     public record PhoneView(
-            PointView at,
+            TelemetryPointView at,
 
             @Schema(description = "metres") double accuracy,
 
@@ -133,9 +133,9 @@ public record FollowView(
 
     /** A sentence of it. */
     @Schema(name = "FollowToldView")
-    public record ToldView(Instant at, String words) {}
+    public record NoticeView(Instant at, String words) {}
 
-    static FollowView of(Picture<FollowState> follow, @Nullable NowView now) {
+    static FollowView of(Snapshot<FollowState> follow, @Nullable NowView now) {
         FollowState state = follow.state();
         Instant ended = follow.saved().endedAt();
         return new FollowView(
@@ -144,7 +144,7 @@ public record FollowView(
                 follow.saved().owner(),
                 millis(follow.saved().beganAt()),
                 ended == null ? null : millis(ended),
-                WireNames.camel(follow.setAside() == null ? state.stage() : Stage.OVER),
+                WireNames.camel(follow.setAside() == null ? state.stage() : FollowStage.OVER),
                 millis(state.since()),
                 state.note(),
                 follow.setAside() == null ? state.end() : follow.setAside(),
@@ -153,7 +153,7 @@ public record FollowView(
                 place(state.order().place()),
                 state.order().patienceSeconds(),
                 state.told().stream()
-                        .map(one -> new ToldView(millis(one.at()), one.words()))
+                        .map(one -> new NoticeView(millis(one.at()), one.words()))
                         .toList(),
                 state.crew().others().stream()
                         .map(other -> new OtherView(
@@ -165,12 +165,12 @@ public record FollowView(
                 now);
     }
 
-    private static PlaceView place(FollowOrder.Place place) {
-        Side side = place.side();
+    private static PlaceView place(FollowOrder.RelativePlace place) {
+        StandOffSide side = place.side();
         return new PlaceView(
                 WireNames.lowerFirst(side.getClass().getSimpleName()),
-                side instanceof Side.Fixed fixed ? fixed.bearingDegrees() : null,
-                side instanceof Side.Orbit orbit ? orbit.degreesPerSecond() : null,
+                side instanceof StandOffSide.Fixed fixed ? fixed.bearingDegrees() : null,
+                side instanceof StandOffSide.Orbit orbit ? orbit.degreesPerSecond() : null,
                 place.distanceMeters(),
                 place.heightMeters());
     }

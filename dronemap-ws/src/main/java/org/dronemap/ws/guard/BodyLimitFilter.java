@@ -11,7 +11,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
-import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.security.ProblemWriter;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -48,7 +48,7 @@ public final class BodyLimitFilter extends OncePerRequestFilter {
         Limited limited = new Limited(request, most, limits);
         if (request.getContentLengthLong() > most) {
             response.setHeader("Connection", "close");
-            problems.write(response, Problem.of(BoundedBody.tooLarge(most)));
+            problems.write(response, ProblemView.of(BoundedBody.tooLarge(most)));
         } else {
             chain.doFilter(limited, response);
         }

@@ -10,14 +10,14 @@ import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.drone.EventView;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
-import org.dronemap.ws.reading.PointView;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
+import org.dronemap.ws.reading.TelemetryPointView;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springdoc.core.annotations.ParameterObject;
@@ -41,11 +41,11 @@ import org.springframework.web.bind.annotation.RestController;
 public class FlightController {
     private final FlightService flights;
     private final TelemetryService telemetry;
-    private final TelemetryFiles files;
+    private final TelemetryExporter files;
     private final CurrentPrincipal current;
 
     public FlightController(
-            FlightService flights, TelemetryService telemetry, TelemetryFiles files, CurrentPrincipal current) {
+            FlightService flights, TelemetryService telemetry, TelemetryExporter files, CurrentPrincipal current) {
         this.flights = flights;
         this.telemetry = telemetry;
         this.files = files;
@@ -53,7 +53,7 @@ public class FlightController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "listFlights",
             summary = "Look for flights",
@@ -61,18 +61,18 @@ public class FlightController {
                     "Newest first, 50 unless limit says otherwise (1 to 200); go on with before = next. Times are as"
                             + " 2026-03-04T05:06:07Z.")
     public FlightView.Flights flights(
-            @ParameterObject @ModelAttribute FlightSearch search,
+            @ParameterObject @ModelAttribute FlightSearchRequest search,
             @RequestParam(required = false) @Nullable String before,
             @RequestParam(required = false) @Nullable Integer limit) {
         return flights.page(current.principal(), search, before, limit);
     }
 
     @GetMapping("/logbook")
-    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
-    @TakesOrGivesFile(gives = "text/csv")
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
+    @FileMediaTypes(gives = "text/csv")
     @Operation(operationId = "exportLogbook", summary = "Take all flights that are looked for along as a table (CSV)")
     public void logbook(
-            @ParameterObject @ModelAttribute FlightSearch search,
+            @ParameterObject @ModelAttribute FlightSearchRequest search,
             @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
         Principal principal = current.principal();
@@ -84,47 +84,47 @@ public class FlightController {
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(operationId = "getFlight", summary = "Look at one flight")
     public FlightView flight(@PathVariable String id) {
         return flights.flight(current.principal(), id);
     }
 
     @PatchMapping("/{id}")
-    @Access(from = From.OPERATOR, about = About.DRONE)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE)
     @Operation(operationId = "annotateFlight", summary = "Write notes about a flight (operator)")
     public FlightView annotate(@PathVariable String id, @RequestBody FlightNotes notes) {
         return flights.annotate(current.principal(), id, notes);
     }
 
     @GetMapping("/{id}/telemetry")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "getFlightTelemetry",
             summary = "Look at numbers over a flight",
             description =
                     "For each of the fields the least and the greatest value of each slot, 1000 slots unless asked"
                             + " otherwise (1 to 5000); from and until make it a part of the flight.")
-    public SeriesView series(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearch search) {
+    public SeriesView series(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.series(telemetry.flight(current.principal(), id), search);
     }
 
     @GetMapping("/{id}/telemetry/points")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "listFlightTelemetryPoints",
             summary = "Look at the states of a flight",
             description =
                     "All that are kept, or when these are more than most (1 to 20000, usually 5000), so many evenly"
                             + " over the time.")
-    public PointView.Points points(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearch search) {
+    public TelemetryPointView.Points points(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.points(telemetry.flight(current.principal(), id), search);
     }
 
     @GetMapping("/{id}/telemetry/file")
-    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
-    @Answers(refuses = 409)
-    @TakesOrGivesFile(
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
+    @ResponseStatuses(refuses = 409)
+    @FileMediaTypes(
             gives = {
                 "text/csv",
                 "application/geo+json",
@@ -140,21 +140,21 @@ public class FlightController {
                     "form: csv, geojson, kml, gpx, parquet (the columns of the archive) or tlog (where it was recorded).")
     public void file(
             @PathVariable String id,
-            @ParameterObject @ModelAttribute TelemetrySearch search,
+            @ParameterObject @ModelAttribute TelemetrySearchRequest search,
             @RequestParam(defaultValue = "csv") String form,
             @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
-        SentFile.send(files.export(telemetry.flight(current.principal(), id), search, form), response);
+        TemporaryFileResponse.send(files.export(telemetry.flight(current.principal(), id), search, form), response);
     }
 
     @GetMapping("/{id}/events")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "listFlightEvents",
             summary = "Look at what happened in a flight",
             description =
                     "Messages, modes, commands with their outcomes and so on, from ten seconds before to ten after.")
-    public EventView.Events events(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearch search) {
+    public EventView.Events events(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.events(telemetry.flight(current.principal(), id), search);
     }
 }

@@ -8,18 +8,18 @@ import java.util.Arrays;
 import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.access.Sight;
+import org.dronemap.core.access.VisibilityLevel;
 import org.dronemap.core.history.Flight;
-import org.dronemap.core.history.FlightLog;
 import org.dronemap.core.history.FlightQuery;
+import org.dronemap.core.history.FlightRegistry;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingArchive;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.DroneProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.Csv;
 import org.jspecify.annotations.Nullable;
@@ -50,17 +50,17 @@ public final class FlightService {
             "notice",
             "notes");
 
-    private final FlightLog flights;
+    private final FlightRegistry flights;
     private final RecordingArchive recordings;
 
-    public FlightService(FlightLog flights, RecordingArchive recordings) {
+    public FlightService(FlightRegistry flights, RecordingArchive recordings) {
         this.flights = flights;
         this.recordings = recordings;
     }
 
     /** Newest first; {@code before}: the id of the last flight of the page before. */
     public FlightView.Flights page(
-            Principal principal, FlightSearch search, @Nullable String before, @Nullable Integer limit) {
+            Principal principal, FlightSearchRequest search, @Nullable String before, @Nullable Integer limit) {
         int most = limit(limit);
         FlightQuery query = search.query();
         Flight after = before == null || before.isBlank() ? null : after(principal, before);
@@ -90,7 +90,7 @@ public final class FlightService {
 
     private Flight after(Principal principal, String id) {
         return flights.flight(id)
-                .filter(flight -> sight(principal, flight) != Sight.NONE)
+                .filter(flight -> sight(principal, flight) != VisibilityLevel.NONE)
                 .orElseThrow(() -> InvalidInput.outside(
                         ValueProblem.REFERENCE_UNKNOWN, "before", "the id of a flight", "\"" + id + "\""));
     }
@@ -120,12 +120,12 @@ public final class FlightService {
     }
 
     /** A flight belongs to whom the drone belonged to when it began: nobody gives one away that flies. */
-    private static Sight sight(Principal principal, Flight flight) {
+    private static VisibilityLevel sight(Principal principal, Flight flight) {
         return principal.sight(flight.drone(), flight.start());
     }
 
     private static Flight shown(Principal principal, Flight flight) {
-        return sight(principal, flight) == Sight.ALL ? flight : Nameless.flight(flight);
+        return sight(principal, flight) == VisibilityLevel.ALL ? flight : NameRedaction.flight(flight);
     }
 
     public FlightView flight(Principal principal, String id) {
@@ -133,11 +133,11 @@ public final class FlightService {
     }
 
     public FlightView annotate(Principal principal, String id, FlightNotes notes) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         String written = notes.checked();
         Flight flight = find(principal, id);
-        Roles.require(principal, Role.OPERATOR, flight.drone());
-        if (sight(principal, flight) != Sight.ALL) {
+        RoleChecks.require(principal, Role.OPERATOR, flight.drone());
+        if (sight(principal, flight) != VisibilityLevel.ALL) {
             throw Rejection.of(
                     DroneProblem.OF_ANOTHER_ORGANISATION,
                     "The drone was another organisation's then; only that one writes notes.");
@@ -147,7 +147,7 @@ public final class FlightService {
     }
 
     /** All that are looked for, as a table; page by page, so that a slow reader holds nothing up. */
-    public void logbook(Principal principal, FlightSearch search, Writer out) throws IOException {
+    public void logbook(Principal principal, FlightSearchRequest search, Writer out) throws IOException {
         FlightQuery query = search.query();
         out.write(Csv.line(LOGBOOK));
         List<Flight> page = seen(principal, query, null, MOST);
@@ -188,8 +188,8 @@ public final class FlightService {
     /** What the asker may not see is told from what is not there by nothing. */
     Flight find(Principal principal, String id) {
         return flights.flight(id)
-                .filter(flight -> sight(principal, flight) != Sight.NONE)
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.FLIGHT, id));
+                .filter(flight -> sight(principal, flight) != VisibilityLevel.NONE)
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.FLIGHT, id));
     }
 
     private static FlightView view(Principal principal, Flight flight, List<Recording> known) {

@@ -6,8 +6,8 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.Flight;
-import org.dronemap.core.history.Measures;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.core.history.FlightStatistics;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
@@ -23,7 +23,7 @@ public record FlightView(
         @Schema(description = "Null while it goes on; of a lost one, when it was last heard") @Nullable
         Instant end,
 
-        @ValuesOf(Flight.State.class) String state,
+        @EnumValues(Flight.State.class) String state,
         double seconds,
         @Schema(description = "Along the ground, in metres") double distance,
 
@@ -67,9 +67,9 @@ public record FlightView(
             List<FlightView> flights, @Nullable String next) {}
 
     static FlightView of(Flight flight, List<String> recordings) {
-        Measures measures = flight.measures();
+        FlightStatistics measures = flight.measures();
         Instant until = flight.end() == null ? flight.heard() : flight.end();
-        Flight.Operation operation = flight.operation();
+        Flight.FlightOperation operation = flight.operation();
         return new FlightView(
                 flight.id(),
                 flight.drone().value(),

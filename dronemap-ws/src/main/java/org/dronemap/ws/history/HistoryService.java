@@ -3,14 +3,14 @@ package org.dronemap.ws.history;
 import io.swagger.v3.oas.annotations.media.Schema;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.history.History;
 import org.dronemap.core.history.HistoryHealth;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.core.history.HistoryRecorder;
+import org.dronemap.ws.access.RoleChecks;
 import org.jspecify.annotations.Nullable;
 
 /** Reports how completely the history of drones is stored, for those who run the server. Any thread. */
 public final class HistoryService {
-    private final History history;
+    private final HistoryRecorder history;
 
     /** What is kept where, and what is not. */
     @Schema(name = "HistoryView")
@@ -33,12 +33,12 @@ public final class HistoryService {
             @Schema(description = "States and events that are not written yet")
             int waiting) {}
 
-    public HistoryService(History history) {
+    public HistoryService(HistoryRecorder history) {
         this.history = history;
     }
 
     public HistoryView status(Principal principal) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         HistoryHealth health = history.health();
         String server = null;
         String trouble = health.trouble();

@@ -5,14 +5,14 @@ import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.drone.EventView;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
-import org.dronemap.ws.reading.PointView;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
+import org.dronemap.ws.reading.TelemetryPointView;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springdoc.core.annotations.ParameterObject;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -32,43 +32,43 @@ import org.springframework.web.bind.annotation.RestController;
                         + " until say otherwise.")
 public class TelemetryController {
     private final TelemetryService telemetry;
-    private final TelemetryFiles files;
+    private final TelemetryExporter files;
     private final CurrentPrincipal current;
 
-    public TelemetryController(TelemetryService telemetry, TelemetryFiles files, CurrentPrincipal current) {
+    public TelemetryController(TelemetryService telemetry, TelemetryExporter files, CurrentPrincipal current) {
         this.telemetry = telemetry;
         this.files = files;
         this.current = current;
     }
 
     @GetMapping("/telemetry")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "getDroneTelemetry",
             summary = "Look at numbers over time",
             description =
                     "For each of the fields the least and the greatest value of each slot, 1000 slots unless asked"
                             + " otherwise (1 to 5000); at most 31 days.")
-    public SeriesView series(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearch search) {
+    public SeriesView series(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.series(telemetry.drone(current.principal(), id), search);
     }
 
     @GetMapping("/telemetry/points")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "listDroneTelemetryPoints",
             summary = "Look at states over time",
             description =
                     "All that are kept, or when these are more than most (1 to 20000, usually 5000), so many evenly"
                             + " over the time.")
-    public PointView.Points points(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearch search) {
+    public TelemetryPointView.Points points(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.points(telemetry.drone(current.principal(), id), search);
     }
 
     @GetMapping("/telemetry/file")
-    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
-    @Answers(refuses = 409)
-    @TakesOrGivesFile(
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
+    @ResponseStatuses(refuses = 409)
+    @FileMediaTypes(
             gives = {
                 "text/csv",
                 "application/geo+json",
@@ -84,20 +84,20 @@ public class TelemetryController {
                     "form: csv, geojson, kml, gpx, parquet (the columns of the archive) or tlog (where it was recorded).")
     public void file(
             @PathVariable String id,
-            @ParameterObject @ModelAttribute TelemetrySearch search,
+            @ParameterObject @ModelAttribute TelemetrySearchRequest search,
             @RequestParam(defaultValue = "csv") String form,
             @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
-        SentFile.send(files.export(telemetry.drone(current.principal(), id), search, form), response);
+        TemporaryFileResponse.send(files.export(telemetry.drone(current.principal(), id), search, form), response);
     }
 
     @GetMapping("/events")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "listDroneEvents",
             summary = "Look at what happened to a drone",
             description = "Oldest first, at most 5000.")
-    public EventView.Events events(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearch search) {
+    public EventView.Events events(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.events(telemetry.drone(current.principal(), id), search);
     }
 }

@@ -5,21 +5,21 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
-import org.dronemap.core.access.Insight;
+import org.dronemap.core.access.HistoryVisibility;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Sight;
+import org.dronemap.core.access.VisibilityLevel;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.SeriesQuery;
-import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryStore;
+import org.dronemap.core.history.TimeRange;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.drone.EventView;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.PointView;
+import org.dronemap.ws.reading.TelemetryPointView;
 import org.dronemap.ws.reading.WireTimes;
 
 /** Use cases around what was measured and what happened, of a drone over some time or of one flight. Any thread. */
@@ -36,15 +36,15 @@ public final class TelemetryService {
     private final InstantSource clock;
 
     /** Whose telemetry is asked for, and when it usually is looked at. */
-    public record Subject(DroneId drone, String name, Span usual, Insight insight) {
+    public record Subject(DroneId drone, String name, TimeRange usual, HistoryVisibility insight) {
         /** What is asked for, all of which has to be shown to the asker. */
-        Span span(TelemetrySearch search) {
+        TimeRange span(TelemetrySearchRequest search) {
             return span(search, usual);
         }
 
-        private Span span(TelemetrySearch search, Span usually) {
-            Span asked = search.span(shown(usually));
-            Span shown = shown(asked);
+        private TimeRange span(TelemetrySearchRequest search, TimeRange usually) {
+            TimeRange asked = search.span(shown(usually));
+            TimeRange shown = shown(asked);
             if (!shown.equals(asked) && !asked.length().isZero()) {
                 throw new InvalidInput(
                         ValueProblem.TIME_NOT_SHOWN,
@@ -58,14 +58,14 @@ public final class TelemetryService {
             return asked;
         }
 
-        private Span shown(Span span) {
+        private TimeRange shown(TimeRange span) {
             return insight.within(span.from(), span.until())
-                    .map(part -> new Span(part.from(), part.until()))
-                    .orElse(new Span(span.until(), span.until()));
+                    .map(part -> new TimeRange(part.from(), part.until()))
+                    .orElse(new TimeRange(span.until(), span.until()));
         }
 
         HistoryEvent shown(HistoryEvent event) {
-            return insight.at(event.at()) == Sight.ALL ? event : Nameless.event(event);
+            return insight.at(event.at()) == VisibilityLevel.ALL ? event : NameRedaction.event(event);
         }
     }
 
@@ -80,7 +80,7 @@ public final class TelemetryService {
     public Subject drone(Principal principal, String id) {
         DroneState state = drones.state(principal, id);
         Instant now = clock.instant();
-        return new Subject(state.id(), state.name(), new Span(now.minus(USUAL), now), principal.insight(state.id()));
+        return new Subject(state.id(), state.name(), new TimeRange(now.minus(USUAL), now), principal.insight(state.id()));
     }
 
     /** A flight, from its beginning to its end or to now. */
@@ -92,33 +92,33 @@ public final class TelemetryService {
         return new Subject(
                 flight.drone(),
                 flight.droneName(),
-                new Span(flight.start(), max(flight.start(), until)),
+                new TimeRange(flight.start(), max(flight.start(), until)),
                 principal.insight(flight.drone()));
     }
 
-    public SeriesView series(Subject subject, TelemetrySearch search) {
+    public SeriesView series(Subject subject, TelemetrySearchRequest search) {
         SeriesQuery query = new SeriesQuery(subject.drone(), subject.span(search), search.chosen(), search.slotCount());
         return SeriesView.of(query, store.series(query));
     }
 
     /** All points, or so many of them that they are no more than is asked for, evenly over the time. */
-    public PointView.Points points(Subject subject, TelemetrySearch search) {
-        Span span = subject.span(search);
+    public TelemetryPointView.Points points(Subject subject, TelemetrySearchRequest search) {
+        TimeRange span = subject.span(search);
         Duration apart = span.length().dividedBy(search.mostPoints());
-        List<PointView> points = new ArrayList<>();
+        List<TelemetryPointView> points = new ArrayList<>();
         Instant[] next = {span.from()};
         store.points(subject.drone(), span, point -> {
             if (!point.at().isBefore(next[0])) {
-                points.add(PointView.of(point));
+                points.add(TelemetryPointView.of(point));
                 next[0] = point.at().plus(apart);
             }
         });
-        return new PointView.Points(
+        return new TelemetryPointView.Points(
                 subject.drone().value(), WireTimes.shown(span.from()), WireTimes.shown(span.until()), points);
     }
 
-    public EventView.Events events(Subject subject, TelemetrySearch search) {
-        Span span = subject.span(search, around(subject.usual()));
+    public EventView.Events events(Subject subject, TelemetrySearchRequest search) {
+        TimeRange span = subject.span(search, around(subject.usual()));
         List<HistoryEvent> events = store.events(subject.drone(), span, MOST_EVENTS + 1);
         return new EventView.Events(
                 subject.drone().value(),
@@ -132,8 +132,8 @@ public final class TelemetryService {
                 events.size() > MOST_EVENTS);
     }
 
-    private static Span around(Span span) {
-        return new Span(span.from().minus(MARGIN), span.until().plus(MARGIN));
+    private static TimeRange around(TimeRange span) {
+        return new TimeRange(span.from().minus(MARGIN), span.until().plus(MARGIN));
     }
 
     private static Instant max(Instant one, Instant other) {

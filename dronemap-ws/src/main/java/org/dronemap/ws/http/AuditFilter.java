@@ -7,14 +7,14 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.dronemap.core.audit.Activity;
-import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.core.audit.AuditRecorder;
+import org.dronemap.core.audit.AuditedCall;
 import org.dronemap.ws.access.AccessRule;
-import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.AuditPolicy;
 import org.dronemap.ws.access.RestOperations;
-import org.dronemap.ws.security.CalledBy;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.security.ForwardedCaller;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
@@ -27,10 +27,10 @@ public final class AuditFilter extends OncePerRequestFilter {
     private static final int FIRST_BAD_STATUS = 400;
     private static final int FIRST_OWN_FAULT = 500;
 
-    private final AuditDesk desk;
+    private final AuditRecorder desk;
     private final RestOperations operations;
 
-    public AuditFilter(AuditDesk desk, RestOperations operations) {
+    public AuditFilter(AuditRecorder desk, RestOperations operations) {
         this.desk = desk;
         this.operations = operations;
     }
@@ -39,16 +39,16 @@ public final class AuditFilter extends OncePerRequestFilter {
     protected boolean shouldNotFilter(HttpServletRequest request) {
         String path = request.getRequestURI();
         if (path.startsWith(SOAP)) {
-            return Audit.onlyLooks(request.getMethod());
+            return AuditPolicy.onlyLooks(request.getMethod());
         }
-        return !path.startsWith(API) || operations.rule(request).audit() == Audit.ONLY_LOOKS;
+        return !path.startsWith(API) || operations.rule(request).audit() == AuditPolicy.ONLY_LOOKS;
     }
 
     @Override
     protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
             throws ServletException, IOException {
-        Activity call = request.getRequestURI().startsWith(SOAP) ? desk.begin("soap", "unreadable") : rest(request);
-        HeldResponse held = new HeldResponse(response, () -> finish(call, request, response));
+        AuditedCall call = request.getRequestURI().startsWith(SOAP) ? desk.begin("soap", "unreadable") : rest(request);
+        DelayedCommitResponse held = new DelayedCommitResponse(response, () -> finish(call, request, response));
         try {
             call.<Boolean, Exception>during(() -> {
                 chain.doFilter(request, held);
@@ -64,11 +64,11 @@ public final class AuditFilter extends OncePerRequestFilter {
         }
     }
 
-    private Activity rest(HttpServletRequest request) {
+    private AuditedCall rest(HttpServletRequest request) {
         AccessRule rule = operations.rule(request);
         AuditedOperation operation = AuditedOperation.of(request, rule.operation());
-        String face = CurrentPrincipal.otherFace(request).map(CalledBy::face).orElse("rest");
-        Activity call = desk.begin(face, operation.name());
+        String face = CurrentPrincipal.otherFace(request).map(ForwardedCaller::face).orElse("rest");
+        AuditedCall call = desk.begin(face, operation.name());
         call.drone(operation.drone());
         call.parameters(operation.parameters());
         switch (rule.audit()) {
@@ -84,35 +84,35 @@ public final class AuditFilter extends OncePerRequestFilter {
         return "from " + request.getRemoteAddr();
     }
 
-    private void end(Activity call, HttpServletRequest request, HeldResponse response) {
+    private void end(AuditedCall call, HttpServletRequest request, DelayedCommitResponse response) {
         response.letGo();
         if (request.isAsyncStarted()) {
-            request.getAsyncContext().addListener(new AtTheEnd(call, request, response));
+            request.getAsyncContext().addListener(new AuditAsyncListener(call, request, response));
         } else {
             finish(call, request, response);
         }
     }
 
-    private void finish(Activity call, HttpServletRequest request, HttpServletResponse response) {
+    private void finish(AuditedCall call, HttpServletRequest request, HttpServletResponse response) {
         int status = response.getStatus();
         if (status >= FIRST_BAD_STATUS) {
             call.turnedAway(
                     status >= FIRST_OWN_FAULT ? AuditOutcome.FAILED : AuditOutcome.REFUSED,
                     "It was answered with status " + status + ".");
         }
-        if (call.entry().by() == null && operations.rule(request).audit() != Audit.RECORDED_WITH_PLACE) {
+        if (call.entry().by() == null && operations.rule(request).audit() != AuditPolicy.RECORDED_WITH_PLACE) {
             call.parameters(place(request));
         }
         desk.end(call);
     }
 
     /** For what is answered by another thread. */
-    private final class AtTheEnd implements AsyncListener {
-        private final Activity call;
+    private final class AuditAsyncListener implements AsyncListener {
+        private final AuditedCall call;
         private final HttpServletRequest request;
         private final HttpServletResponse response;
 
-        AtTheEnd(Activity call, HttpServletRequest request, HttpServletResponse response) {
+        AuditAsyncListener(AuditedCall call, HttpServletRequest request, HttpServletResponse response) {
             this.call = call;
             this.request = request;
             this.response = response;

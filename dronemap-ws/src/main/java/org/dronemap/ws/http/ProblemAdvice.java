@@ -8,9 +8,9 @@ import org.apache.tomcat.util.http.InvalidParameterException;
 import org.dronemap.core.time.FatalErrors;
 import org.dronemap.ws.access.AuditNotes;
 import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.problem.Outages;
-import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.OutageClassifier;
 import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
 import org.dronemap.ws.problem.RequestProblem;
@@ -41,12 +41,12 @@ public class ProblemAdvice {
     private static final Logger LOG = LoggerFactory.getLogger(ProblemAdvice.class);
 
     @ExceptionHandler(Rejection.class)
-    public ResponseEntity<Problem> rejected(Rejection rejection) {
+    public ResponseEntity<ProblemView> rejected(Rejection rejection) {
         return answer(rejection);
     }
 
     @ExceptionHandler(HttpMessageNotReadableException.class)
-    public ResponseEntity<Problem> unreadable(HttpMessageNotReadableException e) {
+    public ResponseEntity<ProblemView> unreadable(HttpMessageNotReadableException e) {
         // The reader of JSON wraps what the body itself said of its length or its slowness.
         Rejection ofBody = causeOf(e, Rejection.class);
         if (ofBody != null) {
@@ -71,7 +71,7 @@ public class ProblemAdvice {
     }
 
     @ExceptionHandler(MethodArgumentTypeMismatchException.class)
-    public ResponseEntity<Problem> wrongParameter(MethodArgumentTypeMismatchException e) {
+    public ResponseEntity<ProblemView> wrongParameter(MethodArgumentTypeMismatchException e) {
         Class<?> type = e.getRequiredType();
         boolean number = type != null && (Number.class.isAssignableFrom(type) || type.isPrimitive());
         return answer(InvalidInput.outside(
@@ -82,12 +82,12 @@ public class ProblemAdvice {
     }
 
     @ExceptionHandler(MissingServletRequestParameterException.class)
-    public ResponseEntity<Problem> missingParameter(MissingServletRequestParameterException e) {
+    public ResponseEntity<ProblemView> missingParameter(MissingServletRequestParameterException e) {
         return answer(InvalidInput.missing(e.getParameterName(), "given in the address"));
     }
 
     @ExceptionHandler(HttpRequestMethodNotSupportedException.class)
-    public ResponseEntity<Problem> wrongMethod(HttpRequestMethodNotSupportedException e) {
+    public ResponseEntity<ProblemView> wrongMethod(HttpRequestMethodNotSupportedException e) {
         Set<HttpMethod> supported = e.getSupportedHttpMethods();
         String allowed = supported == null
                 ? "another method"
@@ -100,11 +100,11 @@ public class ProblemAdvice {
         return ResponseEntity.status(RejectionKind.METHOD.status())
                 .header("Allow", allowed)
                 .contentType(MediaType.APPLICATION_PROBLEM_JSON)
-                .body(Problem.of(rejection));
+                .body(ProblemView.of(rejection));
     }
 
     @ExceptionHandler(HttpMediaTypeNotSupportedException.class)
-    public ResponseEntity<Problem> wrongContent(HttpMediaTypeNotSupportedException e) {
+    public ResponseEntity<ProblemView> wrongContent(HttpMediaTypeNotSupportedException e) {
         String allowed = e.getSupportedMediaTypes().stream()
                 .map(MediaType::toString)
                 .filter(type -> !type.contains("+") && !type.contains("*") && !type.contains("yaml"))
@@ -118,7 +118,7 @@ public class ProblemAdvice {
 
     /** The web server's own reader, of the query and of forms, which no address takes. */
     @ExceptionHandler(InvalidParameterException.class)
-    public ResponseEntity<Problem> unreadableParameters(InvalidParameterException e, HttpServletRequest request) {
+    public ResponseEntity<ProblemView> unreadableParameters(InvalidParameterException e, HttpServletRequest request) {
         String content = request.getContentType();
         if (content == null || !content.contains("form")) {
             return answer(Rejection.of(
@@ -133,13 +133,13 @@ public class ProblemAdvice {
     }
 
     @ExceptionHandler(HttpMediaTypeNotAcceptableException.class)
-    public ResponseEntity<Problem> wrongAccept(HttpMediaTypeNotAcceptableException e) {
+    public ResponseEntity<ProblemView> wrongAccept(HttpMediaTypeNotAcceptableException e) {
         return answer(Rejection.of(
                 RequestProblem.ANSWER_TYPE_NOT_SERVED, "The answer is JSON; the Accept header rules that out."));
     }
 
     @ExceptionHandler(NoResourceFoundException.class)
-    public ResponseEntity<Problem> noSuchAddress(HttpServletRequest request) {
+    public ResponseEntity<ProblemView> noSuchAddress(HttpServletRequest request) {
         return answer(Rejection.of(
                 RequestProblem.ADDRESS_UNKNOWN,
                 "There is nothing at " + request.getRequestURI() + "; /api/docs lists the addresses.",
@@ -153,13 +153,13 @@ public class ProblemAdvice {
     }
 
     @ExceptionHandler(Exception.class)
-    public ResponseEntity<Problem> broken(Exception e, HttpServletRequest request) {
+    public ResponseEntity<ProblemView> broken(Exception e, HttpServletRequest request) {
         FatalErrors.tellOf(e);
         Throwable cause = e instanceof CompletionException ? e.getCause() : e;
         if (cause instanceof Rejection rejection) {
             return answer(rejection);
         }
-        Rejection outage = Outages.of(e).orElse(null);
+        Rejection outage = OutageClassifier.of(e).orElse(null);
         if (outage != null) {
             LOG.warn(
                     "{} {} came while the store was away: {}",
@@ -169,14 +169,14 @@ public class ProblemAdvice {
             return answer(outage);
         }
         LOG.error("{} {} failed", request.getMethod(), request.getRequestURI(), e);
-        return body(Problem.internal());
+        return body(ProblemView.internal());
     }
 
-    private static ResponseEntity<Problem> answer(@Nullable Rejection rejection) {
-        return body(rejection == null ? Problem.internal() : Problem.of(rejection));
+    private static ResponseEntity<ProblemView> answer(@Nullable Rejection rejection) {
+        return body(rejection == null ? ProblemView.internal() : ProblemView.of(rejection));
     }
 
-    private static ResponseEntity<Problem> body(Problem problem) {
+    private static ResponseEntity<ProblemView> body(ProblemView problem) {
         AuditNotes.turnedAway(problem);
         ResponseEntity.BodyBuilder answer =
                 ResponseEntity.status(problem.status()).contentType(MediaType.APPLICATION_PROBLEM_JSON);

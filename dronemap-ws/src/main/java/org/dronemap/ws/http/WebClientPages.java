@@ -26,7 +26,7 @@ public final class WebClientPages implements WebMvcConfigurer {
                 .addResourceLocations(FILES)
                 .setCacheControl(CacheControl.noCache())
                 .resourceChain(false)
-                .addResolver(new OrFirstPage());
+                .addResolver(new IndexPageResolver());
     }
 
     @Override
@@ -35,7 +35,7 @@ public final class WebClientPages implements WebMvcConfigurer {
         registry.addViewController("/").setViewName("forward:/index.html");
     }
 
-    private static final class OrFirstPage extends PathResourceResolver {
+    private static final class IndexPageResolver extends PathResourceResolver {
         @Override
         protected @Nullable Resource getResource(String path, Resource location) throws IOException {
             Resource found = super.getResource(path.isEmpty() ? "index.html" : path, location);

@@ -2,16 +2,16 @@ package org.dronemap.ws.journal;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.dronemap.cognitive.operation.follow.FollowInput.ModeMeaning;
+import org.dronemap.cognitive.operation.follow.FollowInput.Observation;
+import org.dronemap.cognitive.operation.follow.FollowInput.Observed;
+import org.dronemap.cognitive.operation.follow.FollowInput.OtherDrone;
 import org.dronemap.cognitive.operation.follow.FollowInput;
-import org.dronemap.cognitive.operation.follow.FollowInput.Look;
-import org.dronemap.cognitive.operation.follow.FollowInput.Looked;
-import org.dronemap.cognitive.operation.follow.FollowInput.Modes;
-import org.dronemap.cognitive.operation.follow.FollowInput.Other;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.jspecify.annotations.Nullable;
 
 /** Follows as text. */
-public final class FollowCodec extends RecordCodec<FollowState, FollowInput> {
+public final class FollowCodec extends JsonOperationCodec<FollowState, FollowInput> {
     /** Drones were led in no other mode before looks told in which they can be. */
     private static final String LED = "GUIDED";
 
@@ -32,9 +32,9 @@ public final class FollowCodec extends RecordCodec<FollowState, FollowInput> {
         return super.input(looking(input, FollowCodec::withoutUsualModes));
     }
 
-    private static FollowInput looking(FollowInput input, UnaryOperator<Look> change) {
-        return input instanceof Looked looked
-                ? new Looked(
+    private static FollowInput looking(FollowInput input, UnaryOperator<Observation> change) {
+        return input instanceof Observed looked
+                ? new Observed(
                         looked.at(),
                         changed(looked.drone(), change),
                         looked.sighted(),
@@ -42,25 +42,25 @@ public final class FollowCodec extends RecordCodec<FollowState, FollowInput> {
                         looked.unsteered(),
                         looked.others().stream()
                                 .map(other ->
-                                        new Other(other.drone(), changed(other.look(), change), other.apartMeters()))
+                                        new OtherDrone(other.drone(), changed(other.look(), change), other.apartMeters()))
                                 .toList())
                 : input;
     }
 
-    private static @Nullable Look changed(@Nullable Look look, UnaryOperator<Look> change) {
+    private static @Nullable Observation changed(@Nullable Observation look, UnaryOperator<Observation> change) {
         return look == null ? null : change.apply(look);
     }
 
-    private static Look withModes(Look look) {
+    private static Observation withModes(Observation look) {
         return look.modes() == null ? look.with(usual(look)) : look;
     }
 
-    private static Look withoutUsualModes(Look look) {
+    private static Observation withoutUsualModes(Observation look) {
         return usual(look).equals(look.modes()) ? look.with(null) : look;
     }
 
-    private static Modes usual(Look look) {
+    private static ModeMeaning usual(Observation look) {
         boolean home = look.homing() && look.mode() != null && look.mode().endsWith(HOMEWARD);
-        return new Modes(LED, home);
+        return new ModeMeaning(LED, home);
     }
 }

@@ -5,10 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -31,7 +31,7 @@ public class AccessKeyController {
 
     /** All keys of the caller. */
     @Schema(name = "AccessKeys")
-    public record Keys(List<KeyView> accessKeys) {}
+    public record Keys(List<AccessKeyView> accessKeys) {}
 
     public AccessKeyController(AccessKeyService keys, CurrentPrincipal current) {
         this.keys = keys;
@@ -39,41 +39,41 @@ public class AccessKeyController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.OWN)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
     @Operation(operationId = "listAccessKeys", summary = "List one's own access keys")
     public Keys keys() {
         return new Keys(keys.keys(current.principal()));
     }
 
     @PostMapping
-    @Access(from = From.VIEWER, about = About.OWN)
-    @Answers(201)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
+    @ResponseStatuses(201)
     @Operation(
             operationId = "makeAccessKey",
             summary = "Make an access key",
             description =
                     "The key itself is in this answer and never shown again. What is left out is as wide as you are;"
                             + " made with a key, it stays within that key and goes with it.")
-    public ResponseEntity<KeyView> addKey(@RequestBody KeyRequest request) {
-        KeyView key = keys.addKey(current.principal(), request);
+    public ResponseEntity<AccessKeyView> addKey(@RequestBody AccessKeyRequest request) {
+        AccessKeyView key = keys.addKey(current.principal(), request);
         return ResponseEntity.created(URI.create("/api/v1/access-keys/" + key.id()))
                 .body(key);
     }
 
     @PostMapping("/{id}/renew")
-    @Access(from = From.VIEWER, about = About.OWN)
-    @Answers(never = 409)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
+    @ResponseStatuses(never = 409)
     @Operation(
             operationId = "renewAccessKey",
             summary = "Renew an access key",
             description = "The same key with a new secret, which is in this answer and never shown again; the old one"
                     + " is void at once. Keys made from it stay.")
-    public KeyView renew(@PathVariable String id) {
+    public AccessKeyView renew(@PathVariable String id) {
         return keys.renew(current.principal(), id);
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.OWN)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "deleteAccessKey",

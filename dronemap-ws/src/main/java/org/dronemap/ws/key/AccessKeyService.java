@@ -17,17 +17,17 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.Bounds;
-import org.dronemap.ws.access.Roles;
-import org.dronemap.ws.account.Accounts;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.NameRules;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -39,41 +39,41 @@ public final class AccessKeyService {
     private static final int MOST_OF_ONE_OWNER = 200;
 
     private final AccessStore store;
-    private final Accounts accounts;
-    private final Secrets secrets;
+    private final AccountChanges accounts;
+    private final SecretGenerator secrets;
     private final Clock clock;
 
-    public AccessKeyService(AccessStore store, Accounts accounts, Secrets secrets, Clock clock) {
+    public AccessKeyService(AccessStore store, AccountChanges accounts, SecretGenerator secrets, Clock clock) {
         this.store = store;
         this.accounts = accounts;
         this.secrets = secrets;
         this.clock = clock;
     }
 
-    public List<KeyView> keys(Principal principal) {
+    public List<AccessKeyView> keys(Principal principal) {
         Set<String> within = within(principal);
         return store.accessKeys(principal.name()).stream()
                 .filter(key -> within.contains(key.id()))
-                .map(key -> KeyView.of(key, null))
+                .map(key -> AccessKeyView.of(key, null))
                 .toList();
     }
 
     /** Those of a user, for an administrator. */
-    public List<KeyView> keysOf(Principal principal, String user) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+    public List<AccessKeyView> keysOf(Principal principal, String user) {
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return store.accessKeys(accounts.find(principal, user).name()).stream()
-                .map(key -> KeyView.of(key, null))
+                .map(key -> AccessKeyView.of(key, null))
                 .toList();
     }
 
     /** A user's, by an administrator, with all keys that were made from it. */
     public void deleteKeyOf(Principal principal, String user, String id) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         remove(accounts.find(principal, user).name(), id);
     }
 
     /** A key made with a key stays within it, and goes with it. */
-    public KeyView addKey(Principal principal, KeyRequest request) {
+    public AccessKeyView addKey(Principal principal, AccessKeyRequest request) {
         if (store.user(principal.name()).isEmpty()) {
             throw Rejection.of(AccessProblem.NO_OWN_ACCOUNT, "Only a user can own access keys; sign in as one.");
         }
@@ -93,26 +93,26 @@ public final class AccessKeyService {
         String secret = secrets.token();
         AccessKey key = new AccessKey(
                 UUID.randomUUID().toString(),
-                Names.checked("label", request.label(), KeyRequest.LONGEST_LABEL),
+                NameRules.checked("label", request.label(), AccessKeyRequest.LONGEST_LABEL),
                 principal.name(),
                 principal.key(),
                 rights,
-                Secrets.hash(secret),
+                SecretGenerator.hash(secret),
                 now,
                 null);
         store.addAccessKey(key);
-        return KeyView.of(key, secret);
+        return AccessKeyView.of(key, secret);
     }
 
     /** The same key with a new secret; the old one is void at once, keys made from it stay. */
-    public KeyView renew(Principal principal, String id) {
+    public AccessKeyView renew(Principal principal, String id) {
         AccessKey key = find(principal, id);
         String secret = secrets.token();
-        if (!store.replaceSecret(principal.name(), id, Secrets.hash(secret))) {
-            throw Rejection.unknown(UnknownProblem.ACCESS_KEY, id);
+        if (!store.replaceSecret(principal.name(), id, SecretGenerator.hash(secret))) {
+            throw Rejection.unknown(NotFoundProblem.ACCESS_KEY, id);
         }
         accounts.tell(principal.name());
-        return KeyView.of(key, secret);
+        return AccessKeyView.of(key, secret);
     }
 
     /** With all keys that were made from it. */
@@ -122,7 +122,7 @@ public final class AccessKeyService {
 
     private void remove(String owner, String id) {
         if (!store.deleteAccessKey(owner, id)) {
-            throw Rejection.unknown(UnknownProblem.ACCESS_KEY, id);
+            throw Rejection.unknown(NotFoundProblem.ACCESS_KEY, id);
         }
         accounts.tell(owner);
     }
@@ -132,7 +132,7 @@ public final class AccessKeyService {
         return store.accessKeys(principal.name()).stream()
                 .filter(key -> key.id().equals(id) && within.contains(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ACCESS_KEY, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.ACCESS_KEY, id));
     }
 
     /** The key that was shown and all made from it; without one, all of the user's. */
@@ -183,7 +183,7 @@ public final class AccessKeyService {
                         AccessProblem.KEY_TOO_WIDE,
                         "A key made with this one can do no more than " + operations(principal) + ".",
                         ProblemParameter.CLOSED_BY.is("operations"));
-            case AREA -> beyond(KeyArea.FIELD, "within " + area(principal));
+            case AREA -> beyond(AccessKeyArea.FIELD, "within " + area(principal));
             case ALTITUDE -> beyond("ceiling", heights(principal));
             case EXPIRY ->
                 Rejection.of(
@@ -204,7 +204,7 @@ public final class AccessKeyService {
     private static String area(Principal principal) {
         Bounds bounds = principal.scope().innermost();
         FenceZone area = bounds == null ? null : bounds.area();
-        return area == null ? "reach" : KeyArea.words(area);
+        return area == null ? "reach" : AccessKeyArea.words(area);
     }
 
     private static String heights(Principal principal) {

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
-import org.dronemap.ws.reading.Sealing;
+import org.dronemap.ws.reading.SecretEncryption;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -17,10 +17,10 @@ public final class DtlsKeyRing {
     private static final String PURPOSE = "link key of ";
 
     private final LinkStore store;
-    private final Sealing sealing;
+    private final SecretEncryption sealing;
     private final Map<String, DtlsKey> keys = new ConcurrentHashMap<>();
 
-    public DtlsKeyRing(LinkStore store, Sealing sealing) {
+    public DtlsKeyRing(LinkStore store, SecretEncryption sealing) {
         this.store = store;
         this.sealing = sealing;
         store.keys().forEach(key -> keys.put(key.identity(), key));

@@ -19,10 +19,10 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.link.DtlsKey;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
-import org.dronemap.ws.reading.Names;
+import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around the keys that vehicles prove themselves with, for administrators. Any thread. */
@@ -31,7 +31,7 @@ public final class DtlsKeyService {
     private static final int SECRET_BYTES = 32;
 
     private final DtlsKeyRing ring;
-    private final VehicleLinks links;
+    private final VehicleLinkGateway links;
     private final CloudManager cloud;
     private final Clock clock;
     private final SecureRandom random = new SecureRandom();
@@ -57,7 +57,7 @@ public final class DtlsKeyService {
             boolean connected,
             @Nullable String secret) {}
 
-    public DtlsKeyService(DtlsKeyRing ring, VehicleLinks links, CloudManager cloud, Clock clock) {
+    public DtlsKeyService(DtlsKeyRing ring, VehicleLinkGateway links, CloudManager cloud, Clock clock) {
         this.ring = ring;
         this.links = links;
         this.cloud = cloud;
@@ -65,7 +65,7 @@ public final class DtlsKeyService {
     }
 
     public List<DtlsKeyView> keys(Principal principal) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         Set<String> connected = links.all().stream()
                 .flatMap(status -> status.peers().stream())
                 .flatMap(peer -> Stream.ofNullable(peer.identity()))
@@ -76,11 +76,11 @@ public final class DtlsKeyService {
     }
 
     public DtlsKeyView make(Principal principal, DtlsKeyRequest request) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         String drone = request.drone();
         DroneState known = drone == null ? null : known(principal, drone);
         String identity = known == null ? fresh() : known.id().value();
-        String label = Names.checked(
+        String label = NameRules.checked(
                 "label", request.label() == null && known != null ? known.name() : request.label(), LONGEST_LABEL);
         byte[] secret = new byte[SECRET_BYTES];
         random.nextBytes(secret);
@@ -97,9 +97,9 @@ public final class DtlsKeyService {
         try {
             return cloud.drone(new DroneId(drone))
                     .filter(state -> principal.sees(state.id()))
-                    .orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, drone));
+                    .orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, drone));
         } catch (IllegalArgumentException noDronesId) {
-            throw Rejection.unknown(UnknownProblem.DRONE, drone);
+            throw Rejection.unknown(NotFoundProblem.DRONE, drone);
         }
     }
 
@@ -109,9 +109,9 @@ public final class DtlsKeyService {
 
     /** The vehicle's links end at once. */
     public void revoke(Principal principal, String identity) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         if (!ring.remove(identity)) {
-            throw Rejection.unknown(UnknownProblem.DTLS_KEY, identity);
+            throw Rejection.unknown(NotFoundProblem.DTLS_KEY, identity);
         }
         links.disconnect(identity);
     }

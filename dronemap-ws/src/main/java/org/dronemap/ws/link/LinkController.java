@@ -5,10 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -49,7 +49,7 @@ public class LinkController {
     }
 
     @GetMapping("/endpoints")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(
             operationId = "listEndpoints",
             summary = "List the endpoints with their state and counters (administrator)")
@@ -58,15 +58,15 @@ public class LinkController {
     }
 
     @GetMapping("/endpoints/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(operationId = "getEndpoint", summary = "Look at one endpoint (administrator)")
     public EndpointView endpoint(@PathVariable String id) {
         return links.endpoint(current.principal(), id);
     }
 
     @PostMapping("/endpoints")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(201)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
+    @ResponseStatuses(201)
     @Operation(
             operationId = "addEndpoint",
             summary = "Add an endpoint (administrator)",
@@ -78,8 +78,8 @@ public class LinkController {
     }
 
     @DeleteMapping("/endpoints/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
+    @ResponseStatuses(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "removeEndpoint", summary = "Remove an endpoint that was added (administrator)")
     public void remove(@PathVariable String id) {
@@ -87,22 +87,22 @@ public class LinkController {
     }
 
     @GetMapping("/traffic")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(operationId = "getTraffic", summary = "What went over the link of each vehicle (administrator)")
     public Traffic traffic() {
         return new Traffic(links.traffic(current.principal()));
     }
 
     @GetMapping("/dtls-keys")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(operationId = "listDtlsKeys", summary = "List the DTLS keys of vehicles (administrator)")
     public DtlsKeys dtlsKeys() {
         return new DtlsKeys(keys.keys(current.principal()));
     }
 
     @PostMapping("/dtls-keys")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(value = 201, refuses = 404, never = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
+    @ResponseStatuses(value = 201, refuses = 404, never = 409)
     @Operation(
             operationId = "makeDtlsKey",
             summary = "Make the DTLS key of a vehicle (administrator)",
@@ -114,7 +114,7 @@ public class LinkController {
     }
 
     @DeleteMapping("/dtls-keys/{identity}")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "deleteDtlsKey",

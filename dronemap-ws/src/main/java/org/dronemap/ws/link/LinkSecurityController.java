@@ -2,10 +2,10 @@ package org.dronemap.ws.link;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.CacheControl;
@@ -35,22 +35,22 @@ public class LinkSecurityController {
     }
 
     @GetMapping("/link-security")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(operationId = "getLinkSecurity", summary = "Look at how a drone's link is secured, and what was refused")
     public LinkSecurityView look(@PathVariable String id) {
         return links.look(current.principal(), id);
     }
 
     @PutMapping("/link-security")
-    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.DRONE)
     @Operation(operationId = "setLinkSecurity", summary = "Set the policy: off, optional or required (administrator)")
     public LinkSecurityView policy(@PathVariable String id, @RequestBody LinkSecurityService.PolicyRequest request) {
         return links.setPolicy(current.principal(), id, request);
     }
 
     @PostMapping("/link-key")
-    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
-    @Answers(201)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses(201)
     @Operation(
             operationId = "makeLinkKey",
             summary = "Make a key, or bring one along (administrator)",
@@ -64,8 +64,8 @@ public class LinkSecurityController {
     }
 
     @PostMapping("/link-key/install")
-    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
-    @Answers({200, 202})
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses({200, 202})
     @Operation(
             operationId = "installLinkKey",
             summary = "Give the vehicle its key and hear that it signs (administrator)",
@@ -77,8 +77,8 @@ public class LinkSecurityController {
     }
 
     @PostMapping("/link-key/rotate")
-    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
-    @Answers({200, 202})
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses({200, 202})
     @Operation(
             operationId = "rotateLinkKey",
             summary = "Change the vehicle over to a new key (administrator)",
@@ -90,8 +90,8 @@ public class LinkSecurityController {
     }
 
     @DeleteMapping("/link-key")
-    @Access(from = From.ADMINISTRATOR, about = About.DRONE)
-    @Answers(
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses(
             value = {200, 202},
             refuses = 409)
     @Operation(

@@ -24,7 +24,7 @@ import org.dronemap.ws.problem.LinkSecurityProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -37,7 +37,7 @@ public final class LinkSecurityService {
     private static final String KEY_FORM = "64 hexadecimal digits, not all zero";
     private static final Duration LONGEST_CHANGE = Duration.ofSeconds(25);
 
-    private final LinkSecurityControl links;
+    private final LinkSecurityGateway links;
     private final DroneService drones;
     private final Time time;
     private final SecureRandom random = new SecureRandom();
@@ -45,7 +45,7 @@ public final class LinkSecurityService {
     /** A change of the policy. */
     @Schema(name = "LinkSecurityPolicyRequest")
     public record PolicyRequest(
-            @ValuesOf(LinkPolicy.class) @Nullable String policy) {}
+            @EnumValues(LinkPolicy.class) @Nullable String policy) {}
 
     /** A new key; without one given it is made up. */
     @Schema(name = "LinkKeyRequest")
@@ -72,7 +72,7 @@ public final class LinkSecurityService {
         }
     }
 
-    public LinkSecurityService(LinkSecurityControl links, DroneService drones, Time time) {
+    public LinkSecurityService(LinkSecurityGateway links, DroneService drones, Time time) {
         this.links = links;
         this.drones = drones;
         this.time = time;
@@ -114,18 +114,18 @@ public final class LinkSecurityService {
 
     /** Waits until the vehicle was heard to use the key, or not; longer changes go on and show in the answer. */
     public LinkSecurityView install(Principal principal, String id, @Nullable ChangeRequest request) {
-        return change(principal, id, LinkSecurityControl.Change.INSTALL, request);
+        return change(principal, id, LinkSecurityGateway.Change.INSTALL, request);
     }
 
     /** The vehicle changes over to a new key, which is never shown. */
     public LinkSecurityView rotate(Principal principal, String id, @Nullable ChangeRequest request) {
-        return change(principal, id, LinkSecurityControl.Change.ROTATE, request);
+        return change(principal, id, LinkSecurityGateway.Change.ROTATE, request);
     }
 
     /** Takes the key off the vehicle, or with {@code vehicle} false forgets it here only. */
     public LinkSecurityView revoke(Principal principal, String id, boolean vehicle) {
         if (vehicle) {
-            return change(principal, id, LinkSecurityControl.Change.REVOKE, null);
+            return change(principal, id, LinkSecurityGateway.Change.REVOKE, null);
         }
         DroneId drone = securable(principal, id);
         links.forget(drone);
@@ -134,10 +134,10 @@ public final class LinkSecurityService {
     }
 
     private LinkSecurityView change(
-            Principal principal, String id, LinkSecurityControl.Change change, @Nullable ChangeRequest request) {
+            Principal principal, String id, LinkSecurityGateway.Change change, @Nullable ChangeRequest request) {
         DroneId drone = securable(principal, id);
         boolean confirmed = request != null && Boolean.TRUE.equals(request.confirm());
-        LinkKey next = change == LinkSecurityControl.Change.ROTATE ? newKey() : null;
+        LinkKey next = change == LinkSecurityGateway.Change.ROTATE ? newKey() : null;
         LOG.info(
                 "{} asks to {} the link key of {}{}",
                 principal.name(),
@@ -148,7 +148,7 @@ public final class LinkSecurityService {
         return links.view(drone);
     }
 
-    private Optional<LinkSecurityControl.Fault> await(CompletableFuture<Optional<LinkSecurityControl.Fault>> end) {
+    private Optional<LinkSecurityGateway.Fault> await(CompletableFuture<Optional<LinkSecurityGateway.Fault>> end) {
         try {
             return time.await(end, LONGEST_CHANGE);
         } catch (TimeoutException stillUnderWay) {
@@ -161,7 +161,7 @@ public final class LinkSecurityService {
         }
     }
 
-    private static void refuse(DroneId drone, Optional<LinkSecurityControl.Fault> why) {
+    private static void refuse(DroneId drone, Optional<LinkSecurityGateway.Fault> why) {
         if (why.isPresent()) {
             throw Rejection.of(why.get().code(), why.get().sentence(), ProblemParameter.DRONE.is(drone.value()));
         }

@@ -2,19 +2,19 @@ package org.dronemap.ws.link;
 
 import io.swagger.v3.oas.annotations.media.Schema;
 import org.dronemap.core.access.LinkPolicy;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
 /** Security of a drone's link as clients see it; it holds no secret. */
 @Schema(name = "LinkSecurityView", description = "How a drone's link is secured; a key shows its fingerprint only.")
 public record LinkSecurityView(
-        @ValuesOf(LinkPolicy.class) String policy,
+        @EnumValues(LinkPolicy.class) String policy,
         @Nullable Key key,
 
         @Schema(description = "Fingerprint of the key that is being changed over to") @Nullable
         String nextKey,
 
-        @Schema(description = "While that is under way") @ValuesOf(LinkSecurityControl.Change.class) @Nullable
+        @Schema(description = "While that is under way") @EnumValues(LinkSecurityGateway.Change.class) @Nullable
         String changing,
 
         @Schema(description = "Whether a key may be sent over the present link; null: there is none") @Nullable

@@ -14,13 +14,13 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.DroneProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
@@ -29,7 +29,7 @@ public final class LinkService {
     private static final String URL_FORM = "the URL of an endpoint, such as udpserver://0.0.0.0:14550";
     private static final int ID_LETTERS = 10;
 
-    private final VehicleLinks links;
+    private final VehicleLinkGateway links;
     private final LinkStore store;
     private final Clock clock;
 
@@ -37,14 +37,14 @@ public final class LinkService {
     @Schema(name = "EndpointRequest")
     public record EndpointRequest(@Nullable String url) {}
 
-    public LinkService(VehicleLinks links, LinkStore store, Clock clock) {
+    public LinkService(VehicleLinkGateway links, LinkStore store, Clock clock) {
         this.links = links;
         this.store = store;
         this.clock = clock;
     }
 
     public List<EndpointView> endpoints(Principal principal) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         Map<String, SavedLink> saved =
                 store.links().stream().collect(Collectors.toMap(SavedLink::id, Function.identity()));
         return links.all().stream()
@@ -56,12 +56,12 @@ public final class LinkService {
         return endpoints(principal).stream()
                 .filter(endpoint -> endpoint.id().equals(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ENDPOINT, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.ENDPOINT, id));
     }
 
     /** Kept from now on, also over restarts; listed as failed, with the reason, while it cannot open. */
     public EndpointView add(Principal principal, EndpointRequest request) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         String url = checked(request.url());
         String id = "e" + UUID.randomUUID().toString().replace("-", "").substring(0, ID_LETTERS);
         if (!store.addLink(new SavedLink(id, url, principal.name(), clock.instant()))) {
@@ -102,7 +102,7 @@ public final class LinkService {
 
     /** What went over the link of each vehicle. */
     public List<TrafficView> traffic(Principal principal) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         return links.traffic().stream().map(one -> unnamed(principal, one)).toList();
     }
 
@@ -112,7 +112,7 @@ public final class LinkService {
         return drone == null || principal.sees(new DroneId(drone)) ? traffic : traffic.withoutDrone();
     }
 
-    private static EndpointView view(VehicleLinks.Status status, @Nullable SavedLink saved) {
+    private static EndpointView view(VehicleLinkGateway.Status status, @Nullable SavedLink saved) {
         Instant addedAt = saved == null ? null : saved.addedAt().truncatedTo(ChronoUnit.MILLIS);
         return new EndpointView(
                 status.id(),

@@ -5,10 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -40,22 +40,22 @@ public class MissionController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(operationId = "listMissions", summary = "List the saved missions")
     public Missions missions() {
         return new Missions(missions.missions(current.principal()));
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(operationId = "getMission", summary = "Look at one saved mission")
     public MissionService.SavedMissionView mission(@PathVariable String id) {
         return missions.mission(current.principal(), id);
     }
 
     @PostMapping
-    @Access(from = From.PLANNER, about = About.SHARED)
-    @Answers(value = 201, never = 409)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
+    @ResponseStatuses(value = 201, never = 409)
     @Operation(operationId = "addMission", summary = "Save a mission (operator)")
     public ResponseEntity<MissionService.SavedMissionView> add(@RequestBody MissionService.MissionRequest request) {
         MissionService.SavedMissionView saved = missions.add(current.principal(), request);
@@ -64,8 +64,8 @@ public class MissionController {
     }
 
     @PutMapping("/{id}")
-    @Access(from = From.PLANNER, about = About.SHARED)
-    @Answers(never = 409)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
+    @ResponseStatuses(never = 409)
     @Operation(operationId = "replaceMission", summary = "Replace a saved mission (operator)")
     public MissionService.SavedMissionView replace(
             @PathVariable String id, @RequestBody MissionService.MissionRequest request) {
@@ -73,7 +73,7 @@ public class MissionController {
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.PLANNER, about = About.SHARED)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteMission", summary = "Remove a saved mission (operator)")
     public void delete(@PathVariable String id) {

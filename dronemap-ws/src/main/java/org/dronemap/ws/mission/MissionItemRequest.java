@@ -10,16 +10,16 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.reading.ObjectsOnly;
-import org.dronemap.ws.reading.Ranges;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** One step of a mission as clients write it, and read it again; one record for each type. Nothing is checked yet. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(value = MissionItemRequest.TakeOff.class, name = "takeOff"),
     @JsonSubTypes.Type(value = MissionItemRequest.Waypoint.class, name = "waypoint"),
@@ -52,28 +52,28 @@ public sealed interface MissionItemRequest extends MissionItemView {
             implements MissionItemRequest {
         @Override
         public MissionItem read(String at) {
-            return new MissionItem.TakeOff(Ranges.takeOffAltitude(at + "altitude", altitude));
+            return new MissionItem.TakeOff(FieldRanges.takeOffAltitude(at + "altitude", altitude));
         }
     }
 
     @Schema(name = "WaypointItem", description = "Fly through a point, or wait there.")
     record Waypoint(
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
-            @Min(-Ranges.LATITUDE)
-            @Max(Ranges.LATITUDE)
+            @Min(-FieldRanges.LATITUDE)
+            @Max(FieldRanges.LATITUDE)
             @Nullable
             Double latitude,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
-            @Min(-Ranges.LONGITUDE)
-            @Max(Ranges.LONGITUDE)
+            @Min(-FieldRanges.LONGITUDE)
+            @Max(FieldRanges.LONGITUDE)
             @Nullable
             Double longitude,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres") @Nullable
             Double altitude,
 
-            @Schema(description = "home (the default) or amsl") @ValuesOf(Altitude.Reference.class) @Nullable
+            @Schema(description = "home (the default) or amsl") @EnumValues(Altitude.Reference.class) @Nullable
             String altitudeReference,
 
             @Schema(description = "Seconds to wait there, 0 to 3600 when written; left out: 0") @Nullable
@@ -82,9 +82,9 @@ public sealed interface MissionItemRequest extends MissionItemView {
         @Override
         public MissionItem read(String at) {
             return new MissionItem.Waypoint(
-                    Ranges.point(at, latitude, longitude),
+                    FieldRanges.point(at, latitude, longitude),
                     MissionReader.altitude(at, altitude, altitudeReference),
-                    holdSeconds == null ? 0 : Ranges.holdSeconds(at + "holdSeconds", holdSeconds));
+                    holdSeconds == null ? 0 : FieldRanges.holdSeconds(at + "holdSeconds", holdSeconds));
         }
     }
 
@@ -112,7 +112,7 @@ public sealed interface MissionItemRequest extends MissionItemView {
             implements MissionItemRequest {
         @Override
         public MissionItem read(String at) {
-            return new MissionItem.Wait(Ranges.waitSeconds(at + "holdSeconds", holdSeconds));
+            return new MissionItem.Wait(FieldRanges.waitSeconds(at + "holdSeconds", holdSeconds));
         }
     }
 
@@ -145,27 +145,27 @@ public sealed interface MissionItemRequest extends MissionItemView {
     @Schema(name = "LookAtItem", description = "Camera and nose point to a place until the next lookAhead.")
     record LookAt(
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
-            @Min(-Ranges.LATITUDE)
-            @Max(Ranges.LATITUDE)
+            @Min(-FieldRanges.LATITUDE)
+            @Max(FieldRanges.LATITUDE)
             @Nullable
             Double latitude,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
-            @Min(-Ranges.LONGITUDE)
-            @Max(Ranges.LONGITUDE)
+            @Min(-FieldRanges.LONGITUDE)
+            @Max(FieldRanges.LONGITUDE)
             @Nullable
             Double longitude,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres") @Nullable
             Double altitude,
 
-            @Schema(description = "home (the default) or amsl") @ValuesOf(Altitude.Reference.class) @Nullable
+            @Schema(description = "home (the default) or amsl") @EnumValues(Altitude.Reference.class) @Nullable
             String altitudeReference)
             implements MissionItemRequest {
         @Override
         public MissionItem read(String at) {
             return new MissionItem.LookAt(
-                    Ranges.point(at, latitude, longitude), MissionReader.altitude(at, altitude, altitudeReference));
+                    FieldRanges.point(at, latitude, longitude), MissionReader.altitude(at, altitude, altitudeReference));
         }
     }
 

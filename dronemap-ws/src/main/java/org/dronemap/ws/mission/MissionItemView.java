@@ -5,12 +5,12 @@ import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.ws.reading.ObjectsOnly;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** One step of a mission as clients read it: one that they may write, or one that was found on a vehicle alone. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(MissionItemRequest.class),
     @JsonSubTypes.Type(value = MissionItemView.Other.class, name = "other")

@@ -8,7 +8,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
 /** Turns the items that a client wrote into a mission, or says which member of which item is wrong. */
@@ -39,12 +39,12 @@ final class MissionReader {
     }
 
     static MissionItem.SetServo servo(String at, @Nullable Integer output, @Nullable Integer pulse) {
-        return new MissionItem.SetServo(Ranges.output(at + "output", output), Ranges.pulse(at + "pulse", pulse));
+        return new MissionItem.SetServo(FieldRanges.output(at + "output", output), FieldRanges.pulse(at + "pulse", pulse));
     }
 
     /** {@code at} is what stands before the field's name, such as {@code items[2].}. */
     static Altitude altitude(String at, @Nullable Double meters, @Nullable String reference) {
-        double checked = Ranges.altitude(at + "altitude", meters);
+        double checked = FieldRanges.altitude(at + "altitude", meters);
         return switch (reference == null ? "home" : reference) {
             case "home" -> new Altitude(checked, Altitude.Reference.HOME);
             case "amsl" -> new Altitude(checked, Altitude.Reference.AMSL);

@@ -12,10 +12,10 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.mission.SavedMission;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
-import org.dronemap.ws.reading.Names;
+import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around the mission library. Any thread. */
@@ -68,22 +68,22 @@ public final class MissionService {
     }
 
     public SavedMissionView replace(Principal principal, String id, MissionRequest request) {
-        Roles.require(principal, Role.PLANNER);
+        RoleChecks.require(principal, Role.PLANNER);
         return save(principal, find(principal, id).id(), request);
     }
 
     public void delete(Principal principal, String id) {
-        Roles.require(principal, Role.PLANNER);
+        RoleChecks.require(principal, Role.PLANNER);
         if (!store.delete(find(principal, id).id())) {
-            throw Rejection.unknown(UnknownProblem.MISSION, id);
+            throw Rejection.unknown(NotFoundProblem.MISSION, id);
         }
     }
 
     private SavedMissionView save(Principal principal, String id, MissionRequest request) {
-        Roles.require(principal, Role.PLANNER);
+        RoleChecks.require(principal, Role.PLANNER);
         SavedMission saved = new SavedMission(
                 id,
-                Names.checked("name", request.name(), LONGEST_NAME),
+                NameRules.checked("name", request.name(), LONGEST_NAME),
                 MissionReader.read(request.items()),
                 principal.name(),
                 clock.instant(),
@@ -95,6 +95,6 @@ public final class MissionService {
     private SavedMission find(Principal principal, String id) {
         return store.mission(id)
                 .filter(saved -> saved.organisation().equals(principal.organisation()))
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.MISSION, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.MISSION, id));
     }
 }

@@ -15,17 +15,17 @@ import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.lease.Holder;
-import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.lease.Lease;
+import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.recording.RecordingArchive;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.CommandProblem;
 import org.dronemap.ws.problem.DroneProblem;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
 
@@ -111,7 +111,7 @@ public final class GiftService {
 
     /** Those that it still has, the last one last. */
     public Gifts gifts(Principal principal, String organisation) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         OrganisationId id = organisations.find(organisation).id();
         return new Gifts(grants.holdings().gifts().stream()
                 .filter(gift -> isWith(gift.drone(), id)
@@ -125,7 +125,7 @@ public final class GiftService {
 
     /** Gives one of the default organisation's drones away. */
     public GiftView give(Principal principal, String organisation, String drone, @Nullable GiftRequest request) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         OrganisationId to = organisations.find(organisation).id();
         boolean histories = request != null && Boolean.TRUE.equals(request.histories());
         return pass(drones.state(principal, drone), to, histories);
@@ -133,15 +133,15 @@ public final class GiftService {
 
     /** Brings a drone back to those who gave it; what it did meanwhile is shown to those who had it, alone. */
     public GiftView takeBack(Principal principal, String organisation, String drone) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         OrganisationId from = organisations.find(organisation).id();
         DroneState state = cloud.drones().stream()
                 .filter(each -> each.id().value().equals(drone) && isWith(each.id(), from))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, drone));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, drone));
         // What came to it otherwise was never the asker's.
         Gift gift =
-                grants.book().lastGift(state.id()).orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, drone));
+                grants.book().lastGift(state.id()).orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, drone));
         return pass(state, gift.from(), false);
     }
 
@@ -188,8 +188,8 @@ public final class GiftService {
                     "It is armed or in the air; land and disarm it first.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }
-        Tenure tenure = cloud.controls().control(drone.id()).tenure();
-        if (tenure != null && tenure.holder() instanceof Holder.Operation) {
+        Lease tenure = cloud.controls().control(drone.id()).tenure();
+        if (tenure != null && tenure.holder() instanceof LeaseHolder.Operation) {
             throw Rejection.of(
                     DroneProblem.DRONE_IN_OPERATION,
                     "An operation has control of it; end that first.",

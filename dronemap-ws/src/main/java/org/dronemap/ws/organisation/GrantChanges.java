@@ -1,26 +1,26 @@
 package org.dronemap.ws.organisation;
 
 import java.util.function.Consumer;
-import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.access.GrantStore;
-import org.dronemap.core.access.Holdings;
+import org.dronemap.core.access.OrganisationDirectory;
 
 /** Changes of organisations, groups, fleets and grants, one at a time: kept first, in force at once. Any thread. */
 public final class GrantChanges {
     private final GrantStore store;
-    private final GrantBook book;
+    private final GrantRegistry book;
 
-    public GrantChanges(GrantStore store, GrantBook book) {
+    public GrantChanges(GrantStore store, GrantRegistry book) {
         this.store = store;
         this.book = book;
         book.replace(store.holdings());
     }
 
-    public Holdings holdings() {
+    public OrganisationDirectory holdings() {
         return book.holdings();
     }
 
-    GrantBook book() {
+    GrantRegistry book() {
         return book;
     }
 

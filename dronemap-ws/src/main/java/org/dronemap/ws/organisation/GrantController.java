@@ -5,10 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -43,15 +43,15 @@ public class GrantController {
     }
 
     @GetMapping("/grants")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(operationId = "listGrants", summary = "List the grants")
     public Grants grants() {
         return new Grants(grants.grants(current.principal()));
     }
 
     @PostMapping("/grants")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(value = 201, refuses = 404)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(value = 201, refuses = 404)
     @Operation(
             operationId = "addGrant",
             summary = "Grant something",
@@ -64,7 +64,7 @@ public class GrantController {
     }
 
     @DeleteMapping("/grants/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "revokeGrant",
@@ -75,7 +75,7 @@ public class GrantController {
     }
 
     @PutMapping("/users/{name}/only-granted")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "setUserOnlyGranted",
@@ -85,7 +85,7 @@ public class GrantController {
     }
 
     @PutMapping("/groups/{id}/only-granted")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "setGroupOnlyGranted",

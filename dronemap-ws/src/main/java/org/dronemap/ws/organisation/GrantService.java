@@ -11,21 +11,21 @@ import java.util.UUID;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
+import org.dronemap.core.access.GrantSubject;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.access.Subject;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.ws.access.Roles;
-import org.dronemap.ws.key.KeyRequest;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.key.AccessKeyRequest;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -50,7 +50,7 @@ public final class GrantService {
             @Nullable Boolean virtual,
             @Nullable List<@Nullable String> drones,
             @Nullable String fleet,
-            @ValuesOf(Permission.class) @Nullable List<@Nullable String> operations,
+            @EnumValues(Permission.class) @Nullable List<@Nullable String> operations,
             @Nullable String from,
             @Nullable String until) {}
 
@@ -74,7 +74,7 @@ public final class GrantService {
             boolean virtual,
             @Nullable List<String> drones,
             @Nullable String fleet,
-            @ValuesOf(Permission.class) List<String> operations,
+            @EnumValues(Permission.class) List<String> operations,
             Instant from,
             @Nullable Instant until,
 
@@ -93,13 +93,13 @@ public final class GrantService {
 
     /** Oldest first. */
     public List<GrantView> grants(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         Instant now = clock.instant();
         return of(principal).stream().map(grant -> view(grant, now)).toList();
     }
 
     public GrantView add(Principal principal, GrantRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         if (of(principal).size() >= MOST) {
             throw Rejection.of(
                     ServerProblem.LIMIT_REACHED,
@@ -116,14 +116,14 @@ public final class GrantService {
         }
         List<@Nullable String> operations = request.operations();
         if (operations == null || operations.isEmpty()) {
-            throw InvalidInput.missing("operations", KeyRequest.OPERATIONS);
+            throw InvalidInput.missing("operations", AccessKeyRequest.OPERATIONS);
         }
         Grant grant = new Grant(
                 UUID.randomUUID().toString(),
                 principal.organisation(),
                 subject(principal, request),
                 object(principal, request),
-                KeyRequest.permissions(operations),
+                AccessKeyRequest.permissions(operations),
                 from,
                 until,
                 principal.name(),
@@ -134,35 +134,35 @@ public final class GrantService {
 
     /** Gone at once, on open streams too. */
     public void takeBack(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         String going = of(principal).stream()
                 .map(Grant::id)
                 .filter(id::equals)
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.GRANT, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.GRANT, id));
         grants.make(store -> store.deleteGrant(going));
     }
 
     public void setUserOnlyGranted(Principal principal, String name, OnlyGrantedRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         boolean only = only(request);
         if (!isOf(principal, name)) {
-            throw Rejection.unknown(UnknownProblem.USER, name);
+            throw Rejection.unknown(NotFoundProblem.USER, name);
         }
         if (only && name.equals(principal.name())) {
             throw Rejection.of(
                     AccessProblem.NOT_TO_ONESELF, "You cannot do this to yourself; ask another administrator.");
         }
-        grants.make(store -> store.setOnlyGranted(new Subject.OfUser(name), only));
+        grants.make(store -> store.setOnlyGranted(new GrantSubject.OfUser(name), only));
     }
 
     public void setGroupOnlyGranted(Principal principal, String id, OnlyGrantedRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         boolean only = only(request);
         if (groups.group(principal, id).members().contains(principal.name()) && only) {
             throw Rejection.of(AccessProblem.NOT_TO_ONESELF, "You are in this group, and cannot do this to yourself.");
         }
-        grants.make(store -> store.setOnlyGranted(new Subject.OfGroup(id), only));
+        grants.make(store -> store.setOnlyGranted(new GrantSubject.OfGroup(id), only));
     }
 
     private static boolean only(OnlyGrantedRequest request) {
@@ -178,7 +178,7 @@ public final class GrantService {
                 .toList();
     }
 
-    private Subject subject(Principal principal, GrantRequest request) {
+    private GrantSubject subject(Principal principal, GrantRequest request) {
         String user = request.user();
         String group = request.group();
         if ((user == null) == (group == null)) {
@@ -186,13 +186,13 @@ public final class GrantService {
                     ValueProblem.VALUES_EXCLUSIVE, "user", ONE_SUBJECT, "A grant is for " + ONE_SUBJECT + ".");
         }
         if (group != null) {
-            return new Subject.OfGroup(groups.group(principal, group).id());
+            return new GrantSubject.OfGroup(groups.group(principal, group).id());
         }
         if (user == null || !isOf(principal, user)) {
             throw InvalidInput.outside(
                     ValueProblem.REFERENCE_UNKNOWN, "user", "the name of a user", "\"" + user + "\"");
         }
-        return new Subject.OfUser(user);
+        return new GrantSubject.OfUser(user);
     }
 
     private boolean isOf(Principal principal, String user) {
@@ -234,8 +234,8 @@ public final class GrantService {
         GrantObject object = grant.object();
         return new GrantView(
                 grant.id(),
-                grant.subject() instanceof Subject.OfUser user ? user.name() : null,
-                grant.subject() instanceof Subject.OfGroup group ? group.id() : null,
+                grant.subject() instanceof GrantSubject.OfUser user ? user.name() : null,
+                grant.subject() instanceof GrantSubject.OfGroup group ? group.id() : null,
                 object instanceof GrantObject.Everything,
                 object instanceof GrantObject.Virtual,
                 object instanceof GrantObject.Drones drones

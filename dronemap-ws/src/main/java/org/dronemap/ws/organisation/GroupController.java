@@ -5,10 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -44,15 +44,15 @@ public class GroupController {
     }
 
     @GetMapping("/groups")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(operationId = "listGroups", summary = "List the groups of users")
     public Groups groups() {
         return new Groups(groups.groups(current.principal()));
     }
 
     @PostMapping("/groups")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(201)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(201)
     @Operation(operationId = "addGroup", summary = "Make a group of users")
     public ResponseEntity<GroupService.GroupView> addGroup(@RequestBody GroupService.GroupRequest request) {
         GroupService.GroupView made = groups.addGroup(current.principal(), request);
@@ -60,7 +60,7 @@ public class GroupController {
     }
 
     @PutMapping("/groups/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(operationId = "replaceGroup", summary = "Change the name and the members of a group")
     public GroupService.GroupView replaceGroup(
             @PathVariable String id, @RequestBody GroupService.GroupRequest request) {
@@ -68,7 +68,7 @@ public class GroupController {
     }
 
     @DeleteMapping("/groups/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteGroup", summary = "Remove a group, with what was granted to it")
     public void deleteGroup(@PathVariable String id) {
@@ -76,15 +76,15 @@ public class GroupController {
     }
 
     @GetMapping("/fleets")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(operationId = "listFleets", summary = "List the fleets")
     public Fleets fleets() {
         return new Fleets(groups.fleets(current.principal()));
     }
 
     @PostMapping("/fleets")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(201)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(201)
     @Operation(operationId = "addFleet", summary = "Make a fleet of drones")
     public ResponseEntity<GroupService.FleetView> addFleet(@RequestBody GroupService.FleetRequest request) {
         GroupService.FleetView made = groups.addFleet(current.principal(), request);
@@ -92,8 +92,8 @@ public class GroupController {
     }
 
     @PutMapping("/fleets/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(never = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(never = 409)
     @Operation(operationId = "replaceFleet", summary = "Change the name and the drones of a fleet")
     public GroupService.FleetView replaceFleet(
             @PathVariable String id, @RequestBody GroupService.FleetRequest request) {
@@ -101,7 +101,7 @@ public class GroupController {
     }
 
     @DeleteMapping("/fleets/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteFleet", summary = "Remove a fleet, with all grants of it")
     public void deleteFleet(@PathVariable String id) {

@@ -10,21 +10,21 @@ import java.util.stream.Stream;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Fleet;
 import org.dronemap.core.access.GrantStore;
+import org.dronemap.core.access.GrantSubject;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.access.Subject;
 import org.dronemap.core.access.UserGroup;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
+import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** Groups of users and fleets of drones: named sets of an organisation, for its administrators. Any thread. */
@@ -76,24 +76,24 @@ public final class GroupService {
     }
 
     public List<GroupView> groups(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return groupsOf(principal).map(this::view).toList();
     }
 
     public GroupView addGroup(Principal principal, GroupRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         requireRoom(groupsOf(principal).count());
         return save(principal, UUID.randomUUID().toString(), request);
     }
 
     public GroupView replaceGroup(Principal principal, String id, GroupRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return save(principal, group(principal, id).id(), request);
     }
 
     /** With what was granted to it; whoever saw nothing else sees nothing then. */
     public void deleteGroup(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         UserGroup going = group(principal, id);
         grants.make(store -> {
             keepBound(store, going, Set.of());
@@ -102,24 +102,24 @@ public final class GroupService {
     }
 
     public List<FleetView> fleets(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return fleetsOf(principal).map(FleetView::of).toList();
     }
 
     public FleetView addFleet(Principal principal, FleetRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         requireRoom(fleetsOf(principal).count());
         return save(principal, UUID.randomUUID().toString(), request);
     }
 
     public FleetView replaceFleet(Principal principal, String id, FleetRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return save(principal, fleet(principal, id).id(), request);
     }
 
     /** With all grants of it. */
     public void deleteFleet(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         String going = fleet(principal, id).id();
         grants.make(store -> store.deleteFleet(going));
     }
@@ -128,21 +128,21 @@ public final class GroupService {
         return groupsOf(principal)
                 .filter(group -> group.id().equals(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.GROUP, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.GROUP, id));
     }
 
     Fleet fleet(Principal principal, String id) {
         return fleetsOf(principal)
                 .filter(fleet -> fleet.id().equals(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.FLEET, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.FLEET, id));
     }
 
     private GroupView save(Principal principal, String id, GroupRequest request) {
         UserGroup group = new UserGroup(
                 id,
                 principal.organisation(),
-                Names.checked("name", request.name(), LONGEST_NAME),
+                NameRules.checked("name", request.name(), LONGEST_NAME),
                 members(principal, request.members()));
         if (isOnlyGranted(id) && group.members().contains(principal.name())) {
             throw Rejection.of(
@@ -163,7 +163,7 @@ public final class GroupService {
         if (isOnlyGranted(group.id())) {
             group.members().stream()
                     .filter(member -> !staying.contains(member))
-                    .forEach(leaving -> store.setOnlyGranted(new Subject.OfUser(leaving), true));
+                    .forEach(leaving -> store.setOnlyGranted(new GrantSubject.OfUser(leaving), true));
         }
     }
 
@@ -171,7 +171,7 @@ public final class GroupService {
         Fleet fleet = new Fleet(
                 id,
                 principal.organisation(),
-                Names.checked("name", request.name(), LONGEST_NAME),
+                NameRules.checked("name", request.name(), LONGEST_NAME),
                 drones(principal, request.drones()));
         grants.make(store -> store.save(fleet));
         return FleetView.of(fleet);
@@ -241,6 +241,6 @@ public final class GroupService {
     }
 
     private boolean isOnlyGranted(String group) {
-        return grants.holdings().onlyGranted().contains(new Subject.OfGroup(group));
+        return grants.holdings().onlyGranted().contains(new GrantSubject.OfGroup(group));
     }
 }

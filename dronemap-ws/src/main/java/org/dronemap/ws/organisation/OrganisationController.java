@@ -5,10 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
@@ -47,7 +47,7 @@ public class OrganisationController {
     }
 
     @GetMapping
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(
             operationId = "listOrganisations",
             summary = "List the organisations",
@@ -57,8 +57,8 @@ public class OrganisationController {
     }
 
     @PostMapping
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(201)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
+    @ResponseStatuses(201)
     @Operation(
             operationId = "addOrganisation",
             summary = "Make an organisation",
@@ -71,7 +71,7 @@ public class OrganisationController {
     }
 
     @PatchMapping("/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(operationId = "renameOrganisation", summary = "Rename an organisation")
     public OrganisationService.OrganisationView rename(
             @PathVariable String id, @RequestBody OrganisationService.NameRequest request) {
@@ -79,7 +79,7 @@ public class OrganisationController {
     }
 
     @GetMapping("/{id}/drones")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(
             operationId = "listGivenDrones",
             summary = "List the drones that were given to an organisation and that it still has",
@@ -89,7 +89,7 @@ public class OrganisationController {
     }
 
     @PutMapping("/{id}/drones/{drone}")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(
             operationId = "giveDrone",
             summary = "Give a drone of your own organisation to another one",
@@ -106,8 +106,8 @@ public class OrganisationController {
     }
 
     @DeleteMapping("/{id}/drones/{drone}")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
+    @ResponseStatuses(refuses = 409)
     @Operation(
             operationId = "takeBackDrone",
             summary = "Take a drone back that was given to an organisation",
@@ -119,8 +119,8 @@ public class OrganisationController {
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
+    @ResponseStatuses(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteOrganisation", summary = "Remove an organisation that has neither users nor drones")
     public void delete(@PathVariable String id) {

@@ -17,16 +17,16 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.NameRules;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.zone.ZoneService;
 import org.jspecify.annotations.Nullable;
 
@@ -42,7 +42,7 @@ public final class OrganisationService {
     private final CloudManager cloud;
     private final ZoneService zones;
     private final Clock clock;
-    private final Secrets secrets = new Secrets();
+    private final SecretGenerator secrets = new SecretGenerator();
 
     /** What it is called. */
     @Schema(name = "OrganisationNameRequest")
@@ -70,7 +70,7 @@ public final class OrganisationService {
 
     /** The default one first. */
     public List<OrganisationView> organisations(Principal principal) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         List<User> users = access.users();
         List<OrganisationView> all = new ArrayList<>();
         all.add(view(OrganisationId.HOME, HOME_NAME, null, users));
@@ -79,7 +79,7 @@ public final class OrganisationService {
     }
 
     public OrganisationView add(Principal principal, NameRequest request) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         if (grants.holdings().organisations().size() >= MOST) {
             throw Rejection.of(
                     ServerProblem.LIMIT_REACHED,
@@ -101,7 +101,7 @@ public final class OrganisationService {
     }
 
     public OrganisationView rename(Principal principal, String id, NameRequest request) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         Organisation before = find(id);
         Organisation renamed = new Organisation(before.id(), free(request.name(), before.id()), before.madeAt());
         grants.make(store -> store.save(renamed));
@@ -110,7 +110,7 @@ public final class OrganisationService {
 
     /** Only when nobody and nothing belongs to it any more. */
     public void delete(Principal principal, String id) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         Organisation going = find(id);
         OrganisationView holds = view(going.id(), going.name(), going.madeAt(), access.users());
         if (holds.users() + holds.drones() > 0) {
@@ -141,7 +141,7 @@ public final class OrganisationService {
         if (id == null) {
             return principal.organisation();
         }
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         return named(id);
     }
 
@@ -161,7 +161,7 @@ public final class OrganisationService {
 
     /** A name that no other one has, whichever case it is written in. */
     private String free(@Nullable String name, @Nullable OrganisationId own) {
-        String checked = Names.checked("name", name, LONGEST_NAME);
+        String checked = NameRules.checked("name", name, LONGEST_NAME);
         boolean taken = HOME_NAME.equalsIgnoreCase(checked)
                 || grants.holdings().organisations().stream()
                         .anyMatch(each -> each.name().equalsIgnoreCase(checked)
@@ -176,7 +176,7 @@ public final class OrganisationService {
     }
 
     Organisation find(String id) {
-        return known(id).orElseThrow(() -> Rejection.unknown(UnknownProblem.ORGANISATION, id));
+        return known(id).orElseThrow(() -> Rejection.unknown(NotFoundProblem.ORGANISATION, id));
     }
 
     private Optional<Organisation> known(String id) {

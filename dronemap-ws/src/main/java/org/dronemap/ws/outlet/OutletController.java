@@ -2,9 +2,9 @@ package org.dronemap.ws.outlet;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.CacheControl;
 import org.springframework.http.HttpStatus;
@@ -33,7 +33,7 @@ public class OutletController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.OWN)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
     @Operation(
             operationId = "getOutlet",
             summary = "Where to attach, whether a passphrase is set, and one's own programs that are attached")
@@ -42,7 +42,7 @@ public class OutletController {
     }
 
     @PutMapping("/passphrase")
-    @Access(from = From.VIEWER, about = About.OWN)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
     @Operation(
             operationId = "setOutletPassphrase",
             summary = "Set one's own signing passphrase",
@@ -55,7 +55,7 @@ public class OutletController {
     }
 
     @DeleteMapping("/passphrase")
-    @Access(from = From.VIEWER, about = About.OWN)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "clearOutletPassphrase",
@@ -66,7 +66,7 @@ public class OutletController {
     }
 
     @PostMapping("/ports")
-    @Access(from = From.VIEWER, about = About.OWN)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
     @ResponseStatus(HttpStatus.CREATED)
     @Operation(
             operationId = "openOutletPort",
@@ -79,7 +79,7 @@ public class OutletController {
     }
 
     @DeleteMapping("/ports/{id}")
-    @Access(from = From.VIEWER, about = About.OWN)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "closeOutletPort",
@@ -89,7 +89,7 @@ public class OutletController {
     }
 
     @GetMapping("/clients")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(
             operationId = "listOutletClients",
             summary = "List all that is attached, and what was refused (administrator)")
@@ -98,7 +98,7 @@ public class OutletController {
     }
 
     @DeleteMapping("/clients/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "disconnectOutletClient",

@@ -19,16 +19,16 @@ import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
-import org.dronemap.ws.access.Roles;
-import org.dronemap.ws.account.Accounts;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around attaching one's own ground station: everybody's own passphrase, and who is attached. Any thread. */
@@ -42,9 +42,9 @@ public final class OutletService {
             "an IP address, or a network: at most a /24, of IPv6 a /64 (192.0.2.0/24)";
     private static final String FORM = "16 to 64 printable ASCII characters, without blanks at the ends";
 
-    private final OutletControl outlet;
+    private final OutletGateway outlet;
     private final AccessStore store;
-    private final Secrets secrets;
+    private final SecretGenerator secrets;
 
     /** A passphrase of one's own choice; without one it is made up. */
     @Schema(name = "PassphraseRequest")
@@ -89,7 +89,7 @@ public final class OutletService {
             List<OutletView.PortView> ports) {}
 
     /** {@code accounts}: a user who is gone takes the passphrase along. */
-    public OutletService(OutletControl outlet, AccessStore store, Accounts accounts, Secrets secrets) {
+    public OutletService(OutletGateway outlet, AccessStore store, AccountChanges accounts, SecretGenerator secrets) {
         this.outlet = outlet;
         this.store = store;
         this.secrets = secrets;
@@ -107,7 +107,7 @@ public final class OutletService {
     }
 
     public OwnOutletView own(Principal principal) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         OutletView status = outlet.status();
         return new OwnOutletView(
                 status.endpoints(),
@@ -122,7 +122,7 @@ public final class OutletService {
 
     /** Replaces the one before; programs that use that are disconnected. */
     public PassphraseView setPassphrase(Principal principal, PassphraseRequest request) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         requireAllRights(principal);
         String given = request.passphrase();
         String passphrase = given == null ? secrets.password() : checked(given);
@@ -133,13 +133,13 @@ public final class OutletService {
     }
 
     public void clearPassphrase(Principal principal) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         outlet.removeKey(principal.name());
     }
 
     /** Opens a port at which a program that cannot sign sees what its user may see, and changes nothing. */
     public OutletView.PortView openPort(Principal principal, PortRequest request) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         requireAllRights(principal);
         String address = request.address();
         if (address == null || address.isBlank()) {
@@ -175,26 +175,26 @@ public final class OutletService {
 
     /** Closes one's own, or as an administrator of the server anybody's. */
     public void closePort(Principal principal, String id) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         boolean anybodys =
                 principal.may(Role.ADMINISTRATOR) && principal.organisation().isHome() && principal.isWhole();
         boolean may = outlet.status().ports().stream()
                 .filter(port -> port.id().equals(id))
                 .anyMatch(port -> anybodys || port.user().equals(principal.name()));
         if (!may || !outlet.closePort(id)) {
-            throw Rejection.unknown(UnknownProblem.PERSONAL_PORT, id);
+            throw Rejection.unknown(NotFoundProblem.PERSONAL_PORT, id);
         }
     }
 
     public OutletView all(Principal principal) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         return outlet.status();
     }
 
     public void disconnect(Principal principal, String id) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         if (!outlet.disconnect(id)) {
-            throw Rejection.unknown(UnknownProblem.OUTLET_CLIENT, id);
+            throw Rejection.unknown(NotFoundProblem.OUTLET_CLIENT, id);
         }
     }
 

@@ -8,16 +8,16 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.access.SoapName;
-import org.dronemap.ws.command.CommandAnswer;
+import org.dronemap.ws.command.CommandResponse;
 import org.dronemap.ws.command.CommandService;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.ContentDisposition;
@@ -49,8 +49,8 @@ public class ParameterController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.DRONE)
-    @Answers(never = 422)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
+    @ResponseStatuses(never = 422)
     @Operation(
             operationId = "listParameters",
             summary = "List or search the parameters",
@@ -63,8 +63,8 @@ public class ParameterController {
     }
 
     @PostMapping("/refresh")
-    @Access(from = From.OPERATOR, about = About.DRONE)
-    @Answers({200, 202})
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses({200, 202})
     @SoapName("refreshParameters")
     @Operation(
             operationId = "readParameters",
@@ -72,13 +72,13 @@ public class ParameterController {
             description = "Its progress is streamed.")
     public CompletableFuture<ResponseEntity<CommandView>> refresh(
             @PathVariable String id, @RequestParam(required = false) @Nullable Double wait) {
-        Duration longest = CommandAnswer.wait(wait);
-        return CommandAnswer.within(longest, commands, parameters.refresh(current.caller(), id));
+        Duration longest = CommandResponse.wait(wait);
+        return CommandResponse.within(longest, commands, parameters.refresh(current.caller(), id));
     }
 
     @PutMapping("/{name}")
-    @Access(from = From.OPERATOR, about = About.DRONE)
-    @Answers({200, 202})
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses({200, 202})
     @Operation(
             operationId = "setParameter",
             summary = "Change a parameter (operator)",
@@ -88,14 +88,14 @@ public class ParameterController {
             @PathVariable String name,
             @RequestParam(required = false) @Nullable Double wait,
             @RequestBody ParameterService.ValueRequest request) {
-        Duration longest = CommandAnswer.wait(wait);
-        return CommandAnswer.within(longest, commands, parameters.set(current.caller(), id, name, request));
+        Duration longest = CommandResponse.wait(wait);
+        return CommandResponse.within(longest, commands, parameters.set(current.caller(), id, name, request));
     }
 
     @GetMapping("/file")
-    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
-    @Answers(refuses = 409)
-    @TakesOrGivesFile(gives = "text/plain")
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
+    @ResponseStatuses(refuses = 409)
+    @FileMediaTypes(gives = "text/plain")
     @Operation(
             operationId = "exportParameters",
             summary = "Save the parameters as a file",
@@ -112,9 +112,9 @@ public class ParameterController {
     }
 
     @PostMapping("/file")
-    @Access(from = From.OPERATOR, about = About.DRONE, costs = Cost.EXPORT)
-    @Answers({200, 202})
-    @TakesOrGivesFile(takes = "text/plain")
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
+    @ResponseStatuses({200, 202})
+    @FileMediaTypes(takes = "text/plain")
     @Operation(
             operationId = "importParameters",
             summary = "Compare with a file, or load it (operator)",

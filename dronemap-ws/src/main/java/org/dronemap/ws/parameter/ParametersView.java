@@ -8,7 +8,7 @@ import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterComparison;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,7 +22,7 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
     /** {@code type}: int8 to int64, uint8 to uint64, real32 or real64. */
     @Schema(name = "ParameterView")
     public record ParameterView(
-            String name, @ValuesOf(ParameterType.class) String type, double value) {
+            String name, @EnumValues(ParameterType.class) String type, double value) {
         static ParameterView of(Parameter parameter) {
             return new ParameterView(
                     parameter.name(), parameter.type().name().toLowerCase(Locale.ROOT), parameter.value());
@@ -32,7 +32,7 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
     /** A value in a file that is not the vehicle's. */
     @Schema(name = "ParametersDifferenceView")
     public record DifferenceView(
-            String name, @ValuesOf(ParameterType.class) String type, double held, double wanted) {
+            String name, @EnumValues(ParameterType.class) String type, double held, double wanted) {
         static DifferenceView of(ParameterComparison.Difference difference) {
             ParameterView view = ParameterView.of(difference.held());
             return new DifferenceView(view.name(), view.type(), view.value(), difference.wanted());

@@ -15,10 +15,10 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
-import org.dronemap.core.geo.Spot;
+import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.Zone;
-import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneRegistry;
 
 /** The cloud's own zones that bind this user's drones and lie near enough to be in the way. */
 final class PlanBarriers {
@@ -35,17 +35,17 @@ final class PlanBarriers {
 
     private PlanBarriers(List<Waypoint> waypoints, List<Craft> crafts) {
         plane = new LocalPlane(crafts.get(0).start().place().point());
-        List<Spot> spots = Stream.concat(
+        List<PlanePoint> spots = Stream.concat(
                         waypoints.stream().map(Waypoint::place),
                         crafts.stream()
                                 .flatMap(craft -> Stream.of(
                                         craft.start().place(), craft.finish().place())))
                 .map(place -> plane.spot(place.point()))
                 .toList();
-        double left = spots.stream().mapToDouble(Spot::eastMeters).min().orElse(0);
-        double right = spots.stream().mapToDouble(Spot::eastMeters).max().orElse(0);
-        double low = spots.stream().mapToDouble(Spot::northMeters).min().orElse(0);
-        double high = spots.stream().mapToDouble(Spot::northMeters).max().orElse(0);
+        double left = spots.stream().mapToDouble(PlanePoint::eastMeters).min().orElse(0);
+        double right = spots.stream().mapToDouble(PlanePoint::eastMeters).max().orElse(0);
+        double low = spots.stream().mapToDouble(PlanePoint::northMeters).min().orElse(0);
+        double high = spots.stream().mapToDouble(PlanePoint::northMeters).max().orElse(0);
         double margin = LEAST_MARGIN_METERS + Math.max(right - left, high - low) / 2;
         west = left - margin;
         east = right + margin;
@@ -53,7 +53,7 @@ final class PlanBarriers {
         north = high + margin;
     }
 
-    static List<Barrier> of(String user, ZoneBook book, List<Waypoint> waypoints, List<Craft> crafts, Instant now) {
+    static List<Barrier> of(String user, ZoneRegistry book, List<Waypoint> waypoints, List<Craft> crafts, Instant now) {
         PlanBarriers near = new PlanBarriers(waypoints, crafts);
         Map<Zone, Set<DroneId>> bound = new LinkedHashMap<>();
         for (Craft craft : crafts) {
@@ -79,11 +79,11 @@ final class PlanBarriers {
         return zone.shape() instanceof FenceZone.Polygon polygon && meets(spots(polygon.corners()), 0);
     }
 
-    private List<Spot> spots(List<Geodetic> corners) {
+    private List<PlanePoint> spots(List<Geodetic> corners) {
         return corners.stream().map(plane::spot).toList();
     }
 
-    private boolean meets(List<Spot> spots, double around) {
+    private boolean meets(List<PlanePoint> spots, double around) {
         return spots.stream().anyMatch(spot -> spot.eastMeters() + around >= west)
                 && spots.stream().anyMatch(spot -> spot.eastMeters() - around <= east)
                 && spots.stream().anyMatch(spot -> spot.northMeters() + around >= south)

@@ -8,11 +8,11 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.command.CommandAnswer;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.command.CommandResponse;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
@@ -50,7 +50,7 @@ public class PlanController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(
             operationId = "listPlans",
             summary = "List your plans",
@@ -60,7 +60,7 @@ public class PlanController {
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(
             operationId = "getPlan",
             summary = "Look at one plan",
@@ -70,8 +70,8 @@ public class PlanController {
     }
 
     @PostMapping
-    @Access(from = From.PLANNER, about = About.SHARED)
-    @Answers(value = 202, refuses = 404)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
+    @ResponseStatuses(value = 202, refuses = 404)
     @Operation(
             operationId = "makePlan",
             summary = "Ask for a plan (planner)",
@@ -86,8 +86,8 @@ public class PlanController {
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.PLANNER, about = About.SHARED)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
+    @ResponseStatuses(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "removePlan",
@@ -98,8 +98,8 @@ public class PlanController {
     }
 
     @PostMapping("/{id}/accept")
-    @Access(from = From.PLANNER, about = About.SHARED)
-    @Answers({200, 202})
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
+    @ResponseStatuses({200, 202})
     @Operation(
             operationId = "acceptPlan",
             summary = "Accept a plan (planner; to start it operator)",
@@ -114,12 +114,12 @@ public class PlanController {
                     @Nullable
                     Double wait,
             @RequestBody(required = false) PlanRequest.@Nullable AcceptRequest request) {
-        Duration longest = CommandAnswer.wait(wait);
+        Duration longest = CommandResponse.wait(wait);
         return plans.accept(current.caller(), id, request, longest).thenApply(PlanController::answer);
     }
 
     @PostMapping("/{id}/stop")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "stopPlan",
             summary = "Stop the start of a plan (operator)",

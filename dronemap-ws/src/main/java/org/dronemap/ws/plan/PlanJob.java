@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
-import org.dronemap.cognitive.engine.Planned;
-import org.dronemap.cognitive.engine.Progress;
+import org.dronemap.cognitive.engine.PlanResult;
+import org.dronemap.cognitive.engine.SearchProgress;
 import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
@@ -22,10 +22,10 @@ public final class PlanJob {
     private final String account;
     private final OrganisationId organisation;
     private final Instant askedAt;
-    private final PlanOrder order;
+    private final PlanJobInput order;
     private volatile Status status = new Status(State.QUEUED, List.of(), null, null, null, false, List.of());
     /** Guarded by this: ends with why, when nobody else is to be started. */
-    private CompletableFuture<PlanFlight.Reason> stopped = new CompletableFuture<>();
+    private CompletableFuture<DroneLaunchStatus.Reason> stopped = new CompletableFuture<>();
     /** Guarded by this: on the clock that durations are measured with. */
     private long endedNanos;
 
@@ -43,7 +43,7 @@ public final class PlanJob {
     }
 
     /** A better plan, so many seconds after the search began. */
-    record Step(double seconds, Progress progress) {}
+    record Step(double seconds, SearchProgress progress) {}
 
     /**
      * A job at one moment.
@@ -57,15 +57,15 @@ public final class PlanJob {
             State state,
             List<Step> steps,
             @Nullable List<List<Integer>> orders,
-            @Nullable Planned result,
+            @Nullable PlanResult result,
             @Nullable String why,
             boolean busy,
-            List<PlanFlight> flights) {
+            List<DroneLaunchStatus> flights) {
         Status to(State other) {
             return new Status(other, steps, orders, result, why, busy, flights);
         }
 
-        Status with(boolean isBusy, List<PlanFlight> now) {
+        Status with(boolean isBusy, List<DroneLaunchStatus> now) {
             return new Status(state, steps, orders, result, why, isBusy, List.copyOf(now));
         }
     }
@@ -73,7 +73,7 @@ public final class PlanJob {
     /** Whose it is, and when it was asked for. */
     record Origin(String owner, String account, OrganisationId organisation, Instant askedAt) {}
 
-    PlanJob(String id, Origin origin, PlanOrder order) {
+    PlanJob(String id, Origin origin, PlanJobInput order) {
         this.id = id;
         this.owner = origin.owner();
         this.account = origin.account();
@@ -103,7 +103,7 @@ public final class PlanJob {
         return askedAt;
     }
 
-    PlanOrder order() {
+    PlanJobInput order() {
         return order;
     }
 
@@ -144,7 +144,7 @@ public final class PlanJob {
         }
     }
 
-    void finish(Planned planned, long nowNanos) {
+    void finish(PlanResult planned, long nowNanos) {
         if (change(
                 State.RUNNING,
                 now -> new Status(State.FINISHED, now.steps(), now.orders(), planned, null, false, List.of()))) {
@@ -184,7 +184,7 @@ public final class PlanJob {
     }
 
     /** False when its missions are on their way already, or it is not finished. */
-    synchronized boolean accept(List<PlanFlight> begun) {
+    synchronized boolean accept(List<DroneLaunchStatus> begun) {
         if (status.state() != State.FINISHED || status.busy()) {
             return false;
         }
@@ -194,22 +194,22 @@ public final class PlanJob {
     }
 
     /** Whoever has not been started yet will not be; false when nothing is under way. */
-    synchronized boolean stop(PlanFlight.Reason why) {
+    synchronized boolean stop(DroneLaunchStatus.Reason why) {
         return status.busy() && stopped.complete(why);
     }
 
     /** Ends with why nobody else is to be started, if that happens to this launch. */
-    synchronized CompletableFuture<PlanFlight.Reason> stopped() {
+    synchronized CompletableFuture<DroneLaunchStatus.Reason> stopped() {
         return stopped.copy();
     }
 
     /** Why nobody else is to be started; null: nothing speaks against it. */
-    synchronized PlanFlight.@Nullable Reason whyStopped() {
+    synchronized DroneLaunchStatus.@Nullable Reason whyStopped() {
         return stopped.getNow(null);
     }
 
-    synchronized void settle(PlanFlight flight) {
-        List<PlanFlight> flights = status.flights().stream()
+    synchronized void settle(DroneLaunchStatus flight) {
+        List<DroneLaunchStatus> flights = status.flights().stream()
                 .map(one -> one.drone().equals(flight.drone()) ? flight : one)
                 .toList();
         status = status.with(status.busy(), flights);

@@ -8,15 +8,15 @@ import jakarta.validation.constraints.Min;
 import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.ObjectsOnly;
-import org.dronemap.ws.reading.Ranges;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** What a plan is to be good at, as a client writes it; one record for each kind. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "kind")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(value = PlanObjectiveRequest.EarliestEnd.class, name = "earliestEnd"),
     @JsonSubTypes.Type(value = PlanObjectiveRequest.LeastTime.class, name = "leastTime"),
@@ -94,7 +94,7 @@ public sealed interface PlanObjectiveRequest {
             @Nullable
             Double sumWeight,
 
-            @Schema(description = "What is summed; left out: seconds") @ValuesOf(Objective.Measure.class) @Nullable
+            @Schema(description = "What is summed; left out: seconds") @EnumValues(Objective.Measure.class) @Nullable
             String measure,
 
             @Nullable Boolean everyDrone)
@@ -104,8 +104,8 @@ public sealed interface PlanObjectiveRequest {
 
         @Override
         public Objective read(String at) {
-            double longest = Ranges.checked(at + "longestWeight", longestWeight, 0, HEAVIEST, "as a weight");
-            double sum = Ranges.checked(at + "sumWeight", sumWeight, 0, HEAVIEST, "as a weight");
+            double longest = FieldRanges.checked(at + "longestWeight", longestWeight, 0, HEAVIEST, "as a weight");
+            double sum = FieldRanges.checked(at + "sumWeight", sumWeight, 0, HEAVIEST, "as a weight");
             if (longest == 0 && sum == 0) {
                 throw InvalidInput.outside(
                         ValueProblem.VALUE_OUT_OF_RANGE, at + "sumWeight", "above 0 where longestWeight is 0", sum);

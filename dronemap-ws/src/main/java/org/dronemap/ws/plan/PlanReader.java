@@ -9,21 +9,21 @@ import java.util.Set;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Objective;
-import org.dronemap.cognitive.problem.Problem;
-import org.dronemap.cognitive.problem.Rules;
+import org.dronemap.cognitive.problem.PlanningProblem;
+import org.dronemap.cognitive.problem.PlanningRules;
 import org.dronemap.cognitive.problem.Separation;
+import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.cognitive.problem.Wind;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.virtual.Selection;
-import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.virtual.DroneSelection;
+import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
 /** Turns what a client wrote, what the cloud knows of the drones and what binds them into a problem. Any thread. */
@@ -40,31 +40,31 @@ final class PlanReader {
 
     private static final double MILLIS = 1_000;
     /** Profiles of speed are not known to the metre, so more room than must be kept is asked for. */
-    private static final Rules RULES = new Rules(new Separation(15, 5), 1 - Selection.WORST_LOSS_PERCENT / 100.0, 3, 5);
+    private static final PlanningRules RULES = new PlanningRules(new Separation(15, 5), 1 - DroneSelection.WORST_LOSS_PERCENT / 100.0, 3, 5);
 
     private final DroneService drones;
-    private final ZoneBook zones;
+    private final ZoneRegistry zones;
     private final Clock clock;
 
-    PlanReader(DroneService drones, ZoneBook zones, Clock clock) {
+    PlanReader(DroneService drones, ZoneRegistry zones, Clock clock) {
         this.drones = drones;
         this.zones = zones;
         this.clock = clock;
     }
 
-    PlanOrder read(Principal principal, PlanRequest request) {
+    PlanJobInput read(Principal principal, PlanRequest request) {
         Duration search = search(request.seconds());
         PlanObjectiveRequest asked = request.objective();
         Objective objective = asked == null ? Objective.earliestEnd() : asked.read("objective.");
-        Wind wind = wind(request.wind());
+        UniformWind wind = wind(request.wind());
         List<DroneState> states = states(principal, request.drones());
-        List<Craft> crafts = states.stream().map(PlanCrafts::of).toList();
-        List<Waypoint> waypoints = new PlanWaypoints(crafts).read(request.waypoints());
+        List<Craft> crafts = states.stream().map(PlanDroneFactory::of).toList();
+        List<Waypoint> waypoints = new PlanWaypointReader(crafts).read(request.waypoints());
         List<Barrier> barriers = PlanBarriers.of(principal.name(), zones, waypoints, crafts, clock.instant());
         try {
-            Problem problem = new Problem(waypoints, crafts, barriers, wind, objective, RULES);
+            PlanningProblem problem = new PlanningProblem(waypoints, crafts, barriers, wind, objective, RULES);
             Long seed = request.seed();
-            return new PlanOrder(problem, states, search, seed == null ? 1 : seed);
+            return new PlanJobInput(problem, states, search, seed == null ? 1 : seed);
         } catch (IllegalArgumentException tooMuch) {
             throw InvalidInput.unplannable(tooMuch);
         }
@@ -111,11 +111,11 @@ final class PlanReader {
         return Duration.ofMillis(Math.round(asked * MILLIS));
     }
 
-    private static Wind wind(PlanRequest.@Nullable WindRequest asked) {
+    private static UniformWind wind(PlanRequest.@Nullable WindRequest asked) {
         return asked == null
-                ? Wind.CALM
-                : new Wind(
-                        Ranges.checked("wind.speed", asked.speed(), 0, STRONGEST_WIND, "m/s"),
-                        Ranges.checked("wind.from", asked.from(), 0, FULL_CIRCLE, "degrees"));
+                ? UniformWind.CALM
+                : new UniformWind(
+                        FieldRanges.checked("wind.speed", asked.speed(), 0, STRONGEST_WIND, "m/s"),
+                        FieldRanges.checked("wind.from", asked.from(), 0, FULL_CIRCLE, "degrees"));
     }
 }

@@ -8,15 +8,15 @@ import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.ws.reading.Ranges;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
 /** A planning request as a client writes it, unchecked. Nothing is checked yet. */
 @Schema(name = "PlanRequest", description = "Waypoints that are to be shared out among drones.")
 public record PlanRequest(
         @Schema(description = "1 to 5000", requiredMode = Schema.RequiredMode.REQUIRED)
-        @Size(min = 1, max = PlanWaypoints.MOST)
+        @Size(min = 1, max = PlanWaypointReader.MOST)
         @Nullable
         List<@Nullable WaypointRequest> waypoints,
 
@@ -45,14 +45,14 @@ public record PlanRequest(
     @Schema(name = "PlanWaypointRequest", description = "A place that one drone is to visit.")
     public record WaypointRequest(
             @Schema(description = "Your own name of it, up to 40 characters; left out: its number from 1")
-            @Size(min = 1, max = PlanWaypoints.LONGEST_ID)
+            @Size(min = 1, max = PlanWaypointReader.LONGEST_ID)
             @Nullable
             String id,
 
-            @Schema(description = "degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            @Schema(description = "degrees") @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
             Double latitude,
 
-            @Schema(description = "degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            @Schema(description = "degrees") @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
             Double longitude,
 
             @Schema(description = "metres")
@@ -65,13 +65,13 @@ public record PlanRequest(
                     description =
                             "home (the default): above the highest home of these drones, which must lie within 20 m;"
                                     + " or amsl")
-            @ValuesOf(Altitude.Reference.class)
+            @EnumValues(Altitude.Reference.class)
             @Nullable
             String altitudeReference,
 
             @Schema(description = "Seconds that the drone stays there, 0 to 3600; left out: 0")
             @Min(0)
-            @Max(Ranges.MOST_SECONDS)
+            @Max(FieldRanges.MOST_SECONDS)
             @Nullable
             Double holdSeconds,
 
@@ -87,7 +87,7 @@ public record PlanRequest(
             @Schema(description = "What a drone must be able to do for it, such as takePicture") @Nullable
             List<@Nullable String> needs,
 
-            @Schema(description = "What is done there, in order; up to 10") @Size(max = PlanTasks.MOST) @Nullable
+            @Schema(description = "What is done there, in order; up to 10") @Size(max = PlanTaskReader.MOST) @Nullable
             List<@Nullable PlanTaskRequest> tasks) {
         WaypointRequest called(String name) {
             return new WaypointRequest(
@@ -107,10 +107,10 @@ public record PlanRequest(
     /** A span on the plan's clock. */
     @Schema(name = "PlanWindowRequest", description = "Seconds after the start of the plan.")
     public record WindowRequest(
-            @Schema(description = "left out: 0") @Min(0) @Max(PlanWaypoints.LONGEST_WINDOW_SECONDS) @Nullable
+            @Schema(description = "left out: 0") @Min(0) @Max(PlanWaypointReader.LONGEST_WINDOW_SECONDS) @Nullable
             Double opens,
 
-            @Schema(description = "left out: never") @Min(0) @Max(PlanWaypoints.LONGEST_WINDOW_SECONDS) @Nullable
+            @Schema(description = "left out: never") @Min(0) @Max(PlanWaypointReader.LONGEST_WINDOW_SECONDS) @Nullable
             Double closes) {}
 
     /** Wind that is the same everywhere. */

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.random.RandomGenerator;
-import org.dronemap.cognitive.engine.Planned;
+import org.dronemap.cognitive.engine.PlanResult;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -15,17 +15,17 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.ws.access.Caller;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.command.CommandService;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.CommandProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.OperationProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
@@ -37,14 +37,14 @@ public final class PlanService {
     /** A drone that was moved farther no longer stands where its tour begins. */
     private static final double MOST_MOVED_METERS = 15;
 
-    private final PlanDesk desk;
+    private final PlanJobExecutor desk;
     private final PlanReader reader;
     private final DroneService drones;
     private final CommandService commands;
     private final Clock clock;
     private final RandomGenerator random;
 
-    public PlanService(PlanDesk desk, DroneService drones, CommandService commands, ZoneBook zones, Time time) {
+    public PlanService(PlanJobExecutor desk, DroneService drones, CommandService commands, ZoneRegistry zones, Time time) {
         this.desk = desk;
         this.reader = new PlanReader(drones, zones, time.clock());
         this.drones = drones;
@@ -61,33 +61,33 @@ public final class PlanService {
     }
 
     public PlanView ask(Principal principal, PlanRequest request) {
-        Roles.require(principal, Role.PLANNER);
-        PlanOrder order = reader.read(principal, request);
+        RoleChecks.require(principal, Role.PLANNER);
+        PlanJobInput order = reader.read(principal, request);
         PlanJob job = new PlanJob(
                 newId(),
                 new PlanJob.Origin(principal.name(), principal.account(), principal.organisation(), clock.instant()),
                 order);
         desk.submit(job);
-        return PlanViews.whole(job);
+        return PlanViewMapper.whole(job);
     }
 
     /** One's own, the oldest first. */
     public List<PlanView> all(Principal principal) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         return desk.jobs(principal.organisation()).stream()
                 .filter(job -> isShownTo(principal, job))
-                .map(PlanViews::brief)
+                .map(PlanViewMapper::brief)
                 .toList();
     }
 
     public PlanView one(Principal principal, String id) {
-        Roles.require(principal, Role.VIEWER);
-        return PlanViews.whole(find(principal, id));
+        RoleChecks.require(principal, Role.VIEWER);
+        return PlanViewMapper.whole(find(principal, id));
     }
 
     /** Cancels one that is under way; forgets one that has ended. */
     public void remove(Principal principal, String id) {
-        Roles.require(principal, Role.PLANNER);
+        RoleChecks.require(principal, Role.PLANNER);
         PlanJob job = find(principal, id);
         if (job.status().busy()) {
             throw Rejection.of(
@@ -101,33 +101,33 @@ public final class PlanService {
     public CompletableFuture<PlanView> accept(
             Caller caller, String id, PlanRequest.@Nullable AcceptRequest request, Duration wait) {
         Principal principal = caller.principal();
-        Roles.require(principal, Role.PLANNER);
-        PlanLaunch.Start start = start(request);
+        RoleChecks.require(principal, Role.PLANNER);
+        PlanLauncher.Start start = start(request);
         if (start.wanted()) {
-            Roles.require(principal, Role.OPERATOR);
+            RoleChecks.require(principal, Role.OPERATOR);
         }
         PlanJob job = find(principal, id);
         List<Tour> tours = acceptable(principal, job, start.wanted());
         boolean begun = job.accept(tours.stream()
-                .map(tour -> new PlanFlight(tour.drone(), PlanFlight.Stage.UPLOADING, null, null))
+                .map(tour -> new DroneLaunchStatus(tour.drone(), DroneLaunchStatus.Stage.UPLOADING, null, null))
                 .toList());
         if (!begun) {
             throw Rejection.of(OperationProblem.PLAN_UNDER_WAY, "Its missions are on their way to the drones already.");
         }
-        CompletableFuture<Void> run = new PlanLaunch(desk, commands, job, caller, start).run(tours);
+        CompletableFuture<Void> run = new PlanLauncher(desk, commands, job, caller, start).run(tours);
         return desk.time()
                 .within(run.<Optional<Void>>thenApply(ended -> Optional.empty()), wait, Optional.empty())
-                .thenApply(ended -> PlanViews.whole(job));
+                .thenApply(ended -> PlanViewMapper.whole(job));
     }
 
     /** A plan that may be flown now, with what it was made for. */
-    record Flyable(PlanOrder order, Planned planned) {}
+    record Flyable(PlanJobInput order, PlanResult planned) {}
 
     /** For who flies it from now on; refused as if it were started. */
     Flyable flyable(Principal principal, String id) {
         PlanJob job = find(principal, id);
         acceptable(principal, job, true);
-        Planned planned = job.status().result();
+        PlanResult planned = job.status().result();
         if (planned == null || job.status().busy()) {
             throw Rejection.of(OperationProblem.PLAN_UNDER_WAY, "Its missions are on their way to the drones already.");
         }
@@ -136,29 +136,29 @@ public final class PlanService {
 
     /** Whoever of the plan has not been started yet will not be; who flies, flies on. */
     public PlanView stop(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         PlanJob job = find(principal, id);
-        if (!job.stop(PlanFlight.Reason.of(
+        if (!job.stop(DroneLaunchStatus.Reason.of(
                 OperationProblem.PLAN_STOPPED,
                 "It has its mission and was not started, since the start was stopped."))) {
             throw Rejection.of(OperationProblem.PLAN_STARTS_NOBODY, "Nobody of this plan waits for a start.");
         }
-        return PlanViews.whole(job);
+        return PlanViewMapper.whole(job);
     }
 
-    private static PlanLaunch.Start start(PlanRequest.@Nullable AcceptRequest request) {
+    private static PlanLauncher.Start start(PlanRequest.@Nullable AcceptRequest request) {
         String onCloudLoss = request == null ? null : request.onCloudLoss();
         if (onCloudLoss != null && !onCloudLoss.equals("continue") && !onCloudLoss.equals("rtl")) {
             throw InvalidInput.outside(
                     ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", CLOUD_LOSS, "\"" + onCloudLoss + "\"");
         }
-        return new PlanLaunch.Start(request != null && Boolean.TRUE.equals(request.start()), onCloudLoss);
+        return new PlanLauncher.Start(request != null && Boolean.TRUE.equals(request.start()), onCloudLoss);
     }
 
     /** Its tours, when nothing speaks against flying it. */
     private List<Tour> acceptable(Principal principal, PlanJob job, boolean start) {
         PlanJob.Status status = job.status();
-        Planned planned = status.result();
+        PlanResult planned = status.result();
         if (planned == null) {
             throw Rejection.of(
                     status.state().isUnderWay()
@@ -197,7 +197,7 @@ public final class PlanService {
                         .filter(craft -> craft.id().equals(now.id()))
                         .allMatch(craft -> Geodesy.distanceMeters(
                                                 craft.start().place().point(),
-                                                PlanCrafts.stand(now, home).point())
+                                                PlanDroneFactory.stand(now, home).point())
                                         <= MOST_MOVED_METERS
                                 && Geodesy.distanceMeters(craft.finish().place().point(), home.point())
                                         <= MOST_MOVED_METERS);
@@ -212,7 +212,7 @@ public final class PlanService {
     private PlanJob find(Principal principal, String id) {
         return desk.find(id)
                 .filter(job -> isShownTo(principal, job))
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.PLAN, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.PLAN, id));
     }
 
     /** Not to be guessed, and fit to stand beside ids of drones. */

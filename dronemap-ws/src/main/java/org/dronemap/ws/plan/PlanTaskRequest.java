@@ -12,14 +12,14 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.WaypointTask;
 import org.dronemap.ws.mission.MissionReader;
 import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.reading.ObjectsOnly;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** Something that is done at a waypoint, as a client writes it; one record for each type. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(value = PlanTaskRequest.Photo.class, name = "photo"),
     @JsonSubTypes.Type(value = PlanTaskRequest.Servo.class, name = "servo"),
@@ -75,14 +75,14 @@ public sealed interface PlanTaskRequest {
     @Schema(name = "PlanLookAtTask", description = "Camera and nose point to a place.")
     record LookAt(
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
-            @Min(-Ranges.LATITUDE)
-            @Max(Ranges.LATITUDE)
+            @Min(-FieldRanges.LATITUDE)
+            @Max(FieldRanges.LATITUDE)
             @Nullable
             Double latitude,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Degrees")
-            @Min(-Ranges.LONGITUDE)
-            @Max(Ranges.LONGITUDE)
+            @Min(-FieldRanges.LONGITUDE)
+            @Max(FieldRanges.LONGITUDE)
             @Nullable
             Double longitude,
 
@@ -97,8 +97,8 @@ public sealed interface PlanTaskRequest {
         @Override
         public WaypointTask read(String at, ToDoubleFunction<@Nullable Double> amslMeters) {
             Geodetic point = new Geodetic(
-                    Ranges.latitude(at + "latitude", latitude), Ranges.longitude(at + "longitude", longitude));
-            return new WaypointTask.Look(point, amslMeters.applyAsDouble(Ranges.altitude(at + "altitude", altitude)));
+                    FieldRanges.latitude(at + "latitude", latitude), FieldRanges.longitude(at + "longitude", longitude));
+            return new WaypointTask.Look(point, amslMeters.applyAsDouble(FieldRanges.altitude(at + "altitude", altitude)));
         }
     }
 
@@ -107,7 +107,7 @@ public sealed interface PlanTaskRequest {
     record ReadSensors(
             @Schema(description = "For how long in seconds, 1 to 3600; left out: 5")
             @Min(ReadSensors.LEAST_SECONDS)
-            @Max(Ranges.MOST_SECONDS)
+            @Max(FieldRanges.MOST_SECONDS)
             @Nullable
             Double seconds)
             implements PlanTaskRequest {
@@ -118,7 +118,7 @@ public sealed interface PlanTaskRequest {
         public WaypointTask read(String at, ToDoubleFunction<@Nullable Double> amslMeters) {
             double asked = seconds == null ? USUAL_SECONDS : seconds;
             return new WaypointTask.Sensors(
-                    Ranges.checked(at + "seconds", asked, LEAST_SECONDS, Ranges.MOST_SECONDS, "seconds"));
+                    FieldRanges.checked(at + "seconds", asked, LEAST_SECONDS, FieldRanges.MOST_SECONDS, "seconds"));
         }
     }
 }

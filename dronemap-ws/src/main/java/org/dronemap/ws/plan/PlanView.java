@@ -5,7 +5,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.dronemap.ws.history.FlightView;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
 /** A plan as clients see it. */
@@ -15,7 +15,7 @@ public record PlanView(
         String by,
         Instant askedAt,
 
-        @ValuesOf(PlanJob.State.class) String state,
+        @EnumValues(PlanJob.State.class) String state,
 
         @Schema(description = "failed: why") @Nullable String why,
         @Schema(description = "Seconds to search") double seconds,
@@ -132,15 +132,15 @@ public record PlanView(
             @Schema(description = "Whether something is still under way")
             boolean underWay,
 
-            List<FlightView> drones) {}
+            List<DroneLaunchView> drones) {}
 
     /** One drone's outcome. */
     @Schema(name = "PlanFlightView")
-    public record FlightView(
+    public record DroneLaunchView(
             String drone,
             String name,
 
-            @ValuesOf(PlanFlight.Stage.class) String stage,
+            @EnumValues(DroneLaunchStatus.Stage.class) String stage,
 
             @Nullable String why,
 

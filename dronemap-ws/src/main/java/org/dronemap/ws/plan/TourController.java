@@ -3,10 +3,10 @@ package org.dronemap.ws.plan;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.concurrent.CompletableFuture;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.web.bind.annotation.PostMapping;
 import org.springframework.web.bind.annotation.RequestBody;
@@ -27,8 +27,8 @@ public class TourController {
     }
 
     @PostMapping
-    @Access(from = From.PLANNER, about = About.DRONE)
-    @Answers(refuses = 404)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.DRONE)
+    @ResponseStatuses(refuses = 404)
     @Operation(
             operationId = "orderTour",
             summary = "Put the waypoints of one drone into a good order (planner)",

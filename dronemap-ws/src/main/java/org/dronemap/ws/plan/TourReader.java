@@ -5,23 +5,23 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.EnergyBudget;
 import org.dronemap.cognitive.problem.Finish;
 import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.Place;
-import org.dronemap.cognitive.problem.Problem;
-import org.dronemap.cognitive.problem.Rules;
+import org.dronemap.cognitive.problem.PlanningProblem;
+import org.dronemap.cognitive.problem.PlanningRules;
 import org.dronemap.cognitive.problem.Start;
-import org.dronemap.cognitive.problem.Supply;
+import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.cognitive.problem.Wind;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.mission.Mission;
-import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.CommandProblem;
 import org.dronemap.ws.problem.InvalidInput;
@@ -43,10 +43,10 @@ final class TourReader {
     private static final double MILLIS = 1_000;
 
     private final DroneService drones;
-    private final ZoneBook zones;
+    private final ZoneRegistry zones;
     private final Clock clock;
 
-    TourReader(DroneService drones, ZoneBook zones, Clock clock) {
+    TourReader(DroneService drones, ZoneRegistry zones, Clock clock) {
         this.drones = drones;
         this.zones = zones;
         this.clock = clock;
@@ -57,7 +57,7 @@ final class TourReader {
      *
      * @param lastStays whether the last waypoint is where the drone ends, and none of the problem's
      */
-    record Tour(Problem problem, boolean lastStays, Duration search) {}
+    record Tour(PlanningProblem problem, boolean lastStays, Duration search) {}
 
     Tour read(Principal principal, TourRequest request) {
         Duration search = search(request.seconds());
@@ -76,18 +76,18 @@ final class TourReader {
                     ProblemParameter.LEAST.is(1),
                     ProblemParameter.MOST.is(Mission.MAX_ITEMS));
         }
-        List<Waypoint> all = new PlanWaypoints(List.of(craft)).read(request.waypoints());
+        List<Waypoint> all = new PlanWaypointReader(List.of(craft)).read(request.waypoints());
         Waypoint last = all.get(all.size() - 1);
         List<Waypoint> free = lastStays ? all.subList(0, all.size() - 1) : all;
         List<Craft> crafts = List.of(lastStays ? craft.with(Finish.hovering(last.place())) : craft);
         try {
-            Problem problem = new Problem(
+            PlanningProblem problem = new PlanningProblem(
                     free,
                     crafts,
                     PlanBarriers.of(principal.name(), zones, all, crafts, clock.instant()),
-                    Wind.CALM,
+                    UniformWind.CALM,
                     Objective.earliestEnd(),
-                    Rules.USUAL);
+                    PlanningRules.USUAL);
             return new Tour(problem, lastStays, search);
         } catch (IllegalArgumentException tooMuch) {
             throw InvalidInput.unplannable(tooMuch);
@@ -104,15 +104,15 @@ final class TourReader {
         }
         Place base = new Place(home.point(), home.altitudeAmslMeters());
         Place stand =
-                drone.position() == null || drone.position().point() == null ? base : PlanCrafts.stand(drone, home);
+                drone.position() == null || drone.position().point() == null ? base : PlanDroneFactory.stand(drone, home);
         return new Craft(
                 drone.id(),
                 drone.airborne() ? Start.inFlight(stand) : Start.onGround(stand),
                 Finish.landing(base),
                 Performance.of(
                         drone.identification().kind(), drone.identification().autopilot()),
-                Supply.UNLIMITED,
-                Set.copyOf(PlanCrafts.skills(drone)),
+                EnergyBudget.UNLIMITED,
+                Set.copyOf(PlanDroneFactory.skills(drone)),
                 home.altitudeAmslMeters(),
                 1);
     }

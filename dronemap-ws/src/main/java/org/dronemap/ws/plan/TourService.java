@@ -9,18 +9,18 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.stream.IntStream;
-import org.dronemap.cognitive.allocate.Budget;
-import org.dronemap.cognitive.engine.Engine;
-import org.dronemap.cognitive.engine.Planned;
+import org.dronemap.cognitive.allocate.SearchBudget;
+import org.dronemap.cognitive.engine.FleetPlanner;
+import org.dronemap.cognitive.engine.PlanResult;
 import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.Stop;
-import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.time.Pool;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.zone.ZoneBook;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.core.zone.ZoneRegistry;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.OperationProblem;
 import org.dronemap.ws.problem.ProblemParameter;
@@ -37,7 +37,7 @@ public final class TourService implements AutoCloseable {
     private final Pool pool;
     private final Set<String> waiting = ConcurrentHashMap.newKeySet();
 
-    public TourService(DroneService drones, ZoneBook zones, Time time) {
+    public TourService(DroneService drones, ZoneRegistry zones, Time time) {
         this.time = time;
         pool = time.pool("tours", 1, QUEUED);
         reader = new TourReader(drones, zones, time.clock());
@@ -45,7 +45,7 @@ public final class TourService implements AutoCloseable {
 
     /** One at a time for each user; refused while too many wait. */
     public CompletableFuture<TourView> order(Principal principal, TourRequest request) {
-        Roles.require(principal, Role.PLANNER);
+        RoleChecks.require(principal, Role.PLANNER);
         TourReader.Tour tour = reader.read(principal, request);
         if (!waiting.add(principal.name())) {
             throw Rejection.of(
@@ -64,9 +64,9 @@ public final class TourService implements AutoCloseable {
     }
 
     private TourView ordered(TourReader.Tour tour) {
-        Problem problem = tour.problem();
-        Plan listed = Engine.asListed(problem);
-        Planned found = Engine.plan(problem, SEED, Budget.time(tour.search(), time.effort()), better -> {});
+        PlanningProblem problem = tour.problem();
+        Plan listed = FleetPlanner.asListed(problem);
+        PlanResult found = FleetPlanner.plan(problem, SEED, SearchBudget.time(tour.search(), time.effort()), better -> {});
         Map<String, Integer> numbers = new LinkedHashMap<>();
         IntStream.range(0, problem.waypoints().size())
                 .forEach(number -> numbers.put(problem.waypoints().get(number).id(), number));
@@ -84,7 +84,7 @@ public final class TourService implements AutoCloseable {
                 effort(listed),
                 effort(found.plan()),
                 found.plan().unserved().isEmpty() ? found.progress().gap() : 1,
-                PlanViews.unserved(problem, found.plan()));
+                PlanViewMapper.unserved(problem, found.plan()));
     }
 
     private static TourView.EffortView effort(Plan plan) {
@@ -92,7 +92,7 @@ public final class TourService implements AutoCloseable {
                 plan.endsSeconds(),
                 plan.tours().stream()
                         .flatMap(tour -> tour.ways().stream())
-                        .mapToDouble(PlanViews::meters)
+                        .mapToDouble(PlanViewMapper::meters)
                         .sum());
     }
 

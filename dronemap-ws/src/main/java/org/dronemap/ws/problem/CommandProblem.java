@@ -11,8 +11,8 @@ public record CommandProblem(OutcomeCode outcome) implements ProblemCode {
     }
 
     @Override
-    public ProblemEntry entry() {
-        ProblemEntry entry = ProblemEntry.of(
+    public ProblemCatalogueEntry entry() {
+        ProblemCatalogueEntry entry = ProblemCatalogueEntry.of(
                         outcome.word(), RejectionKind.CONFLICT, outcome.meaning(), outcome.example())
                 .with(ProblemParameter.DRONE);
         return outcome == OutcomeCode.CONTROL_HELD || outcome == OutcomeCode.CONTROL_ENDED

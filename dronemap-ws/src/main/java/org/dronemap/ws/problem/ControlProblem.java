@@ -2,33 +2,33 @@ package org.dronemap.ws.problem;
 
 /** Codes of what speaks against changing who has control of a drone, where nobody else has it. */
 public enum ControlProblem implements ProblemCode {
-    NOT_HELD(ProblemEntry.of(
+    NOT_HELD(ProblemCatalogueEntry.of(
                     "control-not-held",
                     RejectionKind.CONFLICT,
                     "Who gives control back, hands it over or refuses it does not have it.",
                     "You do not have control. Nobody has control; take it.")
             .with(ProblemParameter.DRONE)
             .maybe(ProblemParameter.HOLDER, ProblemParameter.HELD_SINCE)),
-    OWN(ProblemEntry.of(
+    OWN(ProblemCatalogueEntry.of(
                     "control-own",
                     RejectionKind.CONFLICT,
                     "Who hands control over would hand it to the same user.",
                     "You have control already.")
             .with(ProblemParameter.DRONE)),
-    REQUESTS_FULL(ProblemEntry.of(
+    REQUESTS_FULL(ProblemCatalogueEntry.of(
                     "control-requests-full",
                     RejectionKind.CONFLICT,
                     "So many wait for an answer to their request for control that nobody else may ask.",
                     "Too many have asked for control already. mia has had control of it since 2026-03-04 05:06:07 UTC.")
             .with(ProblemParameter.DRONE)
             .maybe(ProblemParameter.HOLDER, ProblemParameter.HELD_SINCE)),
-    NOT_ASKED(ProblemEntry.of(
+    NOT_ASKED(ProblemCatalogueEntry.of(
                     "control-not-asked-for",
                     RejectionKind.CONFLICT,
                     "The user who would get control, or a refusal, does not ask for it.",
                     "mia does not ask for control (any more).")
             .with(ProblemParameter.DRONE)),
-    NOT_TAKEN(ProblemEntry.of(
+    NOT_TAKEN(ProblemCatalogueEntry.of(
                     "control-not-taken",
                     RejectionKind.CONFLICT,
                     "Control came with a command, so that no heartbeat keeps it.",
@@ -36,14 +36,14 @@ public enum ControlProblem implements ProblemCode {
             .with(ProblemParameter.DRONE));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change
-    private final ProblemEntry entry;
+    private final ProblemCatalogueEntry entry;
 
-    ControlProblem(ProblemEntry entry) {
+    ControlProblem(ProblemCatalogueEntry entry) {
         this.entry = entry;
     }
 
     @Override
-    public ProblemEntry entry() {
+    public ProblemCatalogueEntry entry() {
         return entry;
     }
 }

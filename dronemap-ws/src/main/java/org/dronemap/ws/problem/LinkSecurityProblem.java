@@ -37,18 +37,18 @@ public enum LinkSecurityProblem implements ProblemCode {
             "The vehicle was asked 5 times and was not heard since."));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change
-    private final ProblemEntry entry;
+    private final ProblemCatalogueEntry entry;
 
-    LinkSecurityProblem(ProblemEntry entry) {
+    LinkSecurityProblem(ProblemCatalogueEntry entry) {
         this.entry = entry;
     }
 
-    private static ProblemEntry entry(String word, String meaning, String example) {
-        return ProblemEntry.of(word, RejectionKind.CONFLICT, meaning, example).with(ProblemParameter.DRONE);
+    private static ProblemCatalogueEntry entry(String word, String meaning, String example) {
+        return ProblemCatalogueEntry.of(word, RejectionKind.CONFLICT, meaning, example).with(ProblemParameter.DRONE);
     }
 
     @Override
-    public ProblemEntry entry() {
+    public ProblemCatalogueEntry entry() {
         return entry;
     }
 }

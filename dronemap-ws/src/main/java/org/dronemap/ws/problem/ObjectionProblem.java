@@ -37,9 +37,9 @@ public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
     }
 
     @Override
-    public ProblemEntry entry() {
+    public ProblemCatalogueEntry entry() {
         ObjectionEntry reason = code.entry();
-        return ProblemEntry.of(reason.word(), RejectionKind.CONFLICT, reason.meaning(), reason.example())
+        return ProblemCatalogueEntry.of(reason.word(), RejectionKind.CONFLICT, reason.meaning(), reason.example())
                 .with(Stream.concat(
                                 Stream.of(ProblemParameter.ID),
                                 reason.subjects().stream().map(ObjectionProblem::parameter))

@@ -2,72 +2,72 @@ package org.dronemap.ws.problem;
 
 /** Codes of what speaks against flying or changing plans, and against beginning what the cloud conducts. */
 public enum OperationProblem implements ProblemCode {
-    PLAN_NOT_FINISHED(ProblemEntry.of(
+    PLAN_NOT_FINISHED(ProblemCatalogueEntry.of(
             "plan-not-finished",
             RejectionKind.CONFLICT,
             "The plan is being worked out still.",
             "The plan is not finished.")),
-    PLAN_WITHOUT_RESULT(ProblemEntry.of(
+    PLAN_WITHOUT_RESULT(ProblemCatalogueEntry.of(
             "plan-without-result",
             RejectionKind.CONFLICT,
             "The search for the plan was cancelled or failed; another one has to be asked for.",
             "The plan is not finished.")),
-    PLAN_UNSAFE(ProblemEntry.of(
+    PLAN_UNSAFE(ProblemCatalogueEntry.of(
             "plan-unsafe",
             RejectionKind.CONFLICT,
             "The plan breaks rules that hold now.",
             "The plan must not be flown: A zone is in the way.")),
-    PLAN_EMPTY(ProblemEntry.of(
+    PLAN_EMPTY(ProblemCatalogueEntry.of(
             "plan-empty",
             RejectionKind.CONFLICT,
             "No drone has anything to do in the plan.",
             "Nobody flies in this plan.")),
-    PLAN_OUTDATED(ProblemEntry.of(
+    PLAN_OUTDATED(ProblemCatalogueEntry.of(
                     "plan-outdated",
                     RejectionKind.CONFLICT,
                     "A drone, or its home, is no longer where it was planned for.",
                     "“Kestrel”, or its home, is no longer where it was when this was planned; plan again.")
             .with(ProblemParameter.DRONE)),
-    PLAN_UNDER_WAY(ProblemEntry.of(
+    PLAN_UNDER_WAY(ProblemCatalogueEntry.of(
             "plan-under-way",
             RejectionKind.CONFLICT,
             "The plan's missions are on their way, or drones wait for their start.",
             "Its missions are on their way to the drones already.")),
-    PLAN_STARTS_NOBODY(ProblemEntry.of(
+    PLAN_STARTS_NOBODY(ProblemCatalogueEntry.of(
             "plan-starts-nobody",
             RejectionKind.CONFLICT,
             "No drone of the plan waits for its start.",
             "Nobody of this plan waits for a start.")),
-    PLAN_INCOMPLETE(ProblemEntry.of(
+    PLAN_INCOMPLETE(ProblemCatalogueEntry.of(
             "plan-incomplete",
             RejectionKind.CONFLICT,
             "Another drone of the plan did not get its mission, so that none is started.",
             "It has its mission and was not started, since another drone of the plan has none.")),
-    PLAN_STOPPED(ProblemEntry.of(
+    PLAN_STOPPED(ProblemCatalogueEntry.of(
             "plan-stopped",
             RejectionKind.CONFLICT,
             "The start of the plan was stopped before the drone's turn.",
             "It has its mission and was not started, since the start was stopped.")),
-    TOUR_UNDER_WAY(ProblemEntry.of(
+    TOUR_UNDER_WAY(ProblemCatalogueEntry.of(
             "tour-under-way",
             RejectionKind.CONFLICT,
             "Another tour of the same user is being ordered.",
             "A tour of yours is being ordered already; wait for it.")),
-    NO_DRONE_TO_FOLLOW(ProblemEntry.of(
+    NO_DRONE_TO_FOLLOW(ProblemCatalogueEntry.of(
             "no-drone-to-follow",
             RejectionKind.CONFLICT,
             "No drone that the asker may command can follow now.",
             "The warehouse has no drone that you may command. Name one that you look after."));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change
-    private final ProblemEntry entry;
+    private final ProblemCatalogueEntry entry;
 
-    OperationProblem(ProblemEntry entry) {
+    OperationProblem(ProblemCatalogueEntry entry) {
         this.entry = entry;
     }
 
     @Override
-    public ProblemEntry entry() {
+    public ProblemCatalogueEntry entry() {
         return entry;
     }
 }

@@ -18,9 +18,9 @@ public sealed interface ProblemCode
                 RequestProblem,
                 ServerProblem,
                 UnfitProblem,
-                UnknownProblem,
+                NotFoundProblem,
                 ValueProblem {
-    ProblemEntry entry();
+    ProblemCatalogueEntry entry();
 
     /** Small letters with hyphens, such as {@code drone-unknown}. */
     default String word() {
@@ -36,7 +36,7 @@ public sealed interface ProblemCode
         return Stream.of(
                         List.of(RequestProblem.values()),
                         List.of(ValueProblem.values()),
-                        List.of(UnknownProblem.values()),
+                        List.of(NotFoundProblem.values()),
                         List.of(AccessProblem.values()),
                         CommandProblem.values(),
                         List.of(ControlProblem.values()),

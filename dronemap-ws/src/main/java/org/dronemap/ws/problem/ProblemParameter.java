@@ -71,7 +71,7 @@ public enum ProblemParameter {
     }
 
     public Given is(String value) {
-        return new Given(this, Problem.shortened(value));
+        return new Given(this, ProblemView.shortened(value));
     }
 
     public Given is(long value) {

@@ -7,8 +7,8 @@ import java.util.List;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.lease.Control;
-import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.lease.ControlState;
+import org.dronemap.core.lease.Lease;
 import org.jspecify.annotations.Nullable;
 
 /** A request that is answered with a code and a sentence instead of being carried out; each face maps it to its own form. */
@@ -34,7 +34,7 @@ public class Rejection extends RuntimeException {
             String sentence,
             List<ProblemParameter.Given> parameters,
             @Nullable String commandId,
-            @Nullable Tenure tenure) {
+            @Nullable Lease tenure) {
         super(sentence, null, false, false);
         code.entry().check(parameters);
         this.code = code;
@@ -49,7 +49,7 @@ public class Rejection extends RuntimeException {
         return new Rejection(code, sentence, List.of(parameters));
     }
 
-    public static Rejection unknown(UnknownProblem code, String id) {
+    public static Rejection unknown(NotFoundProblem code, String id) {
         return of(code, code.sentence(id), code.id().is(id));
     }
 
@@ -62,12 +62,12 @@ public class Rejection extends RuntimeException {
     }
 
     /** Somebody else has control. */
-    public static Rejection held(String sentence, DroneId drone, Control control) {
+    public static Rejection held(String sentence, DroneId drone, ControlState control) {
         return refused(new Refusal(OutcomeCode.CONTROL_HELD, sentence), drone, null, control);
     }
 
     /** Control does not change as somebody asked. */
-    static Rejection ofControl(ProblemCode code, String sentence, DroneId drone, Control control) {
+    static Rejection ofControl(ProblemCode code, String sentence, DroneId drone, ControlState control) {
         return ofDrone(code, sentence, drone, null, control);
     }
 
@@ -77,18 +77,18 @@ public class Rejection extends RuntimeException {
      * @param commandId whose record can be looked up; null: of a setpoint
      * @param control who has control now, which is told where that is why
      */
-    public static Rejection refused(Refusal why, DroneId drone, @Nullable String commandId, Control control) {
+    public static Rejection refused(Refusal why, DroneId drone, @Nullable String commandId, ControlState control) {
         return ofDrone(new CommandProblem(why.code()), why.sentence(), drone, commandId, control);
     }
 
     private static Rejection ofDrone(
-            ProblemCode code, String sentence, DroneId drone, @Nullable String commandId, Control control) {
+            ProblemCode code, String sentence, DroneId drone, @Nullable String commandId, ControlState control) {
         List<ProblemParameter.Given> parameters = new ArrayList<>();
         parameters.add(ProblemParameter.DRONE.is(drone.value()));
         if (commandId != null) {
             parameters.add(ProblemParameter.COMMAND.is(commandId));
         }
-        Tenure tenure = code.entry().optional().contains(ProblemParameter.HOLDER) ? control.tenure() : null;
+        Lease tenure = code.entry().optional().contains(ProblemParameter.HOLDER) ? control.tenure() : null;
         if (tenure != null) {
             tenure.holder().label().ifPresent(holder -> parameters.add(ProblemParameter.HOLDER.is(holder)));
             parameters.add(ProblemParameter.HELD_SINCE.is(since(tenure).toString()));
@@ -96,7 +96,7 @@ public class Rejection extends RuntimeException {
         return new Rejection(code, sentence, parameters, commandId, tenure);
     }
 
-    private static Instant since(Tenure tenure) {
+    private static Instant since(Lease tenure) {
         return tenure.since().truncatedTo(ChronoUnit.MILLIS);
     }
 

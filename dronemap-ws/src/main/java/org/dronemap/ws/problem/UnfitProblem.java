@@ -25,7 +25,7 @@ public record UnfitProblem(UnfitCode reason) implements ProblemCode {
     }
 
     @Override
-    public ProblemEntry entry() {
-        return ProblemEntry.of(reason.word(), RejectionKind.CONFLICT, reason.meaning(), reason.example());
+    public ProblemCatalogueEntry entry() {
+        return ProblemCatalogueEntry.of(reason.word(), RejectionKind.CONFLICT, reason.meaning(), reason.example());
     }
 }

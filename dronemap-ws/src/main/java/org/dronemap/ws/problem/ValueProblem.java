@@ -89,19 +89,19 @@ public enum ValueProblem implements ProblemCode {
             "\"ceiling\" of a key made with this one must be at most 50 m."));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change
-    private final ProblemEntry entry;
+    private final ProblemCatalogueEntry entry;
 
-    ValueProblem(ProblemEntry entry) {
+    ValueProblem(ProblemCatalogueEntry entry) {
         this.entry = entry;
     }
 
-    private static ProblemEntry of(String word, String meaning, String example) {
-        return ProblemEntry.of(word, RejectionKind.INVALID, meaning, example)
+    private static ProblemCatalogueEntry of(String word, String meaning, String example) {
+        return ProblemCatalogueEntry.of(word, RejectionKind.INVALID, meaning, example)
                 .with(ProblemParameter.FIELD, ProblemParameter.ALLOWED);
     }
 
     @Override
-    public ProblemEntry entry() {
+    public ProblemCatalogueEntry entry() {
         return entry;
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
-import org.dronemap.core.zone.ShapeFaults;
+import org.dronemap.core.zone.ShapeValidator;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
@@ -34,11 +34,11 @@ final class AreaReader {
     /** {@code radius}: in metres. */
     FenceZone circle(boolean inside, @Nullable List<Double> middle, @Nullable Double radius) {
         return sound(new FenceZone.Circle(
-                inside, position(at + ".coordinates", middle), Ranges.radius(radiusField, radius)));
+                inside, position(at + ".coordinates", middle), FieldRanges.radius(radiusField, radius)));
     }
 
     private FenceZone sound(FenceZone shape) {
-        Optional<String> fault = ShapeFaults.of(shape);
+        Optional<String> fault = ShapeValidator.of(shape);
         if (fault.isPresent()) {
             throw new InvalidInput(ValueProblem.AREA_UNUSABLE, at, "a simple area", fault.get());
         }
@@ -92,6 +92,6 @@ final class AreaReader {
             throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "longitude and latitude", numbers);
         }
         return new Geodetic(
-                Ranges.latitude(field + "[1]", numbers.get(1)), Ranges.longitude(field + "[0]", numbers.get(0)));
+                FieldRanges.latitude(field + "[1]", numbers.get(1)), FieldRanges.longitude(field + "[0]", numbers.get(0)));
     }
 }

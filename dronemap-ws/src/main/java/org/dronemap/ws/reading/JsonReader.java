@@ -91,8 +91,8 @@ public final class JsonReader {
                     "There is no member \"" + field + "\" here; there are: " + known + ".");
         }
         if (e instanceof InvalidTypeIdException other) {
-            Alternatives all =
-                    Alternatives.of(other.getBaseType().getRawClass()).orElse(null);
+            RecordAlternatives all =
+                    RecordAlternatives.of(other.getBaseType().getRawClass()).orElse(null);
             if (all != null) {
                 return noneOf(all, other);
             }
@@ -117,13 +117,13 @@ public final class JsonReader {
     }
 
     private static String known(UnrecognizedPropertyException unknown) {
-        Stream<String> alternative = Alternatives.toldBy(unknown.getReferringClass()).keySet().stream();
+        Stream<String> alternative = RecordAlternatives.toldBy(unknown.getReferringClass()).keySet().stream();
         Stream<Object> members =
                 Optional.ofNullable(unknown.getKnownPropertyIds()).stream().flatMap(Collection::stream);
         return Stream.concat(alternative, members.map(String::valueOf)).collect(Collectors.joining(", "));
     }
 
-    private static Rejection noneOf(Alternatives all, InvalidTypeIdException other) {
+    private static Rejection noneOf(RecordAlternatives all, InvalidTypeIdException other) {
         String at = path(other);
         String field = at.isEmpty() ? all.member() : at + "." + all.member();
         String allowed = all.allowed();

@@ -8,12 +8,12 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
 import java.nio.file.Files;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
@@ -41,8 +41,8 @@ public class RecordingController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.DRONE)
-    @Answers(never = 422)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
+    @ResponseStatuses(never = 422)
     @Operation(
             operationId = "listRecordings",
             summary = "List the recordings, newest first, and the room that they take")
@@ -53,16 +53,16 @@ public class RecordingController {
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(operationId = "getRecording", summary = "Look at one recording")
     public RecordingView recording(@PathVariable String id) {
         return recordings.recording(current.principal(), id);
     }
 
     @GetMapping("/{id}/file")
-    @Access(from = From.VIEWER, about = About.DRONE, costs = Cost.EXPORT)
-    @Answers(refuses = 409)
-    @TakesOrGivesFile(gives = {"application/octet-stream", "application/jsonl"})
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
+    @ResponseStatuses(refuses = 409)
+    @FileMediaTypes(gives = {"application/octet-stream", "application/jsonl"})
     @Operation(
             operationId = "getRecordingFile",
             summary = "Download a recording",
@@ -76,9 +76,9 @@ public class RecordingController {
     }
 
     @GetMapping("/{id}/sent")
-    @Access(from = From.VIEWER, about = About.DRONE)
-    @Answers(refuses = 409)
-    @TakesOrGivesFile(gives = "text/tab-separated-values")
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
+    @ResponseStatuses(refuses = 409)
+    @FileMediaTypes(gives = "text/tab-separated-values")
     @Operation(
             operationId = "getRecordingSent",
             summary = "Download who sent what in a recording (tab-separated)",
@@ -115,8 +115,8 @@ public class RecordingController {
     }
 
     @PostMapping("/{id}/replays")
-    @Access(from = From.OPERATOR, about = About.ORGANISATION, costs = Cost.EXPORT)
-    @Answers(202)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
+    @ResponseStatuses(202)
     @Operation(operationId = "replayRecording", summary = "Play a recording on the map (operator)")
     public ResponseEntity<ReplayView> replay(
             @PathVariable String id,
@@ -129,8 +129,8 @@ public class RecordingController {
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.OPERATOR, about = About.DRONE)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE)
+    @ResponseStatuses(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteRecording", summary = "Delete a recording for ever (operator)")
     public void delete(

@@ -6,15 +6,15 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.access.Sight;
+import org.dronemap.core.access.VisibilityLevel;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingArchive;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.DroneProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
@@ -47,12 +47,12 @@ public final class RecordingService {
     }
 
     private static boolean isShown(Principal principal, Recording recording) {
-        return principal.sight(recording.drone(), recording.start()) != Sight.NONE;
+        return principal.sight(recording.drone(), recording.start()) != VisibilityLevel.NONE;
     }
 
     /** Who does not see all that may be in it is told of the own part alone. */
     private RecordingView.RoomView room(Principal principal) {
-        RecordingArchive.Room room = archive.room();
+        RecordingArchive.DiskUsage room = archive.room();
         if (principal.isWhole() && principal.organisation().isHome()) {
             return RecordingView.RoomView.of(room);
         }
@@ -60,7 +60,7 @@ public final class RecordingService {
                 .filter(recording -> isShown(principal, recording))
                 .mapToLong(Recording::bytes)
                 .sum();
-        return RecordingView.RoomView.of(new RecordingArchive.Room(own, room.mostBytes(), room.keepDays(), 0, null));
+        return RecordingView.RoomView.of(new RecordingArchive.DiskUsage(own, room.mostBytes(), room.keepDays(), 0, null));
     }
 
     public RecordingView recording(Principal principal, String id) {
@@ -76,7 +76,7 @@ public final class RecordingService {
     /** Who sent what: a line for each frame that went out. */
     public Download sent(Principal principal, String id) throws IOException {
         Recording recording = find(principal, id);
-        if (principal.sight(recording.drone(), recording.start()) != Sight.ALL) {
+        if (principal.sight(recording.drone(), recording.start()) != VisibilityLevel.ALL) {
             throw Rejection.of(
                     DroneProblem.OF_ANOTHER_ORGANISATION,
                     "The drone was another organisation's then; only that one sees who sent what.");
@@ -98,7 +98,7 @@ public final class RecordingService {
     /** Deleting is for ever, so it wants to be said twice. */
     public void delete(Principal principal, String id, boolean confirmed) throws IOException {
         Recording recording = find(principal, id, Role.OPERATOR);
-        if (principal.sight(recording.drone(), recording.start()) != Sight.ALL) {
+        if (principal.sight(recording.drone(), recording.start()) != VisibilityLevel.ALL) {
             throw Rejection.of(
                     DroneProblem.OF_ANOTHER_ORGANISATION,
                     "The drone was another organisation's then; only the server's rules remove it.");
@@ -113,7 +113,7 @@ public final class RecordingService {
         Optional<String> refusal = archive.delete(id);
         if (refusal.isPresent()) {
             throw archive.recording(id).isEmpty()
-                    ? Rejection.unknown(UnknownProblem.RECORDING, id)
+                    ? Rejection.unknown(NotFoundProblem.RECORDING, id)
                     : Rejection.of(DroneProblem.RECORDING_GOES_ON, refusal.get(), ProblemParameter.ID.is(id));
         }
     }
@@ -135,16 +135,16 @@ public final class RecordingService {
     }
 
     private Recording find(Principal principal, String id, Role needed) {
-        Roles.require(principal, needed);
+        RoleChecks.require(principal, needed);
         Recording recording = find(principal, id);
-        Roles.require(principal, needed, recording.drone());
+        RoleChecks.require(principal, needed, recording.drone());
         return recording;
     }
 
     private Recording find(Principal principal, String id) {
         return archive.recording(id)
                 .filter(recording -> isShown(principal, recording))
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.RECORDING, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.RECORDING, id));
     }
 
     private Path file(String id) throws IOException {

@@ -6,7 +6,7 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingArchive;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -30,7 +30,7 @@ public record RecordingView(
         long bytes,
         long frames,
         long drops,
-        @ValuesOf(Recording.State.class) String state,
+        @EnumValues(Recording.State.class) String state,
         @Nullable String notice) {
 
     /** All that may be seen, and the room that recordings take. */
@@ -45,7 +45,7 @@ public record RecordingView(
             int keepDays,
             long removed,
             @Nullable String notice) {
-        static RoomView of(RecordingArchive.Room room) {
+        static RoomView of(RecordingArchive.DiskUsage room) {
             return new RoomView(room.usedBytes(), room.mostBytes(), room.keepDays(), room.removed(), room.notice());
         }
     }

@@ -8,12 +8,12 @@ import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
@@ -45,9 +45,9 @@ public class ReplayController {
     }
 
     @PostMapping
-    @Access(from = From.OPERATOR, about = About.ORGANISATION, costs = Cost.EXPORT)
-    @Answers(202)
-    @TakesOrGivesFile(takes = "application/octet-stream")
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
+    @ResponseStatuses(202)
+    @FileMediaTypes(takes = "application/octet-stream")
     @Operation(
             operationId = "startReplay",
             summary = "Play a recording (operator)",
@@ -64,21 +64,21 @@ public class ReplayController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.ORGANISATION, costs = Cost.EXPORT)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
     @Operation(operationId = "listReplays", summary = "List the replays")
     public Replays replays() {
         return new Replays(replays.replays(current.principal()));
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.ORGANISATION)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.ORGANISATION)
     @Operation(operationId = "getReplay", summary = "Look at one replay")
     public ReplayView replay(@PathVariable String id) {
         return replays.replay(current.principal(), id);
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.OPERATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "removeReplay", summary = "End a replay and remove its drones (operator)")
     public void remove(@PathVariable String id) {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
@@ -15,7 +15,7 @@ public final class ReplayOwners {
     /** Of a drone that is there before it is known who plays it. */
     private static final OrganisationId NOBODY = new OrganisationId("nobody");
 
-    private final GrantBook book;
+    private final GrantRegistry book;
 
     /** Guarded by this. */
     private final Map<String, Played> played = new LinkedHashMap<>() {
@@ -29,7 +29,7 @@ public final class ReplayOwners {
 
     private record Played(OrganisationId owner, List<DroneId> drones) {}
 
-    public ReplayOwners(GrantBook book) {
+    public ReplayOwners(GrantRegistry book) {
         this.book = book;
     }
 

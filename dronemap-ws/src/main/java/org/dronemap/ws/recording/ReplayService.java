@@ -9,15 +9,15 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around recordings played back. Any thread. */
@@ -25,11 +25,11 @@ public final class ReplayService {
     private static final int LEAST_SPEED = 1;
     private static final int MOST_SPEED = 100;
 
-    private final Recordings recordings;
+    private final ReplayGateway recordings;
     private final ReplayOwners owners;
     private final Path temporaryDirectory;
 
-    public ReplayService(Recordings recordings, ReplayOwners owners, Path temporaryDirectory) {
+    public ReplayService(ReplayGateway recordings, ReplayOwners owners, Path temporaryDirectory) {
         this.recordings = recordings;
         this.owners = owners;
         this.temporaryDirectory = temporaryDirectory;
@@ -38,9 +38,9 @@ public final class ReplayService {
     /** Keeps the whole recording in a file first, so that a slow upload does not slow the playing. */
     public ReplayView start(Principal principal, @Nullable String name, @Nullable Double speed, InputStream recording)
             throws IOException {
-        Roles.requireForAll(principal, Role.OPERATOR);
-        String checked = Names.checked("name", name == null ? "recording.tlog" : name, 120);
-        double times = Ranges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
+        RoleChecks.requireForAll(principal, Role.OPERATOR);
+        String checked = NameRules.checked("name", name == null ? "recording.tlog" : name, 120);
+        double times = FieldRanges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
         Path file = Files.createTempFile(temporaryDirectory, "replay", ".tlog");
         try {
             try (OutputStream out = Files.newOutputStream(file)) {
@@ -64,8 +64,8 @@ public final class ReplayService {
 
     /** Plays a file that stays where it is. */
     ReplayView play(Principal principal, String name, @Nullable Double speed, Path file) throws IOException {
-        Roles.requireForAll(principal, Role.OPERATOR);
-        double times = Ranges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
+        RoleChecks.requireForAll(principal, Role.OPERATOR);
+        double times = FieldRanges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
         return play(principal, new Plan(name, Files.size(file), times), Files.newInputStream(file));
     }
 
@@ -86,24 +86,24 @@ public final class ReplayService {
     }
 
     public List<ReplayView> replays(Principal principal) {
-        Roles.requireForAll(principal, Role.VIEWER);
+        RoleChecks.requireForAll(principal, Role.VIEWER);
         return recordings.all().stream()
                 .filter(replay -> owners.isOf(replay.id(), principal.organisation()))
                 .toList();
     }
 
     public ReplayView replay(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.VIEWER);
+        RoleChecks.requireForAll(principal, Role.VIEWER);
         return recordings
                 .find(id)
                 .filter(replay -> owners.isOf(id, principal.organisation()))
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.REPLAY, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.REPLAY, id));
     }
 
     public void remove(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.OPERATOR);
+        RoleChecks.requireForAll(principal, Role.OPERATOR);
         if (!owners.isOf(id, principal.organisation()) || !recordings.remove(id)) {
-            throw Rejection.unknown(UnknownProblem.REPLAY, id);
+            throw Rejection.unknown(NotFoundProblem.REPLAY, id);
         }
     }
 }

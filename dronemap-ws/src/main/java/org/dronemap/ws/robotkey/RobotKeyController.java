@@ -5,10 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.CacheControl;
 import org.springframework.http.HttpStatus;
@@ -40,15 +40,15 @@ public class RobotKeyController {
     }
 
     @GetMapping
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(operationId = "listRobotKeys", summary = "List the keys of robots (administrator)")
     public RobotKeys robotKeys() {
         return new RobotKeys(keys.keys(current.principal()));
     }
 
     @PostMapping
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(value = 201, refuses = 404)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(value = 201, refuses = 404)
     @Operation(
             operationId = "issueRobotKey",
             summary = "Issue the key of a robot (administrator)",
@@ -63,7 +63,7 @@ public class RobotKeyController {
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "revokeRobotKey",

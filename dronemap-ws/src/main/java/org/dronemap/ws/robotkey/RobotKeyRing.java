@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.RobotKey;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.SecretGenerator;
 
 /** The keys that were issued to robots, found by what a robot shows; only hashes are kept. Any thread. */
 public final class RobotKeyRing {
@@ -24,7 +24,7 @@ public final class RobotKeyRing {
 
     /** Whose key that is; empty for one that was never issued, or is void. */
     public Optional<RobotKey> find(String key) {
-        return isOfThisForm(key) ? Optional.ofNullable(byHash.get(Secrets.hash(key))) : Optional.empty();
+        return isOfThisForm(key) ? Optional.ofNullable(byHash.get(SecretGenerator.hash(key))) : Optional.empty();
     }
 
     /** It can only be one that a server issued, valid or not. */
@@ -37,7 +37,7 @@ public final class RobotKeyRing {
         return key.equals(byHash.get(key.hash()));
     }
 
-    static String fresh(Secrets secrets) {
+    static String fresh(SecretGenerator secrets) {
         return BEGINNING + secrets.token();
     }
 

@@ -11,24 +11,24 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.access.Sight;
+import org.dronemap.core.access.VisibilityLevel;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.access.Roles;
-import org.dronemap.ws.history.Nameless;
-import org.dronemap.ws.link.VehicleLinks;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.history.NameRedaction;
+import org.dronemap.ws.link.VehicleLinkGateway;
 import org.dronemap.ws.organisation.OrganisationService;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.NameRules;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around the keys of robots, for administrators of the organisations that they belong to. Any thread. */
@@ -40,13 +40,13 @@ public final class RobotKeyService {
     private static final String SYSTEM_ID_FORM = "0 to " + LAST_SYSTEM_ID;
 
     private final RobotKeyRing ring;
-    private final Surroundings around;
-    private final Secrets secrets;
+    private final Dependencies around;
+    private final SecretGenerator secrets;
     private final Clock clock;
     private final Supplier<DroneId> newIds;
 
     /** The links that end with a key, the drones that robots are, and whose they are. */
-    public record Surroundings(VehicleLinks links, CloudManager cloud, OrganisationService organisations) {}
+    public record Dependencies(VehicleLinkGateway links, CloudManager cloud, OrganisationService organisations) {}
 
     /**
      * A key for a robot that is still to come, or a new one for one that has one.
@@ -95,7 +95,7 @@ public final class RobotKeyService {
     }
 
     public RobotKeyService(
-            RobotKeyRing ring, Surroundings around, Secrets secrets, Clock clock, Supplier<DroneId> newIds) {
+            RobotKeyRing ring, Dependencies around, SecretGenerator secrets, Clock clock, Supplier<DroneId> newIds) {
         this.ring = ring;
         this.around = around;
         this.secrets = secrets;
@@ -104,7 +104,7 @@ public final class RobotKeyService {
     }
 
     public List<RobotKeyView> keys(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return ring.keys().stream()
                 .filter(key -> isShownTo(principal, key))
                 .map(key -> view(principal, key, null))
@@ -112,7 +112,7 @@ public final class RobotKeyService {
     }
 
     public RobotKeyView issue(Principal principal, RobotKeyRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         String drone = request.drone();
         RobotKey before = drone == null ? null : find(principal, drone);
         OrganisationId organisation = around.organisations().invitedInto(principal, request.organisation());
@@ -122,7 +122,7 @@ public final class RobotKeyService {
                 label(request, before),
                 systemId(request, before),
                 owner(request, before),
-                Secrets.hash(secret),
+                SecretGenerator.hash(secret),
                 principal.name(),
                 principal.account(),
                 clock.instant().truncatedTo(ChronoUnit.MILLIS));
@@ -144,7 +144,7 @@ public final class RobotKeyService {
 
     private static String label(RobotKeyRequest request, @Nullable RobotKey before) {
         String said = request.label();
-        return said == null && before != null ? before.label() : Names.checked("label", said, LONGEST_LABEL);
+        return said == null && before != null ? before.label() : NameRules.checked("label", said, LONGEST_LABEL);
     }
 
     private static int systemId(RobotKeyRequest request, @Nullable RobotKey before) {
@@ -176,15 +176,15 @@ public final class RobotKeyService {
         if (said == null) {
             return before == null ? null : before.owner();
         }
-        return Names.checked("owner", said, LONGEST_LABEL);
+        return NameRules.checked("owner", said, LONGEST_LABEL);
     }
 
     /** The robot's links end at once, and whoever shows the key from then on is turned away. */
     public void revoke(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         DroneId drone = find(principal, id).drone();
         if (!ring.remove(drone)) {
-            throw Rejection.unknown(UnknownProblem.ROBOT_KEY, id);
+            throw Rejection.unknown(NotFoundProblem.ROBOT_KEY, id);
         }
         around.links().disconnect(drone.value());
     }
@@ -193,7 +193,7 @@ public final class RobotKeyService {
         return ring.keys().stream()
                 .filter(key -> key.drone().value().equals(id) && isShownTo(principal, key))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ROBOT_KEY, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.ROBOT_KEY, id));
     }
 
     /** Those of one's own organisation, and those that one issued oneself for another one. */
@@ -213,10 +213,10 @@ public final class RobotKeyService {
                 key.label(),
                 key.systemId(),
                 key.owner(),
-                principal.sight(key.drone(), key.madeAt()) == Sight.ALL
+                principal.sight(key.drone(), key.madeAt()) == VisibilityLevel.ALL
                                 || key.account().equals(principal.account())
                         ? key.madeBy()
-                        : Nameless.OTHERS,
+                        : NameRedaction.OTHERS,
                 key.madeAt(),
                 connected,
                 secret);

@@ -6,10 +6,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.zone.ZoneFeature;
 import org.jspecify.annotations.Nullable;
@@ -49,7 +49,7 @@ public class RunController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(
             operationId = "listRuns",
             summary = "List mission runs",
@@ -60,7 +60,7 @@ public class RunController {
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(
             operationId = "getRun",
             summary = "Look at one mission run",
@@ -70,8 +70,8 @@ public class RunController {
     }
 
     @PostMapping
-    @Access(from = From.OPERATOR, about = About.SHARED)
-    @Answers(value = 201, refuses = 404)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
+    @ResponseStatuses(value = 201, refuses = 404)
     @Operation(
             operationId = "startRun",
             summary = "Fly a plan (operator)",
@@ -85,7 +85,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/waypoints")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "addRunWaypoints",
             summary = "Add waypoints to a mission run (operator)",
@@ -95,7 +95,7 @@ public class RunController {
     }
 
     @PatchMapping("/{id}/waypoints/{waypoint}")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "moveRunWaypoint",
             summary = "Move a waypoint of a mission run (operator)",
@@ -106,15 +106,15 @@ public class RunController {
     }
 
     @DeleteMapping("/{id}/waypoints/{waypoint}")
-    @Access(from = From.OPERATOR, about = About.SHARED)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
+    @ResponseStatuses(refuses = 409)
     @Operation(operationId = "cancelRunWaypoint", summary = "Cancel a waypoint of a mission run (operator)")
     public RunView cancel(@PathVariable String id, @PathVariable String waypoint) {
         return runs.cancel(current.principal(), id, waypoint);
     }
 
     @PostMapping("/{id}/barriers")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "addRunBarrier",
             summary = "Add a zone to a mission run (operator)",
@@ -125,7 +125,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/drones")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "joinRun",
             summary = "Have a further drone join a mission run (operator)",
@@ -135,7 +135,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/drones/{drone}/resume")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "resumeRunDrone",
             summary = "Give a drone back to its mission run (operator)",
@@ -145,7 +145,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/drones/{drone}/give-up")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "giveUpRunDrone",
             summary = "Take a drone out of a mission run (operator)",
@@ -155,7 +155,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/answers/{proposal}")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "answerRun",
             summary = "Answer a proposal of a mission run (operator)",
@@ -166,7 +166,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/pause")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "pauseRun",
             summary = "Pause a mission run (operator)",
@@ -177,7 +177,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/continue")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "continueRun",
             summary = "Let a paused mission run go on (operator)",
@@ -187,7 +187,7 @@ public class RunController {
     }
 
     @PostMapping("/{id}/stop")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "stopRun",
             summary = "Stop a mission run (operator)",
@@ -197,7 +197,7 @@ public class RunController {
     }
 
     @GetMapping("/{id}/journal")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "getRunJournal",
             summary = "Read the journal of a mission run (operator)",
@@ -212,13 +212,13 @@ public class RunController {
     }
 
     @GetMapping("/{id}/journal/replay")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @Operation(
             operationId = "replayRunJournal",
             summary = "Replay the journal of a mission run (operator)",
             description =
                     "Decides once more on all that befell it, and tells the first decision that differs by a letter.")
-    public RunJournalService.ReplayView replay(@PathVariable String id) {
+    public RunJournalService.JournalReplayView replay(@PathVariable String id) {
         return journals.replay(current.principal(), id);
     }
 }

@@ -11,10 +11,10 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.JournalReplay;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
-import org.dronemap.core.operation.Replay;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
@@ -65,7 +65,7 @@ public final class RunJournalService {
 
     /** Whether a journal bears itself out. */
     @Schema(name = "RunReplayView", description = "Whether everything is decided again as it was written down.")
-    public record ReplayView(
+    public record JournalReplayView(
             boolean same,
 
             @Schema(description = "How many entries were looked at")
@@ -103,7 +103,7 @@ public final class RunJournalService {
                 entry.number(), entry.at(), entry.input(), entry.decision().isEmpty() ? null : entry.decision());
     }
 
-    public ReplayView replay(Principal principal, String id) {
+    public JournalReplayView replay(Principal principal, String id) {
         OperationId run = known(principal, id);
         if (!replaying.tryAcquire()) {
             throw Rejection.of(
@@ -112,7 +112,7 @@ public final class RunJournalService {
                     ProblemParameter.WHAT.is("replays of journals"));
         }
         try {
-            Replay<RunState, RunInput> replay = new Replay<>(kind);
+            JournalReplay<RunState, RunInput> replay = new JournalReplay<>(kind);
             List<JournalEntry> part;
             do {
                 part = operations.journal(run, replay.count(), MOST);
@@ -120,15 +120,15 @@ public final class RunJournalService {
             } while (part.size() == MOST && replay.difference().isEmpty());
             return replay.difference()
                     .map(other ->
-                            new ReplayView(false, replay.count(), other.number(), other.written(), other.decided()))
-                    .orElseGet(() -> new ReplayView(true, replay.count(), null, null, null));
+                            new JournalReplayView(false, replay.count(), other.number(), other.written(), other.decided()))
+                    .orElseGet(() -> new JournalReplayView(true, replay.count(), null, null, null));
         } finally {
             replaying.release();
         }
     }
 
     private OperationId known(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return runs.find(principal, id).saved().id();
     }
 }

@@ -10,23 +10,23 @@ import org.dronemap.cognitive.operation.run.RunDrone;
 import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunOrder;
 import org.dronemap.cognitive.operation.run.RunState;
-import org.dronemap.cognitive.operation.run.Target;
+import org.dronemap.cognitive.operation.run.RunWaypoint;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.ws.plan.PlanRequest;
-import org.dronemap.ws.plan.PlanWaypoints;
+import org.dronemap.ws.plan.PlanWaypointReader;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
+import org.dronemap.ws.reading.NameRules;
 import org.dronemap.ws.zone.ZoneFeature;
 import org.dronemap.ws.zone.ZoneReader;
 import org.jspecify.annotations.Nullable;
@@ -50,23 +50,23 @@ final class RunReader {
     }
 
     static String name(RunRequest.StartRequest request) {
-        return request.name() == null ? "Mission run" : Names.checked("name", request.name(), LONGEST_NAME);
+        return request.name() == null ? "Mission run" : NameRules.checked("name", request.name(), LONGEST_NAME);
     }
 
-    static RunOrder.Mode mode(@Nullable String name) {
+    static RunOrder.ApprovalMode mode(@Nullable String name) {
         return switch (name == null ? "automatic" : name) {
-            case "automatic" -> RunOrder.Mode.AUTOMATIC;
-            case "askFirst" -> RunOrder.Mode.ASK_FIRST;
+            case "automatic" -> RunOrder.ApprovalMode.AUTOMATIC;
+            case "askFirst" -> RunOrder.ApprovalMode.ASK_FIRST;
             default ->
                 throw InvalidInput.outside(
                         ValueProblem.VALUE_NOT_ALLOWED, "mode", "automatic or askFirst", "\"" + name + "\"");
         };
     }
 
-    static CloudLoss onCloudLoss(@Nullable String name) {
+    static MissionCloudLossPolicy onCloudLoss(@Nullable String name) {
         return switch (name == null ? "continue" : name) {
-            case "continue" -> CloudLoss.CONTINUE;
-            case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
+            case "continue" -> MissionCloudLossPolicy.CONTINUE;
+            case "rtl" -> MissionCloudLossPolicy.RETURN_TO_LAUNCH;
             default ->
                 throw InvalidInput.outside(
                         ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", "continue or rtl", "\"" + name + "\"");
@@ -74,7 +74,7 @@ final class RunReader {
     }
 
     static Duration search(@Nullable Double seconds) {
-        double checked = Ranges.checked(
+        double checked = FieldRanges.checked(
                 "searchSeconds", seconds == null ? USUAL_SEARCH_SECONDS : seconds, 0, MOST_SEARCH_SECONDS, "seconds");
         return Duration.ofMillis(Math.round(checked * MILLIS));
     }
@@ -85,7 +85,7 @@ final class RunReader {
             throw InvalidInput.outside(
                     ValueProblem.SIZE_OUT_OF_RANGE, "waypoints", COUNT, asked.size(), ProblemParameter.LEAST.is(1));
         }
-        List<Waypoint> waypoints = new PlanWaypoints(crafts(run)).read(named(run, asked));
+        List<Waypoint> waypoints = new PlanWaypointReader(crafts(run)).read(named(run, asked));
         for (int index = 0; index < waypoints.size(); index++) {
             String id = waypoints.get(index).id();
             if (run.target(id).isPresent()) {
@@ -127,13 +127,13 @@ final class RunReader {
         return named;
     }
 
-    RunInput moved(RunState run, Target target, RunRequest.MoveRequest request) {
+    RunInput moved(RunState run, RunWaypoint target, RunRequest.MoveRequest request) {
         Place place = target.waypoint().place();
         Double latitude = request.latitude();
         Double longitude = request.longitude();
         Geodetic point = new Geodetic(
-                latitude == null ? place.point().latitudeDegrees() : Ranges.latitude("latitude", latitude),
-                longitude == null ? place.point().longitudeDegrees() : Ranges.longitude("longitude", longitude));
+                latitude == null ? place.point().latitudeDegrees() : FieldRanges.latitude("latitude", latitude),
+                longitude == null ? place.point().longitudeDegrees() : FieldRanges.longitude("longitude", longitude));
         if (latitude == null && longitude == null && request.altitude() == null) {
             throw InvalidInput.missing("latitude", "where the waypoint goes, or a longitude, or an altitude");
         }
@@ -142,11 +142,11 @@ final class RunReader {
         }
         double amsl = request.altitude() == null
                 ? place.altitudeAmslMeters()
-                : new PlanWaypoints(crafts(run)).amslMeters("", request.altitude(), request.altitudeReference());
+                : new PlanWaypointReader(crafts(run)).amslMeters("", request.altitude(), request.altitudeReference());
         return new RunInput.MoveWaypoint(at, by, target.id(), new Place(point, amsl));
     }
 
-    RunInput cancelled(Target target) {
+    RunInput cancelled(RunWaypoint target) {
         return new RunInput.CancelWaypoint(at, by, target.id());
     }
 
@@ -191,7 +191,7 @@ final class RunReader {
         if (request.accept() == null) {
             throw InvalidInput.missing("accept", "true or false");
         }
-        return new RunInput.Answer(at, by, Integer.parseInt(proposal), request.accept());
+        return new RunInput.AnswerProposal(at, by, Integer.parseInt(proposal), request.accept());
     }
 
     RunInput paused() {
@@ -199,7 +199,7 @@ final class RunReader {
     }
 
     RunInput wentOn() {
-        return new RunInput.GoOn(at, by);
+        return new RunInput.Resume(at, by);
     }
 
     RunInput stopped() {

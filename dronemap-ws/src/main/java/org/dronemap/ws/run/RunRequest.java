@@ -8,8 +8,8 @@ import java.util.List;
 import org.dronemap.cognitive.operation.run.RunOrder;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.ws.plan.PlanRequest;
-import org.dronemap.ws.reading.Ranges;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
 /** Requests about mission runs as a client writes them, unchecked. Nothing is checked yet. */
@@ -26,7 +26,7 @@ public final class RunRequest {
                     description =
                             "automatic (the default): a changed plan is flown at once; askFirst: it waits for an answer,"
                                     + " but for what is unsafe for a drone")
-            @ValuesOf(RunOrder.Mode.class)
+            @EnumValues(RunOrder.ApprovalMode.class)
             @Nullable
             String mode,
 
@@ -60,10 +60,10 @@ public final class RunRequest {
     /** Where a waypoint is from now on. */
     @Schema(name = "RunMoveRequest", description = "Where a waypoint is from now on; what is left out stays.")
     public record MoveRequest(
-            @Schema(description = "degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            @Schema(description = "degrees") @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
             Double latitude,
 
-            @Schema(description = "degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            @Schema(description = "degrees") @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
             Double longitude,
 
             @Schema(description = "metres")
@@ -73,7 +73,7 @@ public final class RunRequest {
             Double altitude,
 
             @Schema(description = "home (the default): above the highest home of the run's drones; or amsl")
-            @ValuesOf(Altitude.Reference.class)
+            @EnumValues(Altitude.Reference.class)
             @Nullable
             String altitudeReference) {}
 

@@ -9,12 +9,12 @@ import org.dronemap.cognitive.operation.run.RunDrone;
 import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunOrder;
 import org.dronemap.cognitive.operation.run.RunState;
-import org.dronemap.cognitive.operation.run.Target;
+import org.dronemap.cognitive.operation.run.RunWaypoint;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.OperationListener;
-import org.dronemap.core.conduct.Operations.Picture;
+import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -22,14 +22,14 @@ import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.operation.OperationDesk;
-import org.dronemap.ws.plan.PlanCrafts;
+import org.dronemap.ws.operation.OperationService;
+import org.dronemap.ws.plan.PlanDroneFactory;
 import org.dronemap.ws.plan.PlanService;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.zone.ZoneFeature;
 
 /** Use cases around mission runs: start, look, change, answer, stop. Shared by those who may command all of its drones. Any thread. */
@@ -38,49 +38,49 @@ public final class RunService {
     private final OperationKind<RunState, RunInput> kind;
     private final PlanService plans;
     private final DroneService drones;
-    private final OperationDesk<RunState, RunInput> desk;
+    private final OperationService<RunState, RunInput> desk;
 
     /** What runs are conducted by. */
-    public record Conduct(Operations operations, OperationKind<RunState, RunInput> kind, CloudManager cloud) {}
+    public record OperationContext(Operations operations, OperationKind<RunState, RunInput> kind, CloudManager cloud) {}
 
-    public RunService(Conduct conduct, PlanService plans, DroneService drones, Time time) {
+    public RunService(OperationContext conduct, PlanService plans, DroneService drones, Time time) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
         this.plans = plans;
         this.drones = drones;
-        desk = new OperationDesk<>(
+        desk = new OperationService<>(
                 operations,
                 kind,
                 conduct.cloud(),
-                new OperationDesk.Words('r', "mission run", "a mission run flies", UnknownProblem.MISSION_RUN),
+                new OperationService.Terms('r', "mission run", "a mission run flies", NotFoundProblem.MISSION_RUN),
                 RunService::isShownTo,
                 time);
     }
 
     /** For others it does not exist. */
-    public static boolean isShownTo(Principal principal, Picture<RunState> run) {
+    public static boolean isShownTo(Principal principal, Snapshot<RunState> run) {
         return principal.organisation().equals(run.saved().organisation())
                 && run.state().drones().stream().allMatch(drone -> principal.sees(drone.id()));
     }
 
     /** Those under way and the newest that are over, the newest first. */
     public List<RunView> all(Principal principal) {
-        Roles.require(principal, Role.VIEWER);
-        return desk.all(principal).stream().map(RunViews::view).toList();
+        RoleChecks.require(principal, Role.VIEWER);
+        return desk.all(principal).stream().map(RunViewMapper::view).toList();
     }
 
     public RunView one(Principal principal, String id) {
-        Roles.require(principal, Role.VIEWER);
-        return RunViews.view(find(principal, id));
+        RoleChecks.require(principal, Role.VIEWER);
+        return RunViewMapper.view(find(principal, id));
     }
 
     /** Everybody's that are under way, for who shows them. */
-    public List<Picture<RunState>> underWay() {
+    public List<Snapshot<RunState>> underWay() {
         return operations.underWay(kind);
     }
 
     /** As it was stored, for who shows it; empty: it is another kind of operation. */
-    public Optional<Picture<RunState>> picture(SavedOperation saved) {
+    public Optional<Snapshot<RunState>> picture(SavedOperation saved) {
         return desk.picture(saved);
     }
 
@@ -91,13 +91,13 @@ public final class RunService {
 
     /** Takes control of the plan's drones and has them fly it; from then on the cloud conducts it. */
     public RunView start(Principal principal, RunRequest.StartRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         desk.requireWithoutBounds(principal);
         if (request.plan() == null) {
             throw InvalidInput.missing("plan", "the id of a plan");
         }
         String name = RunReader.name(request);
-        RunOrder.Mode mode = RunReader.mode(request.mode());
+        RunOrder.ApprovalMode mode = RunReader.mode(request.mode());
         Duration search = RunReader.search(request.searchSeconds());
         desk.requireRoom(principal);
         PlanService.Flyable plan = plans.flyable(principal, request.plan());
@@ -114,7 +114,7 @@ public final class RunService {
                 search,
                 at);
         RunState state = RunState.begin(order);
-        return RunViews.view(desk.begin(principal, id, name, state, at));
+        return RunViewMapper.view(desk.begin(principal, id, name, state, at));
     }
 
     private static RunOrder.Member member(DroneState drone) {
@@ -123,33 +123,33 @@ public final class RunService {
     }
 
     public RunView add(Principal principal, String id, RunRequest.WaypointsRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).added(run, request));
     }
 
     public RunView move(Principal principal, String id, String waypoint, RunRequest.MoveRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).moved(run, target(run, waypoint), request));
     }
 
     public RunView cancel(Principal principal, String id, String waypoint) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).cancelled(target(run, waypoint)));
     }
 
     public RunView bar(Principal principal, String id, ZoneFeature feature) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).barrier(feature));
     }
 
     public RunView join(Principal principal, String id, RunRequest.JoinRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> {
             if (request.drone() == null) {
                 throw InvalidInput.missing("drone", "the id of a drone");
             }
             DroneState drone = drones.state(principal, request.drone(), Role.OPERATOR);
-            RunInput wish = reader(principal).joined(PlanCrafts.of(drone), drone);
+            RunInput wish = reader(principal).joined(PlanDroneFactory.of(drone), drone);
             desk.giveBack(principal, drone.id());
             return wish;
         });
@@ -157,7 +157,7 @@ public final class RunService {
 
     /** The only way in which a drone that somebody took comes back to its run. */
     public RunView resume(Principal principal, String id, String drone) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> {
             DroneId known = drone(run, drone);
             RunInput resumed = reader(principal).resumed(known);
@@ -167,28 +167,28 @@ public final class RunService {
     }
 
     public RunView giveUp(Principal principal, String id, String drone) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).givenUp(drone(run, drone)));
     }
 
     public RunView answer(Principal principal, String id, String proposal, RunRequest.AnswerRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).answered(proposal, request));
     }
 
     /** Its drones wait where they are. */
     public RunView pause(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).paused());
     }
 
     public RunView goOn(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).wentOn());
     }
 
     public RunView stop(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
+        RoleChecks.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).stopped());
     }
 
@@ -197,20 +197,20 @@ public final class RunService {
     }
 
     private RunView wish(Principal principal, String id, Function<RunState, RunInput> what) {
-        Picture<RunState> run = find(principal, id);
+        Snapshot<RunState> run = find(principal, id);
         desk.requireWithoutBounds(principal);
         for (RunDrone drone : run.state().drones()) {
-            Roles.require(principal, Role.OPERATOR, drone.id());
+            RoleChecks.require(principal, Role.OPERATOR, drone.id());
         }
         if (run.saved().endedAt() != null) {
             throw desk.over(id);
         }
         RunInput input = what.apply(run.state());
-        return RunViews.view(desk.wish(run, input));
+        return RunViewMapper.view(desk.wish(run, input));
     }
 
-    private static Target target(RunState run, String id) {
-        return run.target(id).orElseThrow(() -> Rejection.unknown(UnknownProblem.WAYPOINT, id));
+    private static RunWaypoint target(RunState run, String id) {
+        return run.target(id).orElseThrow(() -> Rejection.unknown(NotFoundProblem.WAYPOINT, id));
     }
 
     private static DroneId drone(RunState run, String id) {
@@ -218,10 +218,10 @@ public final class RunService {
                 .map(RunDrone::id)
                 .filter(drone -> drone.value().equals(id))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.DRONE, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, id));
     }
 
-    Picture<RunState> find(Principal principal, String id) {
+    Snapshot<RunState> find(Principal principal, String id) {
         return desk.find(principal, id);
     }
 }

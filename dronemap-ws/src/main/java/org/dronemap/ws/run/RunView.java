@@ -3,12 +3,12 @@ package org.dronemap.ws.run;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
-import org.dronemap.cognitive.operation.run.DroneStage;
+import org.dronemap.cognitive.operation.run.RunDroneStage;
 import org.dronemap.cognitive.operation.run.RunOrder;
-import org.dronemap.cognitive.operation.run.Target;
-import org.dronemap.cognitive.operation.run.Trigger;
+import org.dronemap.cognitive.operation.run.RunTrigger;
+import org.dronemap.cognitive.operation.run.RunWaypoint;
 import org.dronemap.ws.drone.DroneView;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.zone.ZoneFeature;
 import org.jspecify.annotations.Nullable;
 
@@ -31,7 +31,7 @@ public record RunView(
 
         @Schema(description = "How it ended") @Nullable String end,
 
-        @ValuesOf(RunOrder.Mode.class) String mode,
+        @EnumValues(RunOrder.ApprovalMode.class) String mode,
 
         @Schema(allowableValues = {"continue", "rtl"}) String onCloudLoss,
 
@@ -75,7 +75,7 @@ public record RunView(
             String id,
             String name,
 
-            @ValuesOf(DroneStage.class) String stage,
+            @EnumValues(RunDroneStage.class) String stage,
 
             Instant since,
 
@@ -100,7 +100,7 @@ public record RunView(
             @Schema(description = "metres above mean sea level")
             double altitudeAmsl,
 
-            @ValuesOf(Target.State.class) String state,
+            @EnumValues(RunWaypoint.State.class) String state,
 
             @Schema(description = "Whose it is") @Nullable String drone,
 
@@ -124,7 +124,7 @@ public record RunView(
             @Schema(
                     description = "notKnown: a drone was told to and nothing shows what came of it;"
                             + " notAvailable: nothing of the kind is told by it")
-            @ValuesOf(value = Target.Report.Result.class, and = "open")
+            @EnumValues(value = RunWaypoint.Report.Result.class, and = "open")
             String result,
 
             @Schema(description = "Who did it, or was told to") @Nullable
@@ -170,7 +170,7 @@ public record RunView(
             int number,
             Instant at,
 
-            @Schema(description = "What it was decided for") @ValuesOf(Trigger.class)
+            @Schema(description = "What it was decided for") @EnumValues(RunTrigger.class)
             String trigger,
 
             @Nullable String drone,

@@ -8,13 +8,13 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.AccessRule;
-import org.dronemap.ws.access.From;
 import org.dronemap.ws.access.RestOperations;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.budget.Budgets;
 import org.dronemap.ws.problem.AccessProblem;
-import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 import org.springframework.web.filter.OncePerRequestFilter;
@@ -56,7 +56,7 @@ public final class AccessFilter extends OncePerRequestFilter {
         try {
             admit(request);
         } catch (Rejection rejection) {
-            problems.write(response, Problem.of(rejection));
+            problems.write(response, ProblemView.of(rejection));
             return;
         }
         chain.doFilter(request, response);
@@ -64,16 +64,16 @@ public final class AccessFilter extends OncePerRequestFilter {
 
     private void admit(HttpServletRequest request) {
         AccessRule rule = operations.rule(request);
-        if (rule.from() == From.ANYBODY) {
+        if (rule.from() == AccessLevel.ANYBODY) {
             pay(rule, request.getRemoteAddr());
             return;
         }
-        SignedIn caller = identify(request).orElseThrow(() -> noCaller(request));
+        AuthenticatedCaller caller = identify(request).orElseThrow(() -> noCaller(request));
         pay(rule, caller.principal().name());
         Role least = rule.from().role();
         if (least != null) {
             authentication.admit(caller);
-            Roles.requireRole(caller.principal(), least);
+            RoleChecks.requireRole(caller.principal(), least);
         }
         CurrentPrincipal.set(request, caller);
     }
@@ -88,8 +88,8 @@ public final class AccessFilter extends OncePerRequestFilter {
                 : Rejection.of(AccessProblem.SIGN_IN_NEEDED, "Sign in first, or send an access key.");
     }
 
-    private Optional<SignedIn> identify(HttpServletRequest request) {
-        Optional<CalledBy> other = CurrentPrincipal.otherFace(request);
+    private Optional<AuthenticatedCaller> identify(HttpServletRequest request) {
+        Optional<ForwardedCaller> other = CurrentPrincipal.otherFace(request);
         if (other.isPresent()) {
             return Optional.of(other.get().proved().get());
         }
@@ -97,7 +97,7 @@ public final class AccessFilter extends OncePerRequestFilter {
         if (header != null) {
             return Optional.of(authentication.byKey(bearer(header)));
         }
-        Optional<SignedIn> caller = SessionCookie.read(request).flatMap(authentication::bySession);
+        Optional<AuthenticatedCaller> caller = SessionCookie.read(request).flatMap(authentication::bySession);
         if (caller.isPresent() && !READING.contains(request.getMethod()) && request.getHeader("X-Dronemap") == null) {
             throw Rejection.of(
                     AccessProblem.SESSION_HEADER_MISSING,

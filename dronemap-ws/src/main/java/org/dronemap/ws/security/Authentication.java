@@ -8,31 +8,31 @@ import java.util.Comparator;
 import java.util.Optional;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
-import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.EffectivePermissions;
+import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
-import org.dronemap.core.audit.Activity;
+import org.dronemap.core.audit.AuditedCall;
 import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.access.Roles;
-import org.dronemap.ws.account.FirstPassword;
-import org.dronemap.ws.account.OwnPassword;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.account.InitialPassword;
 import org.dronemap.ws.account.PasswordHashing;
+import org.dronemap.ws.account.PasswordVerification;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.reading.Secrets;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** Proves who asks: by session, access key, or name and password. Any thread. */
-public final class Authentication implements OwnPassword {
+public final class Authentication implements PasswordVerification {
     /** How long a browser stays signed in. */
     public static final Duration SESSION_LENGTH = Duration.ofHours(12);
 
@@ -44,12 +44,12 @@ public final class Authentication implements OwnPassword {
 
     private final AccessStore store;
     private final PasswordHashing passwords;
-    private final Secrets secrets;
+    private final SecretGenerator secrets;
     private final Clock clock;
-    private final GrantBook grants;
+    private final GrantRegistry grants;
     private final SignInThrottle throttle;
-    private final FirstPassword firstPassword;
-    private final KeyUses keyUses;
+    private final InitialPassword firstPassword;
+    private final KeyUsageLog keyUses;
     private final String localKeyHash;
     private final String nobodysHash;
 
@@ -62,7 +62,7 @@ public final class Authentication implements OwnPassword {
     @Schema(name = "SessionView")
     public record SessionView(
             String name,
-            @ValuesOf(Role.class) String role,
+            @EnumValues(Role.class) String role,
             boolean mustChangePassword,
             @Nullable String organisation) {}
 
@@ -70,18 +70,18 @@ public final class Authentication implements OwnPassword {
     public record NewSession(String token, SessionView view) {}
 
     /** What proof is judged by: the hashes, and the key of the machine's owner; and what was granted to whom. */
-    public record Means(PasswordHashing passwords, Secrets secrets, String localKey, GrantBook grants) {}
+    public record Verifiers(PasswordHashing passwords, SecretGenerator secrets, String localKey, GrantRegistry grants) {}
 
-    public Authentication(AccessStore store, Means means, FirstPassword firstPassword, Clock clock) {
+    public Authentication(AccessStore store, Verifiers means, InitialPassword firstPassword, Clock clock) {
         this.store = store;
         this.passwords = means.passwords();
         this.secrets = means.secrets();
-        this.localKeyHash = Secrets.hash(means.localKey());
+        this.localKeyHash = SecretGenerator.hash(means.localKey());
         this.firstPassword = firstPassword;
         this.clock = clock;
         this.grants = means.grants();
         this.throttle = new SignInThrottle(clock);
-        this.keyUses = new KeyUses(store, clock);
+        this.keyUses = new KeyUsageLog(store, clock);
         this.nobodysHash = passwords.hash(secrets.token());
     }
 
@@ -98,36 +98,36 @@ public final class Authentication implements OwnPassword {
         isKnown(new Principal(user.name(), user.role()), "page");
         String token = secrets.token();
         store.addSignIn(
-                new SignIn(Secrets.hash(token), user.name(), clock.instant().plus(SESSION_LENGTH)));
+                new SignIn(SecretGenerator.hash(token), user.name(), clock.instant().plus(SESSION_LENGTH)));
         return new NewSession(token, view(user));
     }
 
-    public void signOut(SignedIn caller) {
+    public void signOut(AuthenticatedCaller caller) {
         String hash = caller.sessionHash();
         if (hash != null) {
             store.deleteSignIn(hash);
         }
     }
 
-    public SessionView session(SignedIn caller) {
+    public SessionView session(AuthenticatedCaller caller) {
         Principal principal = caller.principal();
         return store.user(principal.name())
-                .filter(user -> caller.proof() != SignedIn.Proof.KEY)
+                .filter(user -> caller.proof() != AuthenticatedCaller.Proof.KEY)
                 .map(this::view)
                 .orElseGet(() -> new SessionView(
                         principal.name(), WireNames.camel(principal.role()), false, nameOf(principal.organisation())));
     }
 
     /** Empty when there is no such session any more. */
-    public Optional<SignedIn> bySession(String token) {
-        Optional<SignedIn> caller = bySessionHash(Secrets.hash(token));
+    public Optional<AuthenticatedCaller> bySession(String token) {
+        Optional<AuthenticatedCaller> caller = bySessionHash(SecretGenerator.hash(token));
         caller.ifPresent(one -> isKnown(one.principal(), "page"));
         return caller;
     }
 
     /** What is taken down of a call names whoever has proved to be somebody, and nobody else. */
     private static void isKnown(Principal principal, @Nullable String face) {
-        Activity.current().ifPresent(call -> {
+        AuditedCall.current().ifPresent(call -> {
             call.by(principal);
             if (face != null) {
                 call.face(face);
@@ -136,9 +136,9 @@ public final class Authentication implements OwnPassword {
     }
 
     /** A key never does more than its owner may now. */
-    public SignedIn byKey(String key) {
-        SignedIn caller =
-                byKeyHash(Secrets.hash(key)).orElseThrow(() -> Rejection.of(AccessProblem.ACCESS_KEY_WRONG, WRONG_KEY));
+    public AuthenticatedCaller byKey(String key) {
+        AuthenticatedCaller caller =
+                byKeyHash(SecretGenerator.hash(key)).orElseThrow(() -> Rejection.of(AccessProblem.ACCESS_KEY_WRONG, WRONG_KEY));
         isKnown(caller.principal(), null);
         String id = caller.principal().key();
         if (id != null) {
@@ -148,72 +148,72 @@ public final class Authentication implements OwnPassword {
     }
 
     /** The same caller as things are now, for what stays open; empty when the proof is good no longer. */
-    public Optional<SignedIn> still(SignedIn caller) {
+    public Optional<AuthenticatedCaller> still(AuthenticatedCaller caller) {
         String hash = caller.tokenHash();
         if (hash == null) {
             return store.user(caller.principal().name())
                     .filter(User::isActive)
-                    .map(user -> signedIn(user, SignedIn.Proof.PASSWORD, null, null));
+                    .map(user -> signedIn(user, AuthenticatedCaller.Proof.PASSWORD, null, null));
         }
-        return caller.proof() == SignedIn.Proof.SESSION ? bySessionHash(hash) : byKeyHash(hash);
+        return caller.proof() == AuthenticatedCaller.Proof.SESSION ? bySessionHash(hash) : byKeyHash(hash);
     }
 
-    private Optional<SignedIn> bySessionHash(String hash) {
+    private Optional<AuthenticatedCaller> bySessionHash(String hash) {
         return store.signIn(hash, clock.instant())
                 .flatMap(signIn -> store.user(signIn.user())
                         .filter(User::isActive)
-                        .map(user -> signedIn(user, SignedIn.Proof.SESSION, hash, signIn.expiresAt())));
+                        .map(user -> signedIn(user, AuthenticatedCaller.Proof.SESSION, hash, signIn.expiresAt())));
     }
 
-    private Optional<SignedIn> byKeyHash(String hash) {
+    private Optional<AuthenticatedCaller> byKeyHash(String hash) {
         if (hash.equals(localKeyHash)) {
             Principal owner = administrator();
-            return Optional.of(new SignedIn(owner, SignedIn.Proof.KEY, hash, null, false));
+            return Optional.of(new AuthenticatedCaller(owner, AuthenticatedCaller.Proof.KEY, hash, null, false));
         }
         return store.accessKey(hash)
                 .filter(key -> !key.rights().isOver(clock.instant()))
                 .flatMap(key -> store.user(key.owner()).filter(User::isActive).map(owner -> byKey(key, owner)));
     }
 
-    private SignedIn byKey(AccessKey key, User owner) {
+    private AuthenticatedCaller byKey(AccessKey key, User owner) {
         KeyRights rights = key.rights();
         Role role = owner.role().includes(rights.role()) ? rights.role() : owner.role();
         Principal principal = Principal.of(owner, role, rights.scope(), key.id(), reach(owner));
-        return new SignedIn(principal, SignedIn.Proof.KEY, key.secretHash(), rights.expiresAt(), false);
+        return new AuthenticatedCaller(principal, AuthenticatedCaller.Proof.KEY, key.secretHash(), rights.expiresAt(), false);
     }
 
-    private SignedIn signedIn(User user, SignedIn.Proof proof, @Nullable String hash, @Nullable Instant until) {
+    private AuthenticatedCaller signedIn(User user, AuthenticatedCaller.Proof proof, @Nullable String hash, @Nullable Instant until) {
         Principal principal = Principal.of(user, user.role(), KeyScope.ALL, null, reach(user));
-        return new SignedIn(principal, proof, hash, until, user.mustChangePassword());
+        return new AuthenticatedCaller(principal, proof, hash, until, user.mustChangePassword());
     }
 
-    private Reach reach(User user) {
+    private EffectivePermissions reach(User user) {
         return grants.reach(user.organisation(), user.name());
     }
 
     /** Whoever owns the machine acts as its first administrator. */
     private Principal administrator() {
-        Reach everywhere = grants.reach(OrganisationId.HOME);
+        EffectivePermissions everywhere = grants.reach(OrganisationId.HOME);
         return store.users().stream()
                 .filter(user -> user.role() == Role.ADMINISTRATOR
                         && user.isActive()
                         && user.organisation().isHome())
-                .min(Comparator.comparing(user -> user.name().equals(FirstStart.ADMIN) ? "" : user.name()))
+                .min(Comparator.comparing(user -> user.name().equals(InitialAdministrator.ADMIN) ? "" : user.name()))
                 .map(user -> Principal.of(user, Role.ADMINISTRATOR, KeyScope.ALL, null, everywhere))
-                .orElseGet(() -> new Principal(FirstStart.ADMIN, Role.ADMINISTRATOR, KeyScope.ALL, null, everywhere));
+                .orElseGet(() -> new Principal(InitialAdministrator.ADMIN, Role.ADMINISTRATOR, KeyScope.ALL, null, everywhere));
     }
 
-    public SignedIn byPassword(String name, String password, String address) {
+    public AuthenticatedCaller byPassword(String name, String password, String address) {
         User user = check(new Credentials(name, password), address);
         isKnown(new Principal(user.name(), user.role()), null);
-        return signedIn(user, SignedIn.Proof.PASSWORD, null, null);
+        return signedIn(user, AuthenticatedCaller.Proof.PASSWORD, null, null);
     }
 
     /**
      * Refuses everything but sign-in and password change while a password is in use that others have seen, and
      * everything to those who may not even look.
      */
-    public void admit(SignedIn caller) {
+    public void admit(AuthenticatedCaller caller) {
         Optional<String> closed = firstPassword.closed();
         if (closed.isPresent()) {
             throw Rejection.of(AccessProblem.FIRST_PASSWORD_SEEN, closed.get());
@@ -221,7 +221,7 @@ public final class Authentication implements OwnPassword {
         if (caller.passwordSeen() && !firstPassword.mayStay(caller.principal().name())) {
             throw Rejection.of(AccessProblem.PASSWORD_SEEN, PASSWORD_SEEN);
         }
-        Roles.require(caller.principal(), Role.VIEWER);
+        RoleChecks.require(caller.principal(), Role.VIEWER);
     }
 
     private User check(Credentials credentials, String address) {
@@ -235,7 +235,7 @@ public final class Authentication implements OwnPassword {
         }
         Optional<User> user = store.user(name);
         // A name that is none may be a password in the wrong field.
-        user.ifPresent(known -> Activity.current().ifPresent(call -> call.parameters("name=" + known.name())));
+        user.ifPresent(known -> AuditedCall.current().ifPresent(call -> call.parameters("name=" + known.name())));
         // an unknown name takes as long as a wrong password, so that names cannot be found out
         boolean right = isRight(name, password, user.map(User::passwordHash).orElse(nobodysHash), address);
         if (!right || user.isEmpty()) {

@@ -11,14 +11,14 @@ import org.springframework.web.context.request.RequestContextHolder;
 
 /** Principal of the request that this thread serves. */
 public final class CurrentPrincipal {
-    private static final String ATTRIBUTE = SignedIn.class.getName();
-    private static final String OTHER_FACE = CalledBy.class.getName();
+    private static final String ATTRIBUTE = AuthenticatedCaller.class.getName();
+    private static final String OTHER_FACE = ForwardedCaller.class.getName();
 
     /** Who signed in, or a 401. */
-    public SignedIn signedIn() {
+    public AuthenticatedCaller signedIn() {
         RequestAttributes request = RequestContextHolder.currentRequestAttributes();
         return Optional.ofNullable(request.getAttribute(ATTRIBUTE, RequestAttributes.SCOPE_REQUEST))
-                .map(SignedIn.class::cast)
+                .map(AuthenticatedCaller.class::cast)
                 .orElseThrow(() -> Rejection.of(AccessProblem.SIGN_IN_NEEDED, "Sign in first, or send an access key."));
     }
 
@@ -38,23 +38,23 @@ public final class CurrentPrincipal {
     /** The name of the face in the command log: a session is somebody at the page. */
     public String face() {
         RequestAttributes request = RequestContextHolder.currentRequestAttributes();
-        if (request.getAttribute(OTHER_FACE, RequestAttributes.SCOPE_REQUEST) instanceof CalledBy other) {
+        if (request.getAttribute(OTHER_FACE, RequestAttributes.SCOPE_REQUEST) instanceof ForwardedCaller other) {
             return other.face();
         }
-        return signedIn().proof() == SignedIn.Proof.SESSION ? "page" : "rest";
+        return signedIn().proof() == AuthenticatedCaller.Proof.SESSION ? "page" : "rest";
     }
 
     /** Only this program sets attributes: no client can say that it came by another face. */
-    public static void from(ServletRequest request, CalledBy other) {
+    public static void from(ServletRequest request, ForwardedCaller other) {
         request.setAttribute(OTHER_FACE, other);
     }
 
     /** The other face that it came by; empty: REST. */
-    public static Optional<CalledBy> otherFace(ServletRequest request) {
-        return Optional.ofNullable(request.getAttribute(OTHER_FACE)).map(CalledBy.class::cast);
+    public static Optional<ForwardedCaller> otherFace(ServletRequest request) {
+        return Optional.ofNullable(request.getAttribute(OTHER_FACE)).map(ForwardedCaller.class::cast);
     }
 
-    static void set(ServletRequest request, SignedIn signedIn) {
+    static void set(ServletRequest request, AuthenticatedCaller signedIn) {
         request.setAttribute(ATTRIBUTE, signedIn);
     }
 }

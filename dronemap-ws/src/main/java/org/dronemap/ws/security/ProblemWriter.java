@@ -4,7 +4,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.ws.access.AuditNotes;
-import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.reading.JsonReader;
 
 /** Writes a problem where no controller is at work. */
@@ -15,7 +15,7 @@ public final class ProblemWriter {
         this.json = json;
     }
 
-    public void write(HttpServletResponse response, Problem problem) throws IOException {
+    public void write(HttpServletResponse response, ProblemView problem) throws IOException {
         AuditNotes.turnedAway(problem);
         byte[] body = json.write(problem).getBytes(StandardCharsets.UTF_8);
         response.setStatus(problem.status());

@@ -23,16 +23,16 @@ final class SignInThrottle {
 
     private final Clock clock;
     // both guarded by this
-    private final Map<Who, Attempts> attempts = new Recent<>();
-    private final Map<Who, Boolean> rightBefore = new Recent<>();
+    private final Map<AttemptKey, Attempts> attempts = new Recent<>();
+    private final Map<AttemptKey, Boolean> rightBefore = new Recent<>();
 
     /** An empty part: any. */
-    private record Who(String name, String address) {}
+    private record AttemptKey(String name, String address) {}
 
     private record Attempts(int wrong, Instant last) {}
 
     /** The one that was used longest ago goes when it is full. */
-    private static final class Recent<V> extends LinkedHashMap<Who, V> {
+    private static final class Recent<V> extends LinkedHashMap<AttemptKey, V> {
         private static final long serialVersionUID = 1L;
 
         Recent() {
@@ -40,7 +40,7 @@ final class SignInThrottle {
         }
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<Who, V> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<AttemptKey, V> eldest) {
             return size() > MOST_REMEMBERED;
         }
     }
@@ -50,15 +50,15 @@ final class SignInThrottle {
     }
 
     synchronized void check(String name, String address) {
-        Who pair = new Who(name, address);
+        AttemptKey pair = new AttemptKey(name, address);
         check(pair, OF_NAME_FROM_PLACE);
-        check(new Who("", address), FROM_PLACE);
+        check(new AttemptKey("", address), FROM_PLACE);
         if (!rightBefore.containsKey(pair)) {
-            check(new Who(name, ""), OF_NAME);
+            check(new AttemptKey(name, ""), OF_NAME);
         }
     }
 
-    private void check(Who who, int allowed) {
+    private void check(AttemptKey who, int allowed) {
         Attempts before = attempts.get(who);
         if (before == null || before.wrong() < allowed) {
             return;
@@ -76,19 +76,19 @@ final class SignInThrottle {
     }
 
     synchronized void wrong(String name, String address) {
-        count(new Who(name, address));
-        count(new Who("", address));
-        count(new Who(name, ""));
+        count(new AttemptKey(name, address));
+        count(new AttemptKey("", address));
+        count(new AttemptKey(name, ""));
     }
 
-    private void count(Who who) {
+    private void count(AttemptKey who) {
         attempts.merge(
                 who, new Attempts(1, clock.instant()), (before, now) -> new Attempts(before.wrong() + 1, now.last()));
     }
 
     synchronized void right(String name, String address) {
-        attempts.remove(new Who(name, address));
-        attempts.remove(new Who("", address));
-        rightBefore.put(new Who(name, address), true);
+        attempts.remove(new AttemptKey(name, address));
+        attempts.remove(new AttemptKey("", address));
+        rightBefore.put(new AttemptKey(name, address), true);
     }
 }

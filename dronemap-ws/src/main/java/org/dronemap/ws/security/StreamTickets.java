@@ -6,14 +6,14 @@ import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.SecretGenerator;
 
 /** One-use tickets that carry a sign-in from the page to the stream's port within 30 s. Any thread. */
 public final class StreamTickets {
     private static final Duration LENGTH = Duration.ofSeconds(30);
     private static final int MOST = 10_000;
 
-    private final Secrets secrets;
+    private final SecretGenerator secrets;
     private final Clock clock;
 
     /** Guarded by this; the eldest goes when it is full. */
@@ -26,24 +26,24 @@ public final class StreamTickets {
         }
     };
 
-    private record Ticket(SignedIn caller, Instant until) {}
+    private record Ticket(AuthenticatedCaller caller, Instant until) {}
 
-    public StreamTickets(Secrets secrets, Clock clock) {
+    public StreamTickets(SecretGenerator secrets, Clock clock) {
         this.secrets = secrets;
         this.clock = clock;
     }
 
-    public synchronized String issue(SignedIn caller) {
+    public synchronized String issue(AuthenticatedCaller caller) {
         Instant now = clock.instant();
         tickets.values().removeIf(ticket -> !ticket.until().isAfter(now));
         String token = secrets.token();
-        tickets.put(Secrets.hash(token), new Ticket(caller, now.plus(LENGTH)));
+        tickets.put(SecretGenerator.hash(token), new Ticket(caller, now.plus(LENGTH)));
         return token;
     }
 
     /** Empty when there is no such ticket, or it was used, or it is too old. */
-    public synchronized Optional<SignedIn> redeem(String token) {
-        return Optional.ofNullable(tickets.remove(Secrets.hash(token)))
+    public synchronized Optional<AuthenticatedCaller> redeem(String token) {
+        return Optional.ofNullable(tickets.remove(SecretGenerator.hash(token)))
                 .filter(ticket -> ticket.until().isAfter(clock.instant()))
                 .map(Ticket::caller);
     }

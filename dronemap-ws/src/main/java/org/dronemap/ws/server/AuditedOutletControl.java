@@ -1,23 +1,23 @@
 package org.dronemap.ws.server;
 
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.audit.Activity;
-import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.core.audit.AuditRecorder;
+import org.dronemap.core.audit.AuditedCall;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
-import org.dronemap.proxy.outlet.OutletControl;
+import org.dronemap.proxy.outlet.OutletLeaseAuthority;
 
 /** Control as ground stations at the outlet want it, taken down as of every face. Any thread. */
-record AuditedOutletControl(CloudManager cloud, AuditDesk desk) implements OutletControl {
+record AuditedOutletControl(CloudManager cloud, AuditRecorder desk) implements OutletLeaseAuthority {
     private static final String FACE = "outlet";
 
     @Override
     public LeaseStep act(Principal by, DroneId drone, LeaseEvent event) {
-        Activity activity = desk.begin(FACE, operation(event));
+        AuditedCall activity = desk.begin(FACE, operation(event));
         activity.by(by);
         activity.drone(drone.value());
         try {

@@ -3,21 +3,21 @@ package org.dronemap.ws.server;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
+import org.dronemap.store.postgres.PostgresStores;
 import org.dronemap.ws.setting.SetupException;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.settings.ServerSettings;
 
 /** Opens the database that the settings name, or the server's own. */
 final class DatabaseBuilder {
-    private final Settings settings;
+    private final ServerSettings settings;
 
-    DatabaseBuilder(Settings settings) {
+    DatabaseBuilder(ServerSettings settings) {
         this.settings = settings;
     }
 
     /** It is handed to {@code closing}. */
-    Database open(Closing closing) {
+    PostgresStores open(ShutdownSequence closing) {
         Path directory = settings.dataDirectory();
         try {
             Files.createDirectories(directory);
@@ -29,8 +29,8 @@ final class DatabaseBuilder {
             throw new SetupException("The data directory " + directory + " (DRONEMAP_DATA_DIR) cannot be written to.");
         }
         String url = settings.databaseUrl();
-        Database database =
-                url == null ? Database.openOwn(directory.resolve("postgres")) : Database.open(DatabaseSettings.of(url));
+        PostgresStores database =
+                url == null ? PostgresStores.openOwn(directory.resolve("postgres")) : PostgresStores.open(DatabaseSettings.of(url));
         closing.add("the database", database);
         return database;
     }

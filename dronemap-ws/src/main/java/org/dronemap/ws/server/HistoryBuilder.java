@@ -2,11 +2,11 @@ package org.dronemap.ws.server;
 
 import java.time.Duration;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.history.FlightLog;
+import org.dronemap.core.history.FlightRegistry;
 import org.dronemap.core.history.FlightStore;
-import org.dronemap.core.history.History;
-import org.dronemap.core.history.HistoryKeeper;
+import org.dronemap.core.history.HistoryMaintenance;
 import org.dronemap.core.history.HistoryPolicy;
+import org.dronemap.core.history.HistoryRecorder;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TelemetryWriter;
 import org.dronemap.core.time.Time;
@@ -27,15 +27,15 @@ final class HistoryBuilder {
     }
 
     /** From now on; what is opened is handed to {@code closing}. */
-    History open(TelemetryStore telemetry, FlightStore flightStore, CloudManager cloud, Closing closing) {
-        HistoryKeeper keeper = new HistoryKeeper(telemetry, policy.retention(), time);
-        TelemetryWriter writer = new TelemetryWriter(telemetry, TelemetryWriter.Rhythm.DEFAULT, time);
-        FlightLog flights = new FlightLog(flightStore, FLIGHTS_EVERY, time);
+    HistoryRecorder open(TelemetryStore telemetry, FlightStore flightStore, CloudManager cloud, ShutdownSequence closing) {
+        HistoryMaintenance keeper = new HistoryMaintenance(telemetry, policy.retention(), time);
+        TelemetryWriter writer = new TelemetryWriter(telemetry, TelemetryWriter.BatchSettings.DEFAULT, time);
+        FlightRegistry flights = new FlightRegistry(flightStore, FLIGHTS_EVERY, time);
         closing.add("the keeper of old telemetry", keeper);
         closing.add("the flights", flights);
         closing.add("the telemetry", writer);
-        History history =
-                new History(new History.Keeping(telemetry, writer, flights, keeper), policy, time.clock(), this::newId);
+        HistoryRecorder history =
+                new HistoryRecorder(new HistoryRecorder.Persistence(telemetry, writer, flights, keeper), policy, time.clock(), this::newId);
         keeper.start(TIDY_EVERY);
         writer.start();
         flights.start();

@@ -4,20 +4,20 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.AccessStore;
-import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.OutletStore;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.User;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.Time;
-import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.outlet.Outlet;
-import org.dronemap.proxy.outlet.OutletPolicy;
+import org.dronemap.proxy.outlet.OutletDependencies;
 import org.dronemap.proxy.outlet.OutletRights;
 import org.dronemap.ws.setting.SetupException;
 import org.dronemap.ws.settings.OutletSettings;
@@ -49,11 +49,11 @@ final class OutletBuilder {
     }
 
     Outlet build(
-            AuditedOutletControl control, OutletStore store, Journal journal, AccountOutletRights rights, Doors doors) {
+            AuditedOutletControl control, OutletStore store, StoreWriter journal, AccountOutletRights rights, EndpointSecurity doors) {
         CloudManager cloud = control.cloud();
-        OutletPolicy policy = new OutletPolicy(cloud, store, journal, rights, control, time);
+        OutletDependencies policy = new OutletDependencies(cloud, store, journal, rights, control, time);
         Outlet outlet = new Outlet(urls, settings.personal(), policy, doors);
-        cloud.addListener(new ForgottenDrones(outlet));
+        cloud.addListener(new RemovedDroneListener(outlet));
         cloud.controls().watchedBy((user, drone) -> outlet.isAttached(user));
         return outlet;
     }
@@ -67,7 +67,7 @@ final class OutletBuilder {
         }
     }
 
-    private record ForgottenDrones(Outlet outlet) implements CloudListener {
+    private record RemovedDroneListener(Outlet outlet) implements CloudListener {
         @Override
         public void droneRemoved(DroneId id) {
             outlet.forget(id);
@@ -75,7 +75,7 @@ final class OutletBuilder {
     }
 
     /** What a user may do who attaches: the same as anywhere. */
-    record AccountOutletRights(AccessStore store, GrantBook grants) implements OutletRights {
+    record AccountOutletRights(AccessStore store, GrantRegistry grants) implements OutletRights {
         @Override
         public Optional<Principal> principal(String user) {
             return store.user(user)

@@ -1,7 +1,7 @@
 package org.dronemap.ws.soap;
 
 import java.util.function.Supplier;
-import org.dronemap.ws.soap.description.DescribedOperations;
+import org.dronemap.ws.soap.description.OpenApiOperationReader;
 import org.dronemap.ws.soap.description.SoapServices;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
@@ -27,7 +27,7 @@ public final class SoapContract {
     private synchronized SoapServices first() {
         SoapServices services = read;
         if (services == null) {
-            services = DescribedOperations.read(openApi.get());
+            services = OpenApiOperationReader.read(openApi.get());
             read = services;
         }
         return services;

@@ -9,10 +9,10 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.stream.delivery.ClientOutbox;
-import org.dronemap.ws.stream.delivery.Subject;
-import org.dronemap.ws.stream.delivery.Turns;
+import org.dronemap.ws.stream.delivery.MessageSubject;
+import org.dronemap.ws.stream.delivery.PublishSchedule;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
@@ -29,19 +29,19 @@ final class StreamClient {
 
     private final WebSocket socket;
     private final ClientOutbox outbox = new ClientOutbox();
-    private final ConcurrentHashMap<Subject, Object> shown = new ConcurrentHashMap<>();
+    private final ConcurrentHashMap<MessageSubject, Object> shown = new ConcurrentHashMap<>();
     private volatile boolean unsettled;
     private final long connectedNanos;
     private volatile long answeredNanos;
-    private final StreamHands hands = new StreamHands();
-    private volatile @Nullable SignedIn caller;
+    private final SteeredDrones hands = new SteeredDrones();
+    private volatile @Nullable AuthenticatedCaller caller;
     private volatile @Nullable Set<String> wanted;
-    private volatile int perSecond = Turns.MOST_PER_SECOND;
+    private volatile int perSecond = PublishSchedule.MOST_PER_SECOND;
     private volatile long closingSinceNanos;
-    private volatile @Nullable Farewell farewell;
+    private volatile @Nullable ClosingMessage farewell;
 
     /** The last message to a client, and the code and reason of the close frame after it. */
-    record Farewell(int code, String reason, String message) {}
+    record ClosingMessage(int code, String reason, String message) {}
 
     StreamClient(WebSocket socket, long nowNanos) {
         this.socket = socket;
@@ -53,15 +53,15 @@ final class StreamClient {
         return socket;
     }
 
-    Optional<SignedIn> caller() {
+    Optional<AuthenticatedCaller> caller() {
         return Optional.ofNullable(caller);
     }
 
     Optional<Principal> principal() {
-        return caller().map(SignedIn::principal);
+        return caller().map(AuthenticatedCaller::principal);
     }
 
-    void admit(SignedIn who) {
+    void admit(AuthenticatedCaller who) {
         caller = who;
     }
 
@@ -105,7 +105,7 @@ final class StreamClient {
         return answeredNanos;
     }
 
-    StreamHands hands() {
+    SteeredDrones hands() {
         return hands;
     }
 
@@ -133,7 +133,7 @@ final class StreamClient {
     }
 
     /** What this client was shown and is told of when it is gone, each as it saw it then ({@link Topic.Sight}). */
-    Map<Subject, Object> shown() {
+    Map<MessageSubject, Object> shown() {
         return shown;
     }
 
@@ -150,13 +150,13 @@ final class StreamClient {
     }
 
     /** What it subscribed to are drones, and what is said of them. */
-    boolean wants(Subject subject) {
+    boolean wants(MessageSubject subject) {
         Set<String> only = wanted;
         return only == null || !subject.isDrone() || only.contains(subject.id());
     }
 
     /** From now on nothing but this farewell is sent; what was waiting is thrown away. */
-    void expel(Farewell last) {
+    void expel(ClosingMessage last) {
         caller = null;
         farewell = last;
     }
@@ -199,7 +199,7 @@ final class StreamClient {
             }
             return true;
         }
-        Farewell last = farewell;
+        ClosingMessage last = farewell;
         if (last != null) {
             outbox.clear();
             if (socket.isOpen()) {

@@ -5,13 +5,13 @@ import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import jakarta.validation.constraints.Size;
 import org.dronemap.ws.control.ControlRequest;
-import org.dronemap.ws.reading.ObjectsOnly;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** What a client of the stream does about who has control of a drone; one record for each action, as REST has a body for each. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "action")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(value = StreamControlRequest.Take.class, name = "take"),
     @JsonSubTypes.Type(value = StreamControlRequest.Ask.class, name = "request"),

@@ -8,34 +8,34 @@ import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import org.dronemap.core.access.GrantBook;
-import org.dronemap.core.audit.AuditDesk;
+import org.dronemap.core.access.GrantRegistry;
+import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.access.RestOperations;
-import org.dronemap.ws.account.Accounts;
+import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.budget.Budgets;
 import org.dronemap.ws.command.CommandService;
 import org.dronemap.ws.control.ControlService;
 import org.dronemap.ws.control.SteeringService;
 import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.drone.DroneViews;
+import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.follow.FollowService;
-import org.dronemap.ws.plan.PlanDesk;
+import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.problem.AccessProblem;
-import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.JsonReader;
 import org.dronemap.ws.run.RunService;
+import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.security.Authentication;
-import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
-import org.dronemap.ws.stream.delivery.CloudNews;
-import org.dronemap.ws.stream.delivery.Pump;
-import org.dronemap.ws.stream.delivery.Subject;
-import org.dronemap.ws.virtual.VirtualDroneViews;
+import org.dronemap.ws.stream.delivery.CloudEventRouter;
+import org.dronemap.ws.stream.delivery.MessageSubject;
+import org.dronemap.ws.stream.delivery.PublishLoop;
+import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.java_websocket.WebSocketServerFactory;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.framing.CloseFrame;
@@ -49,49 +49,49 @@ public final class StreamFace implements AutoCloseable {
 
     private final CloudManager cloud;
     private final StreamServer server;
-    private final StreamRequests requests;
-    private final CloudNews cloudNews = new CloudNews();
+    private final StreamRequestHandler requests;
+    private final CloudEventRouter cloudNews = new CloudEventRouter();
     private final List<Topic<?>> topics;
-    private final SaidMessages messages;
-    private final StreamNews news;
-    private final StreamPhones phones;
+    private final StreamMessageCatalogue messages;
+    private final TopicPublisher news;
+    private final PhoneReachability phones;
     private final Clock clock;
-    private final Pump pump = new Pump("stream-pump", this::round);
-    private final StreamBeat beat;
+    private final PublishLoop pump = new PublishLoop("stream-pump", this::round);
+    private final StreamHeartbeat beat;
 
     /** The use cases behind the stream. */
     public record Services(
-            Entrance entrance,
+            AccessServices entrance,
             DroneService drones,
-            Pictures pictures,
+            ViewServices pictures,
             CommandService commands,
-            Reins reins,
+            ControlServices reins,
             JsonReader json) {}
 
     /** The address to listen at, the maker of connections, the reader of messages ({@link #LARGEST_MESSAGE_BYTES} at most). */
     public record Port(InetSocketAddress address, WebSocketServerFactory door, Draft draft) {}
 
     /** Who has control of drones, and who steers them by it. */
-    public record Reins(ControlService controls, SteeringService steering) {}
+    public record ControlServices(ControlService controls, SteeringService steering) {}
 
     /** Who may come in, who has to leave, and where it is taken down. */
-    public record Entrance(
+    public record AccessServices(
             Authentication authentication,
             StreamTickets tickets,
-            Accounts accounts,
-            Bounds bounds,
-            GrantBook grants,
-            AuditDesk desk) {}
+            AccountChanges accounts,
+            Limits bounds,
+            GrantRegistry grants,
+            AuditRecorder desk) {}
 
     /** How much users may do, how many streams they may have, and who may do what REST has, too. */
-    public record Bounds(Budgets budgets, StreamCrowd crowd, RestOperations operations) {}
+    public record Limits(Budgets budgets, StreamClientRegistry crowd, RestOperations operations) {}
 
     /** What is shown, and how. */
-    public record Pictures(
-            DroneViews drones,
+    public record ViewServices(
+            DroneViewMapper drones,
             VirtualDrones virtuals,
-            VirtualDroneViews virtualViews,
-            PlanDesk plans,
+            VirtualDroneViewMapper virtualViews,
+            PlanJobExecutor plans,
             RunService runs,
             FollowService follows) {}
 
@@ -99,17 +99,17 @@ public final class StreamFace implements AutoCloseable {
     public StreamFace(CloudManager cloud, Services services, List<Topic<?>> ofUseCases, Port port, Clock clock) {
         this.cloud = cloud;
         this.clock = clock;
-        this.beat = new StreamBeat(services.json(), clock, System.nanoTime());
-        this.topics = Topics.all(cloud, cloudNews, services.pictures(), ofUseCases);
-        this.messages = SaidMessages.of(topics);
-        this.news = new StreamNews(
+        this.beat = new StreamHeartbeat(services.json(), clock, System.nanoTime());
+        this.topics = StreamTopics.all(cloud, cloudNews, services.pictures(), ofUseCases);
+        this.messages = StreamMessageCatalogue.of(topics);
+        this.news = new TopicPublisher(
                 topics,
                 services.entrance().grants(),
                 services.json(),
                 services.entrance().bounds().crowd(),
                 pump::wake);
-        this.phones = new StreamPhones(services.pictures().follows()::reached);
-        this.requests = new StreamRequests(services, phones);
+        this.phones = new PhoneReachability(services.pictures().follows()::reached);
+        this.requests = new StreamRequestHandler(services, phones);
         services.entrance().accounts().onChangeFirst(this::judgeAnew);
         this.server = new StreamServer(
                 port,
@@ -133,7 +133,7 @@ public final class StreamFace implements AutoCloseable {
 
     private boolean isThere(String user, DroneId drone) {
         return server.clients().stream()
-                .filter(client -> client.wants(Subject.drone(drone)))
+                .filter(client -> client.wants(MessageSubject.drone(drone)))
                 .flatMap(client -> client.caller().stream())
                 .anyMatch(caller -> caller.principal().name().equals(user));
     }
@@ -161,25 +161,25 @@ public final class StreamFace implements AutoCloseable {
         pump.wake();
     }
 
-    private Pump.Pause round(long now) {
+    private PublishLoop.Pause round(long now) {
         cloudNews.round(now);
-        Pump.Pause pause = news.publish(now);
+        PublishLoop.Pause pause = news.publish(now);
         phones.round(now);
         Optional<String> sign = beat.due(now);
         boolean allSent = true;
         for (StreamClient client : server.clients()) {
             allSent &= attend(client, sign, now);
         }
-        return allSent ? pause : new Pump.Pause(pause.leastNanos(), Math.min(pause.mostNanos(), RETRY_NANOS));
+        return allSent ? pause : new PublishLoop.Pause(pause.leastNanos(), Math.min(pause.mostNanos(), RETRY_NANOS));
     }
 
     private boolean attend(StreamClient client, Optional<String> sign, long now) {
-        SignedIn caller = client.caller().orElse(null);
+        AuthenticatedCaller caller = client.caller().orElse(null);
         if (caller == null) {
             if (now - client.connectedNanos() > TIME_TO_SIGN_IN_NANOS) {
                 Rejection late = Rejection.of(
                         AccessProblem.SIGN_IN_NEEDED, "No ticket, key or authenticate message came within 5 s.");
-                requests.say(client, new StreamMessage.Failure(Problem.of(late), null));
+                requests.say(client, new StreamMessage.Failure(ProblemView.of(late), null));
                 client.pump(now, server.reminder());
                 client.close(CloseFrame.POLICY_VALIDATION, late.sentence());
             }
@@ -201,7 +201,7 @@ public final class StreamFace implements AutoCloseable {
         return topics;
     }
 
-    SaidMessages messages() {
+    StreamMessageCatalogue messages() {
         return messages;
     }
 

@@ -13,9 +13,9 @@ import org.dronemap.ws.drone.DroneView;
 import org.dronemap.ws.follow.FollowReceipt;
 import org.dronemap.ws.follow.FollowView;
 import org.dronemap.ws.plan.PlanView;
-import org.dronemap.ws.problem.Problem;
-import org.dronemap.ws.reading.ObjectsOnly;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.problem.ProblemView;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.dronemap.ws.run.RunView;
 import org.dronemap.ws.virtual.VirtualDroneView;
 import org.dronemap.ws.zone.ZoneFeature;
@@ -24,7 +24,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** What the server says on the stream. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(value = StreamMessage.Hello.class, name = "hello"),
     @JsonSubTypes.Type(value = StreamMessage.Drones.class, name = "drones"),
@@ -39,7 +39,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
     @JsonSubTypes.Type(value = StreamMessage.RunChanged.class, name = "run"),
     @JsonSubTypes.Type(value = StreamMessage.FollowChanged.class, name = "follow"),
     @JsonSubTypes.Type(value = StreamMessage.FollowNow.class, name = "followNow"),
-    @JsonSubTypes.Type(value = StreamMessage.PositionsHeard.class, name = "positionsHeard"),
+    @JsonSubTypes.Type(value = StreamMessage.PositionsReceived.class, name = "positionsHeard"),
     @JsonSubTypes.Type(value = StreamMessage.Command.class, name = "command"),
     @JsonSubTypes.Type(value = StreamMessage.CommandAccepted.class, name = "commandAccepted"),
     @JsonSubTypes.Type(value = StreamMessage.Control.class, name = "control"),
@@ -54,7 +54,7 @@ public sealed interface StreamMessage {
     non-sealed interface OfUseCase extends StreamMessage {}
 
     @Schema(name = "StreamHello", description = "The first message: who you are.")
-    record Hello(String user, @ValuesOf(Role.class) String role) implements StreamMessage {}
+    record Hello(String user, @EnumValues(Role.class) String role) implements StreamMessage {}
 
     @Schema(name = "StreamDrones", description = "All drones that you see, once after hello.")
     record Drones(List<DroneView> drones) implements StreamMessage {}
@@ -104,7 +104,7 @@ public sealed interface StreamMessage {
     record FollowNow(String id, FollowView.@Nullable NowView now) implements StreamMessage {}
 
     @Schema(name = "StreamPositionsHeard", description = "Answers positions.")
-    record PositionsHeard(@Nullable String requestId, FollowReceipt receipt) implements StreamMessage {}
+    record PositionsReceived(@Nullable String requestId, FollowReceipt receipt) implements StreamMessage {}
 
     @Schema(name = "StreamCommand", description = "A command whose phase has changed.")
     record Command(CommandView command) implements StreamMessage {}
@@ -125,7 +125,7 @@ public sealed interface StreamMessage {
     @Schema(
             name = "StreamError",
             description = "Answers a request that is not carried out, or says why the connection is closed.")
-    record Failure(Problem problem, @Nullable String requestId) implements StreamMessage {}
+    record Failure(ProblemView problem, @Nullable String requestId) implements StreamMessage {}
 
     @Schema(name = "StreamPing", description = "The sign of life, once a second, by the clock of the cloud.")
     record Ping(Instant at) implements StreamMessage {}

@@ -8,13 +8,13 @@ import java.util.List;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.control.SteeringRequest;
 import org.dronemap.ws.follow.FollowRequest;
-import org.dronemap.ws.reading.ObjectsOnly;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** What a client says on the stream. Nothing is checked yet. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(value = StreamRequest.Authenticate.class, name = "authenticate"),
     @JsonSubTypes.Type(value = StreamRequest.GiveCommand.class, name = "command"),

@@ -11,7 +11,7 @@ enum StreamRequestKind {
     CONTROL(StreamMessage.ControlAnswer.class),
     STEER(null),
     LET_GO(null),
-    POSITIONS(StreamMessage.PositionsHeard.class),
+    POSITIONS(StreamMessage.PositionsReceived.class),
     SUBSCRIBE(null),
     PING(StreamMessage.Pong.class);
 

@@ -9,12 +9,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronemap.core.time.FatalErrors;
 import org.dronemap.ws.problem.AccessProblem;
-import org.dronemap.ws.problem.Problem;
 import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RequestProblem;
+import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.security.Authentication;
-import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Takes connections of the stream in; its own threads hand what clients say to {@link StreamRequests}. */
+/** Takes connections of the stream in; its own threads hand what clients say to {@link StreamRequestHandler}. */
 final class StreamServer extends WebSocketServer {
     private static final Logger LOG = LoggerFactory.getLogger(StreamServer.class);
     private static final int WORKERS = 2;
@@ -35,8 +35,8 @@ final class StreamServer extends WebSocketServer {
     private static final String FAREWELL = "The server stops.";
     private static final Pattern RATE = Pattern.compile("[?&]rate=(\\d{1,4})(?:&|$)");
 
-    private final StreamRequests requests;
-    private final StreamCrowd crowd;
+    private final StreamRequestHandler requests;
+    private final StreamClientRegistry crowd;
     private final Authentication authentication;
     private final StreamTickets tickets;
     private final Runnable onNews;
@@ -45,8 +45,8 @@ final class StreamServer extends WebSocketServer {
 
     StreamServer(
             StreamFace.Port port,
-            StreamRequests requests,
-            StreamCrowd crowd,
+            StreamRequestHandler requests,
+            StreamClientRegistry crowd,
             Authentication authentication,
             StreamTickets tickets,
             Runnable onNews) {
@@ -96,11 +96,11 @@ final class StreamServer extends WebSocketServer {
         try {
             crowd.makeRoom();
             checkAddress(handshake);
-            StreamRequests.slowDown(client, rate(handshake.getResourceDescriptor()));
+            StreamRequestHandler.slowDown(client, rate(handshake.getResourceDescriptor()));
             identify(handshake).ifPresent(caller -> requests.welcome(client, caller));
         } catch (Rejection rejection) {
             requests.refused(rejection);
-            requests.say(client, new StreamMessage.Failure(Problem.of(rejection), null));
+            requests.say(client, new StreamMessage.Failure(ProblemView.of(rejection), null));
             client.pump(System.nanoTime(), reminder);
             client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
         }
@@ -157,7 +157,7 @@ final class StreamServer extends WebSocketServer {
         listening.complete(getPort());
     }
 
-    private Optional<SignedIn> identify(ClientHandshake handshake) {
+    private Optional<AuthenticatedCaller> identify(ClientHandshake handshake) {
         String address = handshake.getResourceDescriptor();
         int query = address.indexOf(TICKET);
         if (query > 0) {

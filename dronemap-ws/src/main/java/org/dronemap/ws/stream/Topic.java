@@ -7,12 +7,12 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.stream.delivery.Subject;
-import org.dronemap.ws.stream.delivery.Told;
+import org.dronemap.ws.stream.delivery.MessageSubject;
+import org.dronemap.ws.stream.delivery.TopicSink;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One kind of thing that clients of the stream are told of. {@link Topics} has those of what the cloud itself does; a use
+ * One kind of thing that clients of the stream are told of. {@link StreamTopics} has those of what the cloud itself does; a use
  * case declares its own beside it, as a bean. {@link TopicFeed} carries them.
  *
  * @param message what is said of one that has changed
@@ -27,25 +27,25 @@ import org.jspecify.annotations.Nullable;
  */
 public record Topic<T>(
         Class<? extends StreamMessage> message,
-        Rate rate,
-        About<T> about,
+        TopicRate rate,
+        SubjectMapping<T> about,
         Audience<T> audience,
         BiFunction<T, Principal, StreamMessage> picture,
         Supplier<? extends Collection<T>> atFirst,
         @Nullable Removal removal,
-        Consumer<Told<T>> source) {
+        Consumer<TopicSink<T>> source) {
 
     /**
      * The subjects of messages, by a word for their kind and an id that is unique among things of one kind. What is of kind
      * {@code drone}, by the drone's id, goes by what a client has subscribed to.
      */
-    public record About<T>(String kind, Function<T, String> id) {
-        Subject subject(T thing) {
+    public record SubjectMapping<T>(String kind, Function<T, String> id) {
+        MessageSubject subject(T thing) {
             return subject(id.apply(thing));
         }
 
-        Subject subject(String thing) {
-            return new Subject(kind, thing);
+        MessageSubject subject(String thing) {
+            return new MessageSubject(kind, thing);
         }
     }
 

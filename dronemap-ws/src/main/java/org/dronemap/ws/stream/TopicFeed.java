@@ -12,17 +12,17 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.reading.JsonReader;
-import org.dronemap.ws.stream.delivery.Pump;
-import org.dronemap.ws.stream.delivery.Subject;
-import org.dronemap.ws.stream.delivery.Told;
-import org.dronemap.ws.stream.delivery.Turns;
+import org.dronemap.ws.stream.delivery.MessageSubject;
+import org.dronemap.ws.stream.delivery.PublishLoop;
+import org.dronemap.ws.stream.delivery.PublishSchedule;
+import org.dronemap.ws.stream.delivery.TopicSink;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Carries one topic to the clients. Of what changes often the newest state alone waits here, one of each thing, until its
  * turn. {@link #tell}, {@link #changed} and {@link #removed} from any thread, the rest from the pump alone.
  */
-final class TopicFeed<T> implements Told<T> {
+final class TopicFeed<T> implements TopicSink<T> {
     private static final long SHORTEST_REST_NANOS = 500_000L;
     private static final long RESTS_IN_A_GAP = 20;
 
@@ -30,15 +30,15 @@ final class TopicFeed<T> implements Told<T> {
     private final JsonReader json;
     private final Collection<StreamClient> clients;
     private final Runnable wake;
-    private final ConcurrentHashMap<Subject, News<T>> changed = new ConcurrentHashMap<>();
-    private final Queue<Subject> removed = new ConcurrentLinkedQueue<>();
+    private final ConcurrentHashMap<MessageSubject, PendingUpdate<T>> changed = new ConcurrentHashMap<>();
+    private final Queue<MessageSubject> removed = new ConcurrentLinkedQueue<>();
     // Owned by the pump: by how many pictures a second clients want at most.
-    private final Map<Integer, Turns<Supplier<Optional<T>>>> turns = new HashMap<>();
+    private final Map<Integer, PublishSchedule<Supplier<Optional<T>>>> turns = new HashMap<>();
 
     /** {@code thing}: as it is when its turn comes; {@code atOnce}: that is now, whenever its last one was. */
-    private record News<T>(Supplier<Optional<T>> thing, boolean atOnce) {
-        News<T> before(News<T> later) {
-            return atOnce && !later.atOnce() ? new News<>(later.thing(), true) : later;
+    private record PendingUpdate<T>(Supplier<Optional<T>> thing, boolean atOnce) {
+        PendingUpdate<T> before(PendingUpdate<T> later) {
+            return atOnce && !later.atOnce() ? new PendingUpdate<>(later.thing(), true) : later;
         }
     }
 
@@ -85,13 +85,13 @@ final class TopicFeed<T> implements Told<T> {
 
     @Override
     public void changed(String id, Supplier<Optional<T>> thing) {
-        changed.merge(topic.about().subject(id), new News<>(thing, false), News::before);
+        changed.merge(topic.about().subject(id), new PendingUpdate<>(thing, false), PendingUpdate::before);
         wake.run();
     }
 
     @Override
     public void changedAtOnce(String id, Supplier<Optional<T>> thing) {
-        changed.put(topic.about().subject(id), new News<>(thing, true));
+        changed.put(topic.about().subject(id), new PendingUpdate<>(thing, true));
         wake.run();
     }
 
@@ -103,8 +103,8 @@ final class TopicFeed<T> implements Told<T> {
 
     /** In the pump's own order, so that no picture follows the farewell. */
     void tellRemoved() {
-        for (Subject gone = removed.poll(); gone != null; gone = removed.poll()) {
-            Subject subject = gone;
+        for (MessageSubject gone = removed.poll(); gone != null; gone = removed.poll()) {
+            MessageSubject subject = gone;
             changed.remove(subject);
             turns.values().forEach(each -> each.removed(subject));
             for (StreamClient client : clients) {
@@ -137,7 +137,7 @@ final class TopicFeed<T> implements Told<T> {
     }
 
     private void settle(StreamClient client, Principal who, T thing) {
-        Subject subject = topic.about().subject(thing);
+        MessageSubject subject = topic.about().subject(thing);
         Object sight = topic.audience().sight().of(who, thing);
         Object before = client.shown().get(subject);
         if (sight != null && !sight.equals(before)) {
@@ -150,25 +150,25 @@ final class TopicFeed<T> implements Told<T> {
     }
 
     /** Hands out what is due, and says when to come again: not too often, so that much news costs no more than some. */
-    Pump.Pause publish(long nowNanos) {
+    PublishLoop.Pause publish(long nowNanos) {
         Map<Integer, Collection<StreamClient>> groups = topic.rate().groups(clients);
         turns.keySet().retainAll(groups.keySet());
-        groups.keySet().forEach(rate -> turns.computeIfAbsent(rate, Turns::new));
+        groups.keySet().forEach(rate -> turns.computeIfAbsent(rate, PublishSchedule::new));
         changed.forEach(this::queue);
-        Pump.Pause pause = Pump.Pause.ANY;
-        for (Map.Entry<Integer, Turns<Supplier<Optional<T>>>> entry : turns.entrySet()) {
-            Turns<Supplier<Optional<T>>> each = entry.getValue();
+        PublishLoop.Pause pause = PublishLoop.Pause.ANY;
+        for (Map.Entry<Integer, PublishSchedule<Supplier<Optional<T>>>> entry : turns.entrySet()) {
+            PublishSchedule<Supplier<Optional<T>>> each = entry.getValue();
             Collection<StreamClient> group = groups.getOrDefault(entry.getKey(), List.of());
             each.forget(nowNanos);
             long next = each.take(nowNanos, thing -> thing.get().ifPresent(now -> show(group, now)));
-            pause = pause.and(new Pump.Pause(
+            pause = pause.and(new PublishLoop.Pause(
                     Math.max(SHORTEST_REST_NANOS, each.gapNanos() / RESTS_IN_A_GAP),
                     Math.max(SHORTEST_REST_NANOS, next)));
         }
         return pause;
     }
 
-    private void queue(Subject subject, News<T> news) {
+    private void queue(MessageSubject subject, PendingUpdate<T> news) {
         // What is newer and came in meanwhile stays for the next round.
         if (changed.remove(subject, news)) {
             turns.values().forEach(each -> {
@@ -182,7 +182,7 @@ final class TopicFeed<T> implements Told<T> {
     }
 
     private void show(Collection<StreamClient> some, T thing) {
-        Subject subject = topic.about().subject(thing);
+        MessageSubject subject = topic.about().subject(thing);
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : some) {
             Principal who = client.principal().orElse(null);
@@ -207,7 +207,7 @@ final class TopicFeed<T> implements Told<T> {
         return json.write(topic.picture().apply(thing, who));
     }
 
-    private String removal(Subject subject) {
+    private String removal(MessageSubject subject) {
         return json.write(Objects.requireNonNull(topic.removal()).of().apply(subject.id()));
     }
 }

@@ -6,12 +6,12 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.web.bind.annotation.PostMapping;
 import org.springframework.web.bind.annotation.RequestMapping;
@@ -31,9 +31,9 @@ public class BackupController {
     }
 
     @PostMapping
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER, costs = Cost.EXPORT)
-    @Answers(never = 409)
-    @TakesOrGivesFile(gives = "application/zip")
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER, costs = RequestCost.EXPORT)
+    @ResponseStatuses(never = 409)
+    @FileMediaTypes(gives = "application/zip")
     @Operation(
             operationId = "makeBackup",
             summary = "Make a backup (administrator)",

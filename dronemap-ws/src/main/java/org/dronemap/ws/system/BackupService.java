@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 
 /** Makes backups of all that is stored. Any thread. */
 public final class BackupService {
@@ -24,7 +24,7 @@ public final class BackupService {
 
     /** A file that belongs to the caller from now on; whole before its first byte is handed out. */
     public Path backup(Principal principal) throws IOException {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         Path file = Files.createTempFile(temporaryDirectory, "backup", ".zip");
         try {
             writer.write(file);

@@ -3,7 +3,7 @@ package org.dronemap.ws.system;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import java.util.Map;
-import org.dronemap.core.process.PastEnd;
+import org.dronemap.core.process.ProcessCrash;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -41,7 +41,7 @@ public record HealthView(
      */
     @Schema(name = "HealthLastEnd")
     public record LastEnd(long at, String part) {
-        static @Nullable LastEnd of(@Nullable PastEnd end) {
+        static @Nullable LastEnd of(@Nullable ProcessCrash end) {
             return end == null ? null : new LastEnd(end.at().toEpochMilli(), end.part());
         }
     }
@@ -62,7 +62,7 @@ public record HealthView(
     /** {@code at}: ms since 1970. */
     @Schema(name = "HealthEnd")
     public record End(long at, String part, String why, List<String> peers) {
-        static End of(PastEnd end) {
+        static End of(ProcessCrash end) {
             return new End(
                     end.at().toEpochMilli(),
                     end.part(),

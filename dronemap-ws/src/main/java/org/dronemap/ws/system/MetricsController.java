@@ -7,10 +7,10 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.RestController;
@@ -30,9 +30,9 @@ public class MetricsController {
     }
 
     @GetMapping("/metrics")
-    @Access(from = From.VIEWER, about = About.SERVER)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SERVER)
     public void metrics(HttpServletResponse response) throws IOException {
-        Roles.requireServer(current.principal(), Role.VIEWER);
+        RoleChecks.requireServer(current.principal(), Role.VIEWER);
         MetricSnapshots now = metrics.now(current.principal());
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         WRITER.write(text, now);

@@ -16,10 +16,10 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.history.HistoryHealth;
-import org.dronemap.ws.budget.Work;
+import org.dronemap.ws.budget.WorkKind;
 import org.dronemap.ws.link.EndpointView;
 import org.dronemap.ws.link.TrafficView;
-import org.dronemap.ws.link.VehicleLinks;
+import org.dronemap.ws.link.VehicleLinkGateway;
 import org.dronemap.ws.outlet.OutletMetrics;
 import org.dronemap.ws.outlet.OutletView;
 import org.dronemap.ws.reading.WireNames;
@@ -28,7 +28,7 @@ import org.jspecify.annotations.Nullable;
 /** Metrics of the server, gathered when a monitoring system asks. Any thread. */
 public final class ServerMetrics {
     private final CloudManager cloud;
-    private final VehicleLinks links;
+    private final VehicleLinkGateway links;
     private final Supplier<Refusals> refusals;
     private final Supplier<HistoryHealth> history;
     private final Supplier<OutletView> outlet;
@@ -39,11 +39,11 @@ public final class ServerMetrics {
      * @param work of each kind, beyond a user's budget
      * @param clients by why they were cut or turned away
      */
-    public record Refusals(Map<Work, Long> work, Map<String, Long> clients) {}
+    public record Refusals(Map<WorkKind, Long> work, Map<String, Long> clients) {}
 
     public ServerMetrics(
             CloudManager cloud,
-            VehicleLinks links,
+            VehicleLinkGateway links,
             Supplier<Refusals> refusals,
             Supplier<HistoryHealth> history,
             Supplier<OutletView> outlet) {
@@ -80,7 +80,7 @@ public final class ServerMetrics {
     }
 
     private void endpoints(List<MetricSnapshot> all) {
-        List<VehicleLinks.Status> now = links.all();
+        List<VehicleLinkGateway.Status> now = links.all();
         all.add(endpointGauge(
                 "up", "1 while it is open.", now, status -> status.state().equals("open") ? 1 : 0));
         all.add(endpointGauge(
@@ -200,7 +200,7 @@ public final class ServerMetrics {
     }
 
     private static MetricSnapshot endpointGauge(
-            String name, String help, List<VehicleLinks.Status> all, ToDoubleFunction<VehicleLinks.Status> value) {
+            String name, String help, List<VehicleLinkGateway.Status> all, ToDoubleFunction<VehicleLinkGateway.Status> value) {
         GaugeSnapshot.Builder gauge =
                 GaugeSnapshot.builder().name("dronemap_endpoint_" + name).help(help);
         all.forEach(status -> gauge.dataPoint(point(value.applyAsDouble(status), endpointLabels(status))));
@@ -208,14 +208,14 @@ public final class ServerMetrics {
     }
 
     private static MetricSnapshot endpointCounter(
-            String name, String help, List<VehicleLinks.Status> all, ToDoubleFunction<EndpointView.Counts> value) {
+            String name, String help, List<VehicleLinkGateway.Status> all, ToDoubleFunction<EndpointView.Counts> value) {
         CounterSnapshot.Builder counter =
                 CounterSnapshot.builder().name("dronemap_endpoint_" + name).help(help);
         all.forEach(status -> counter.dataPoint(count(value.applyAsDouble(status.counts()), endpointLabels(status))));
         return counter.build();
     }
 
-    private static Labels endpointLabels(VehicleLinks.Status status) {
+    private static Labels endpointLabels(VehicleLinkGateway.Status status) {
         return Labels.of("endpoint", status.id(), "url", status.url());
     }
 

@@ -2,11 +2,11 @@ package org.dronemap.ws.system;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.history.HistoryService;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.RequestMapping;
@@ -28,8 +28,8 @@ public class SystemController {
     }
 
     @GetMapping("/health")
-    @Access(from = From.ANYBODY, about = About.NONE)
-    @Answers(never = 503)
+    @Access(from = AccessLevel.ANYBODY, about = ResourceScope.NONE)
+    @ResponseStatuses(never = 503)
     @Operation(
             operationId = "getHealth",
             summary = "Is the server well? (no sign-in)",
@@ -39,7 +39,7 @@ public class SystemController {
     }
 
     @GetMapping("/health/parts")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(
             operationId = "getHealthParts",
             summary = "How each part of the server is, and why it ended last (administrator)")
@@ -48,14 +48,14 @@ public class SystemController {
     }
 
     @GetMapping("/history")
-    @Access(from = From.ADMINISTRATOR, about = About.SERVER)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(operationId = "getHistory", summary = "Is all that drones do written down? (administrator)")
     public HistoryService.HistoryView history() {
         return history.status(current.principal());
     }
 
     @GetMapping("/settings")
-    @Access(from = From.VIEWER, about = About.NONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.NONE)
     @Operation(operationId = "getSettings", summary = "What a client has to know of the server")
     public SystemService.SettingsView settings() {
         current.requireSignedIn();

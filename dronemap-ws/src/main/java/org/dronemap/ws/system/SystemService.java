@@ -12,10 +12,10 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Position;
-import org.dronemap.core.process.Beginning;
-import org.dronemap.core.process.PastEnd;
-import org.dronemap.core.process.PeerName;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.core.process.PeerPattern;
+import org.dronemap.core.process.ProcessCrash;
+import org.dronemap.core.process.ProcessStart;
+import org.dronemap.ws.access.RoleChecks;
 import org.jspecify.annotations.Nullable;
 
 /** Health and settings of the server. Any thread. */
@@ -25,7 +25,7 @@ public final class SystemService {
 
     private final CloudManager cloud;
     private final Checks checks;
-    private final Beginning beginning;
+    private final ProcessStart beginning;
     private final SettingsView settings;
     private final long startedNanos = System.nanoTime();
 
@@ -58,7 +58,7 @@ public final class SystemService {
             BooleanSupplier runs,
             List<ServerPart> others) {}
 
-    public SystemService(CloudManager cloud, Checks checks, Beginning beginning, SettingsView settings) {
+    public SystemService(CloudManager cloud, Checks checks, ProcessStart beginning, SettingsView settings) {
         this.cloud = cloud;
         this.checks = checks;
         this.beginning = beginning;
@@ -91,15 +91,15 @@ public final class SystemService {
 
     /** With the reasons, which name peers: for administrators. */
     public HealthView.Details details(Principal asking) {
-        Roles.requireServer(asking, Role.ADMINISTRATOR);
-        List<PastEnd> ends = beginning.precautions().careful()
+        RoleChecks.requireServer(asking, Role.ADMINISTRATOR);
+        List<ProcessCrash> ends = beginning.precautions().careful()
                 ? beginning.precautions().ends()
                 : Stream.ofNullable(beginning.before()).toList();
         return new HealthView.Details(
                 parts(),
                 ends.stream().map(HealthView.End::of).toList(),
                 beginning.precautions().refused().stream()
-                        .map(PeerName::toString)
+                        .map(PeerPattern::toString)
                         .sorted()
                         .toList());
     }

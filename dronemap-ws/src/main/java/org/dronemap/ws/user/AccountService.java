@@ -6,11 +6,11 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.User;
-import org.dronemap.ws.account.Accounts;
-import org.dronemap.ws.account.FirstPassword;
-import org.dronemap.ws.account.OwnPassword;
+import org.dronemap.ws.account.AccountChanges;
+import org.dronemap.ws.account.InitialPassword;
 import org.dronemap.ws.account.PasswordHashing;
 import org.dronemap.ws.account.PasswordRule;
+import org.dronemap.ws.account.PasswordVerification;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.Rejection;
@@ -20,10 +20,10 @@ import org.jspecify.annotations.Nullable;
 /** Use cases of users around their own accounts. Any thread. */
 public final class AccountService {
     private final AccessStore store;
-    private final Accounts accounts;
+    private final AccountChanges accounts;
     private final PasswordHashing passwords;
-    private final OwnPassword ownPassword;
-    private final FirstPassword firstPassword;
+    private final PasswordVerification ownPassword;
+    private final InitialPassword firstPassword;
 
     /** A change of one's own password. */
     @Schema(name = "PasswordRequest")
@@ -35,10 +35,10 @@ public final class AccountService {
 
     public AccountService(
             AccessStore store,
-            Accounts accounts,
+            AccountChanges accounts,
             PasswordHashing passwords,
-            OwnPassword ownPassword,
-            FirstPassword firstPassword) {
+            PasswordVerification ownPassword,
+            InitialPassword firstPassword) {
         this.store = store;
         this.accounts = accounts;
         this.passwords = passwords;

@@ -4,10 +4,10 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -38,15 +38,15 @@ public class InvitationController {
     }
 
     @GetMapping
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(operationId = "listInvitations", summary = "List the open invitations")
     public Invitations invitations() {
         return new Invitations(invitations.invitations(current.principal()));
     }
 
     @PostMapping
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(201)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(201)
     @Operation(
             operationId = "addInvitation",
             summary = "Invite somebody",
@@ -58,7 +58,7 @@ public class InvitationController {
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "withdrawInvitation", summary = "Withdraw an invitation")
     public void withdraw(@PathVariable String id) {

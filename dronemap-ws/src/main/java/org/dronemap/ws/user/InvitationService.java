@@ -15,17 +15,17 @@ import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.organisation.OrganisationService;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
-import org.dronemap.ws.reading.Secrets;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.NameRules;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -38,7 +38,7 @@ public final class InvitationService {
 
     private final AccessStore store;
     private final OrganisationService organisations;
-    private final Secrets secrets;
+    private final SecretGenerator secrets;
     private final Clock clock;
 
     /** Whom to invite as what, for how many days; seven, and into the asker's organisation, unless said otherwise. */
@@ -47,7 +47,7 @@ public final class InvitationService {
             @Size(min = 1, max = InvitationService.LONGEST_LABEL) @Nullable
             String label,
 
-            @ValuesOf(Role.class) @Nullable String role,
+            @EnumValues(Role.class) @Nullable String role,
 
             @Min(1) @Max(InvitationService.MOST_DAYS) @Nullable
             Integer days,
@@ -63,12 +63,12 @@ public final class InvitationService {
     public record InvitationView(
             String id,
             String label,
-            @ValuesOf(Role.class) String role,
+            @EnumValues(Role.class) String role,
             String invitedBy,
             Instant expiresAt,
             @Nullable String code) {}
 
-    public InvitationService(AccessStore store, OrganisationService organisations, Secrets secrets, Clock clock) {
+    public InvitationService(AccessStore store, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
         this.organisations = organisations;
         this.store = store;
         this.secrets = secrets;
@@ -76,7 +76,7 @@ public final class InvitationService {
     }
 
     public List<InvitationView> invitations(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return store.invitations(clock.instant()).stream()
                 .filter(invitation -> isShownTo(principal, invitation))
                 .map(invitation -> view(invitation, null))
@@ -84,9 +84,9 @@ public final class InvitationService {
     }
 
     public InvitationView invite(Principal principal, NewInvitation request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
-        String label = Names.checked("label", request.label(), LONGEST_LABEL);
-        Role role = Roles.named(request.role());
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
+        String label = NameRules.checked("label", request.label(), LONGEST_LABEL);
+        Role role = RoleChecks.named(request.role());
         Integer asked = request.days();
         int days = asked == null ? DEFAULT_DAYS : asked;
         if (days < 1 || days > MOST_DAYS) {
@@ -113,7 +113,7 @@ public final class InvitationService {
                 UUID.randomUUID().toString(),
                 label,
                 role,
-                Secrets.hash(code),
+                SecretGenerator.hash(code),
                 principal.name(),
                 principal.account(),
                 now.plus(Duration.ofDays(days)),
@@ -123,11 +123,11 @@ public final class InvitationService {
     }
 
     public void withdraw(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         boolean shown = store.invitations(clock.instant()).stream()
                 .anyMatch(invitation -> invitation.id().equals(id) && isShownTo(principal, invitation));
         if (!shown || !store.deleteInvitation(id)) {
-            throw Rejection.unknown(UnknownProblem.INVITATION, id);
+            throw Rejection.unknown(NotFoundProblem.INVITATION, id);
         }
     }
 

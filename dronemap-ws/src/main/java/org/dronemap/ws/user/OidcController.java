@@ -7,16 +7,16 @@ import jakarta.servlet.http.HttpServletRequest;
 import java.net.URI;
 import java.time.Duration;
 import java.util.Optional;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Audit;
+import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.AuditNotes;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AuditPolicy;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.access.WithoutSoap;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.problem.AccessProblem;
-import org.dronemap.ws.problem.Problem;
+import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
 import org.dronemap.ws.security.Authentication;
@@ -49,15 +49,15 @@ public class OidcController {
     }
 
     @GetMapping
-    @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN)
-    @Answers(value = 302, refuses = 404)
+    @Access(from = AccessLevel.ANYBODY, about = ResourceScope.OWN, costs = RequestCost.SIGN_IN)
+    @ResponseStatuses(value = 302, refuses = 404)
     @WithoutSoap("Sends a browser to another address.")
     @Operation(
             operationId = "startSignInElsewhere",
             summary = "Go to the provider to sign in",
             description = "For browsers; 404 when there is none.")
     public ResponseEntity<Void> start(HttpServletRequest request) {
-        OidcSignIn.Start start = oidc().start();
+        OidcSignIn.SignInRedirect start = oidc().start();
         return ResponseEntity.status(HttpStatus.FOUND)
                 .location(start.address())
                 .header(HttpHeaders.SET_COOKIE, cookie(start.browser(), request.isSecure(), LONGEST))
@@ -65,8 +65,8 @@ public class OidcController {
     }
 
     @GetMapping("/callback")
-    @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED)
-    @Answers(value = 302, refuses = 404, never = 422)
+    @Access(from = AccessLevel.ANYBODY, about = ResourceScope.OWN, costs = RequestCost.SIGN_IN, audit = AuditPolicy.RECORDED)
+    @ResponseStatuses(value = 302, refuses = 404, never = 422)
     @WithoutSoap("Sends a browser to another address.")
     @Operation(
             operationId = "finishSignInElsewhere",
@@ -84,12 +84,12 @@ public class OidcController {
         ResponseEntity.BodyBuilder answer = ResponseEntity.status(HttpStatus.FOUND)
                 .header(HttpHeaders.SET_COOKIE, cookie("", request.isSecure(), Duration.ZERO));
         try {
-            Authentication.NewSession session = oidc.finish(new OidcSignIn.Return(code, state, browser));
+            Authentication.NewSession session = oidc.finish(new OidcSignIn.SignInCallback(code, state, browser));
             return answer.header(HttpHeaders.SET_COOKIE, SessionCookie.issue(session.token(), request.isSecure()))
                     .location(URI.create("/"))
                     .build();
         } catch (Rejection refused) {
-            AuditNotes.turnedAway(Problem.of(refused));
+            AuditNotes.turnedAway(ProblemView.of(refused));
             // An account that waits or is disabled is told so; of all else a person learns only that it failed.
             boolean closed = refused.kind() == RejectionKind.FORBIDDEN;
             return answer.location(URI.create(closed ? "/?signIn=closed" : "/?signIn=failed"))

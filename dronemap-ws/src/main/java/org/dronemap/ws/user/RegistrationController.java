@@ -5,12 +5,12 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.Optional;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Audit;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.AuditPolicy;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.security.oidc.OidcSignIn;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
@@ -38,7 +38,7 @@ public class RegistrationController {
      */
     @Schema(name = "RegistrationPolicy")
     public record Policy(
-            @ValuesOf(Registration.class) String policy,
+            @EnumValues(RegistrationPolicy.class) String policy,
             @Nullable String signInWith) {}
 
     public RegistrationController(RegistrationService registrations, Optional<OidcSignIn> oidc) {
@@ -47,8 +47,8 @@ public class RegistrationController {
     }
 
     @GetMapping
-    @Access(from = From.ANYBODY, about = About.NONE)
-    @Answers(never = 503)
+    @Access(from = AccessLevel.ANYBODY, about = ResourceScope.NONE)
+    @ResponseStatuses(never = 503)
     @Operation(
             operationId = "getRegistrationPolicy",
             summary = "How accounts are made here",
@@ -59,8 +59,8 @@ public class RegistrationController {
     }
 
     @PostMapping
-    @Access(from = From.ANYBODY, about = About.NONE, audit = Audit.RECORDED_WITH_PLACE)
-    @Answers(
+    @Access(from = AccessLevel.ANYBODY, about = ResourceScope.NONE, audit = AuditPolicy.RECORDED_WITH_PLACE)
+    @ResponseStatuses(
             value = {201, 202},
             refuses = 403)
     @Operation(

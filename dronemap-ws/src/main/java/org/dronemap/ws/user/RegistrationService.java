@@ -10,12 +10,12 @@ import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
-import org.dronemap.core.audit.Activity;
-import org.dronemap.ws.account.Accounts;
-import org.dronemap.ws.account.FirstPassword;
+import org.dronemap.core.audit.AuditedCall;
+import org.dronemap.ws.account.AccountChanges;
+import org.dronemap.ws.account.InitialPassword;
 import org.dronemap.ws.account.PasswordHashing;
 import org.dronemap.ws.account.PasswordRule;
-import org.dronemap.ws.account.UserNames;
+import org.dronemap.ws.account.UserNameRules;
 import org.dronemap.ws.budget.Throttle;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
@@ -23,8 +23,8 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Secrets;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -35,10 +35,10 @@ public final class RegistrationService {
     private static final Duration WITHIN = Duration.ofMinutes(10);
 
     private final AccessStore store;
-    private final Accounts accounts;
+    private final AccountChanges accounts;
     private final PasswordHashing passwords;
-    private final FirstPassword firstPassword;
-    private final Registration policy;
+    private final InitialPassword firstPassword;
+    private final RegistrationPolicy policy;
     private final Clock clock;
     private final Throttle throttle;
 
@@ -56,15 +56,15 @@ public final class RegistrationService {
     @Schema(name = "RegistrationAnswer")
     public record Answer(
             String name,
-            @ValuesOf(Role.class) String role,
+            @EnumValues(Role.class) String role,
             @Schema(allowableValues = {"active", "waiting"}) String state) {}
 
     public RegistrationService(
             AccessStore store,
-            Accounts accounts,
+            AccountChanges accounts,
             PasswordHashing passwords,
-            FirstPassword firstPassword,
-            Registration policy,
+            InitialPassword firstPassword,
+            RegistrationPolicy policy,
             Clock clock) {
         this.store = store;
         this.accounts = accounts;
@@ -81,7 +81,7 @@ public final class RegistrationService {
     }
 
     public Answer register(Request request, String address) {
-        if (policy == Registration.OFF) {
+        if (policy == RegistrationPolicy.OFF) {
             throw Rejection.of(
                     AccessProblem.REGISTRATION_CLOSED,
                     "Accounts are made by the administrators of this server; ask one.");
@@ -93,16 +93,16 @@ public final class RegistrationService {
         // Who was invited waits for nobody else who comes from the same address.
         Optional<Invitation> invitation = code == null || code.isBlank()
                 ? Optional.empty()
-                : store.invitation(Secrets.hash(code.strip()), clock.instant());
+                : store.invitation(SecretGenerator.hash(code.strip()), clock.instant());
         throttle.take(
                 invitation.map(Invitation::id).orElse(address),
                 invitation.isPresent() ? "tries with this invitation" : "registrations from this address");
-        String name = UserNames.checked(request.name());
+        String name = UserNameRules.checked(request.name());
         String password = PasswordRule.acceptable("password", request.password());
         if (code != null && !code.isBlank()) {
             return accept(invitation.orElseThrow(RegistrationService::notValid), name, password);
         }
-        if (policy == Registration.INVITATION) {
+        if (policy == RegistrationPolicy.INVITATION) {
             throw Rejection.of(
                     AccessProblem.INVITATION_NEEDED,
                     "Only those who were invited can make an account here; open the link of your"
@@ -146,7 +146,7 @@ public final class RegistrationService {
     }
 
     private static void noted(User user, String how) {
-        Activity.current().ifPresent(call -> call.parameters("name=" + user.name() + ", " + how));
+        AuditedCall.current().ifPresent(call -> call.parameters("name=" + user.name() + ", " + how));
     }
 
     private static InvalidInput notValid() {

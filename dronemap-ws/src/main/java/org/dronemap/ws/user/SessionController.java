@@ -3,17 +3,17 @@ package org.dronemap.ws.user;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Audit;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.AuditPolicy;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.access.WithoutSoap;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.http.ResponseStatuses;
+import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.SessionCookie;
-import org.dronemap.ws.security.SignedIn;
 import org.springframework.http.HttpHeaders;
 import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.DeleteMapping;
@@ -39,8 +39,8 @@ public class SessionController {
     }
 
     @PostMapping
-    @Access(from = From.ANYBODY, about = About.OWN, costs = Cost.SIGN_IN, audit = Audit.RECORDED_WITH_PLACE)
-    @Answers(
+    @Access(from = AccessLevel.ANYBODY, about = ResourceScope.OWN, costs = RequestCost.SIGN_IN, audit = AuditPolicy.RECORDED_WITH_PLACE)
+    @ResponseStatuses(
             refuses = {401, 403},
             never = 409)
     @WithoutSoap("A browser's session is a cookie; a call of SOAP says itself who calls.")
@@ -57,23 +57,23 @@ public class SessionController {
     }
 
     @GetMapping
-    @Access(from = From.SIGNED_IN, about = About.OWN)
-    @Answers(never = 403)
+    @Access(from = AccessLevel.SIGNED_IN, about = ResourceScope.OWN)
+    @ResponseStatuses(never = 403)
     @Operation(operationId = "getSession", summary = "Who is signed in")
     public Authentication.SessionView session() {
         return authentication.session(current.signedIn());
     }
 
     @DeleteMapping
-    @Access(from = From.SIGNED_IN, about = About.OWN)
-    @Answers(204)
+    @Access(from = AccessLevel.SIGNED_IN, about = ResourceScope.OWN)
+    @ResponseStatuses(204)
     @WithoutSoap("A browser's session is a cookie; a call of SOAP says itself who calls.")
     @Operation(
             operationId = "signOut",
             summary = "Sign out",
             description = "Ends this session, and the streams that were opened with it.")
     public ResponseEntity<Void> signOut(HttpServletRequest request) {
-        SignedIn caller = current.signedIn();
+        AuthenticatedCaller caller = current.signedIn();
         authentication.signOut(caller);
         account.signedOut(caller.principal());
         return ResponseEntity.noContent()
@@ -82,8 +82,8 @@ public class SessionController {
     }
 
     @PostMapping("/password")
-    @Access(from = From.SIGNED_IN, about = About.OWN)
-    @Answers(value = 204, never = 409)
+    @Access(from = AccessLevel.SIGNED_IN, about = ResourceScope.OWN)
+    @ResponseStatuses(value = 204, never = 409)
     @Operation(
             operationId = "changePassword",
             summary = "Change one's own password",
@@ -91,15 +91,15 @@ public class SessionController {
                     "Ends all other sessions of the user. After five wrong present passwords in a row: 429 for 30 s.")
     public ResponseEntity<Void> changePassword(
             @RequestBody AccountService.PasswordRequest request, HttpServletRequest http) {
-        SignedIn caller = current.signedIn();
+        AuthenticatedCaller caller = current.signedIn();
         String session = caller.sessionHash();
         account.changePassword(caller.principal(), session == null ? "" : session, request, http.getRemoteAddr());
         return ResponseEntity.noContent().build();
     }
 
     @PostMapping("/sign-out-everywhere")
-    @Access(from = From.SIGNED_IN, about = About.OWN)
-    @Answers(value = 204, never = 409)
+    @Access(from = AccessLevel.SIGNED_IN, about = ResourceScope.OWN)
+    @ResponseStatuses(value = 204, never = 409)
     @Operation(
             operationId = "signOutEverywhere",
             summary = "Sign out everywhere",

@@ -3,10 +3,10 @@ package org.dronemap.ws.user;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.StreamTickets;
 import org.springframework.web.bind.annotation.PostMapping;
@@ -31,8 +31,8 @@ public class StreamTicketController {
     }
 
     @PostMapping
-    @Access(from = From.VIEWER, about = About.OWN)
-    @Answers(never = 409)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
+    @ResponseStatuses(never = 409)
     @Operation(
             operationId = "makeStreamTicket",
             summary = "Get a ticket for the stream",

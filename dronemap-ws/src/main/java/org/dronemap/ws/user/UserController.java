@@ -4,10 +4,10 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.key.AccessKeyController;
 import org.dronemap.ws.key.AccessKeyService;
 import org.dronemap.ws.security.CurrentPrincipal;
@@ -46,7 +46,7 @@ public class UserController {
     }
 
     @GetMapping
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(
             operationId = "listUsers",
             summary = "List the users",
@@ -56,8 +56,8 @@ public class UserController {
     }
 
     @PostMapping
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(201)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(201)
     @Operation(
             operationId = "addUser",
             summary = "Add a user",
@@ -67,7 +67,7 @@ public class UserController {
     }
 
     @PatchMapping("/{name}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(
             operationId = "changeUser",
             summary = "Change a user's role, let a waiting one in, disable one",
@@ -78,7 +78,7 @@ public class UserController {
     }
 
     @PostMapping("/{name}/password")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(
             operationId = "resetPassword",
             summary = "Give a user a one-time password",
@@ -88,8 +88,8 @@ public class UserController {
     }
 
     @PostMapping("/{name}/sign-out")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(never = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(never = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "signOutUser",
@@ -100,7 +100,7 @@ public class UserController {
     }
 
     @GetMapping("/{name}/access-keys")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @Operation(
             operationId = "listUserAccessKeys",
             summary = "List a user's access keys",
@@ -110,7 +110,7 @@ public class UserController {
     }
 
     @DeleteMapping("/{name}/access-keys/{id}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteUserAccessKey", summary = "Remove an access key of a user, with those made from it")
     public void deleteAccessKey(@PathVariable String name, @PathVariable String id) {
@@ -118,8 +118,8 @@ public class UserController {
     }
 
     @DeleteMapping("/{name}")
-    @Access(from = From.ADMINISTRATOR, about = About.ORGANISATION)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteUser", summary = "Remove a user with sessions and keys")
     public void delete(@PathVariable String name) {

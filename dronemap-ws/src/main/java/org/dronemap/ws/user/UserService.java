@@ -8,19 +8,19 @@ import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
-import org.dronemap.ws.access.Roles;
-import org.dronemap.ws.account.Accounts;
+import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.account.PasswordHashing;
 import org.dronemap.ws.account.PasswordRule;
-import org.dronemap.ws.account.UserNames;
+import org.dronemap.ws.account.UserNameRules;
 import org.dronemap.ws.organisation.GrantChanges;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Secrets;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases of administrators around users. Any thread. */
@@ -28,16 +28,16 @@ public final class UserService {
     private static final String STATES = "active or disabled";
 
     private final AccessStore store;
-    private final Accounts accounts;
+    private final AccountChanges accounts;
     private final PasswordHashing passwords;
-    private final Secrets secrets;
+    private final SecretGenerator secrets;
     private final GrantChanges grants;
 
     /** A new user as an administrator writes it. */
     @Schema(name = "NewUser")
     public record NewUser(
             @Nullable String name,
-            @ValuesOf(Role.class) @Nullable String role,
+            @EnumValues(Role.class) @Nullable String role,
 
             @Size(min = PasswordRule.SHORTEST, max = PasswordRule.LONGEST) @Nullable
             String password) {}
@@ -45,7 +45,7 @@ public final class UserService {
     /** What shall change; null leaves it as it is. A user who waits is let in by {@code "state": "active"}. */
     @Schema(name = "UserChange")
     public record Change(
-            @ValuesOf(Role.class) @Nullable String role,
+            @EnumValues(Role.class) @Nullable String role,
 
             @Schema(allowableValues = {"active", "disabled"}) @Nullable
             String state) {}
@@ -55,7 +55,7 @@ public final class UserService {
     public record OneTimePassword(String name, String password) {}
 
     public UserService(
-            AccessStore store, Accounts accounts, PasswordHashing passwords, Secrets secrets, GrantChanges grants) {
+            AccessStore store, AccountChanges accounts, PasswordHashing passwords, SecretGenerator secrets, GrantChanges grants) {
         this.grants = grants;
         this.store = store;
         this.accounts = accounts;
@@ -64,7 +64,7 @@ public final class UserService {
     }
 
     public List<UserView> users(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return store.users().stream()
                 .filter(user -> user.organisation().equals(principal.organisation()))
                 .map(user -> UserView.of(user, grants.isOnlyGranted(user.name())))
@@ -72,9 +72,9 @@ public final class UserService {
     }
 
     public UserView add(Principal principal, NewUser request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
-        String name = UserNames.checked(request.name());
-        Role role = Roles.named(request.role());
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
+        String name = UserNameRules.checked(request.name());
+        Role role = RoleChecks.named(request.role());
         String password = PasswordRule.acceptable("password", request.password());
         User user = new User(name, role, AccountState.ACTIVE, passwords.hash(password), true, principal.organisation());
         if (!accounts.add(user, store::addUser)) {
@@ -87,13 +87,13 @@ public final class UserService {
     }
 
     public UserView change(Principal principal, String name, Change change) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         String roleName = change.role();
         String stateName = change.state();
         if (roleName == null && stateName == null) {
             throw InvalidInput.missing("role", "a role, or \"state\": " + STATES);
         }
-        Role role = roleName == null ? null : Roles.named(roleName);
+        Role role = roleName == null ? null : RoleChecks.named(roleName);
         AccountState state = stateName == null ? null : state(stateName);
         if (state == AccountState.DISABLED) {
             accounts.changeOtherAndSignOut(principal, name, user -> changed(user, role, state));
@@ -105,7 +105,7 @@ public final class UserService {
 
     /** Also ends the user's sessions; access keys stay, and can be removed one by one. */
     public OneTimePassword resetPassword(Principal principal, String name) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         String password = secrets.password();
         String hash = passwords.hash(password);
         accounts.changeOtherAndSignOut(principal, name, user -> user.withPassword(hash, true));
@@ -113,14 +113,14 @@ public final class UserService {
     }
 
     public void signOut(Principal principal, String name) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         accounts.find(principal, name);
         store.deleteOtherSignIns(name, "");
         accounts.tell(name);
     }
 
     public void delete(Principal principal, String name) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         accounts.delete(principal, name);
         grants.forgetUser(name);
     }

@@ -8,12 +8,12 @@ import java.util.stream.Collectors;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.virtual.Area;
-import org.dronemap.core.virtual.Needs;
+import org.dronemap.core.virtual.DroneRequirements;
+import org.dronemap.core.virtual.RequiredArea;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Ranges;
+import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -24,27 +24,27 @@ final class NeedsReader {
 
     private NeedsReader() {}
 
-    static Needs read(VirtualDroneRequest.@Nullable NeedsView needs) {
+    static DroneRequirements read(VirtualDroneRequest.@Nullable NeedsView needs) {
         if (needs == null) {
-            return Needs.NONE;
+            return DroneRequirements.NONE;
         }
         Integer minutes = needs.enduranceMinutes();
-        if (minutes != null && (minutes < 1 || minutes > Needs.LONGEST_ENDURANCE_MINUTES)) {
+        if (minutes != null && (minutes < 1 || minutes > DroneRequirements.LONGEST_ENDURANCE_MINUTES)) {
             throw InvalidInput.outside(
                     ValueProblem.VALUE_OUT_OF_RANGE,
                     "needs.enduranceMinutes",
-                    "1 to " + Needs.LONGEST_ENDURANCE_MINUTES + " minutes",
+                    "1 to " + DroneRequirements.LONGEST_ENDURANCE_MINUTES + " minutes",
                     minutes,
                     ProblemParameter.LEAST.is(1),
-                    ProblemParameter.MOST.is(Needs.LONGEST_ENDURANCE_MINUTES),
+                    ProblemParameter.MOST.is(DroneRequirements.LONGEST_ENDURANCE_MINUTES),
                     ProblemParameter.UNIT.is("minutes"));
         }
-        return new Needs(kind(needs.kind()), capabilities(needs.capabilities()), minutes, area(needs.area()));
+        return new DroneRequirements(kind(needs.kind()), capabilities(needs.capabilities()), minutes, area(needs.area()));
     }
 
-    static VirtualDroneRequest.NeedsView view(Needs needs) {
+    static VirtualDroneRequest.NeedsView view(DroneRequirements needs) {
         VehicleKind kind = needs.kind();
-        Area area = needs.area();
+        RequiredArea area = needs.area();
         return new VirtualDroneRequest.NeedsView(
                 kind == null ? null : WireNames.camel(kind),
                 needs.capabilities().stream().map(WireNames::camel).sorted().toList(),
@@ -70,14 +70,14 @@ final class NeedsReader {
         return capabilities;
     }
 
-    private static @Nullable Area area(VirtualDroneRequest.@Nullable AreaView area) {
+    private static @Nullable RequiredArea area(VirtualDroneRequest.@Nullable AreaView area) {
         return area == null
                 ? null
-                : new Area(
+                : new RequiredArea(
                         new Geodetic(
-                                Ranges.latitude("needs.area.latitude", area.latitude()),
-                                Ranges.longitude("needs.area.longitude", area.longitude())),
-                        Ranges.radius("needs.area.radius", area.radius()));
+                                FieldRanges.latitude("needs.area.latitude", area.latitude()),
+                                FieldRanges.longitude("needs.area.longitude", area.longitude())),
+                        FieldRanges.radius("needs.area.radius", area.radius()));
     }
 
     private static <E extends Enum<E>> E named(String field, String name, E[] all, String allowed) {

@@ -5,10 +5,10 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
@@ -44,7 +44,7 @@ public class VirtualDroneController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(
             operationId = "listVirtualDrones",
             summary = "List your virtual drones",
@@ -54,15 +54,15 @@ public class VirtualDroneController {
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(operationId = "getVirtualDrone", summary = "Look at one virtual drone")
     public VirtualDroneView one(@PathVariable String id) {
         return virtuals.one(current.principal(), id);
     }
 
     @PostMapping
-    @Access(from = From.PLANNER, about = About.SHARED)
-    @Answers(201)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
+    @ResponseStatuses(201)
     @Operation(
             operationId = "addVirtualDrone",
             summary = "Make a virtual drone (planner)",
@@ -74,7 +74,7 @@ public class VirtualDroneController {
     }
 
     @PutMapping("/{id}")
-    @Access(from = From.PLANNER, about = About.SHARED)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
     @Operation(
             operationId = "replaceVirtualDrone",
             summary = "Name it, say what it needs, plan its mission (planner)",
@@ -84,8 +84,8 @@ public class VirtualDroneController {
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.PLANNER, about = About.SHARED)
-    @Answers(refuses = 409)
+    @Access(from = AccessLevel.PLANNER, about = ResourceScope.SHARED)
+    @ResponseStatuses(refuses = 409)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "removeVirtualDrone",
@@ -96,7 +96,7 @@ public class VirtualDroneController {
     }
 
     @PostMapping("/{id}/start")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
             operationId = "startVirtualDrone",
@@ -109,7 +109,7 @@ public class VirtualDroneController {
     }
 
     @PostMapping("/{id}/stop")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
             operationId = "stopVirtualDrone",
@@ -120,7 +120,7 @@ public class VirtualDroneController {
     }
 
     @PostMapping("/{id}/resume")
-    @Access(from = From.OPERATOR, about = About.SHARED)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.SHARED)
     @ResponseStatus(HttpStatus.ACCEPTED)
     @Operation(
             operationId = "resumeVirtualDrone",

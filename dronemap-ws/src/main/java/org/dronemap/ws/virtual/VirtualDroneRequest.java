@@ -7,10 +7,10 @@ import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.VehicleKind;
-import org.dronemap.core.virtual.Needs;
+import org.dronemap.core.virtual.DroneRequirements;
 import org.dronemap.ws.mission.MissionItemRequest;
-import org.dronemap.ws.reading.Ranges;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
 /** A virtual drone as its owner writes it. */
@@ -29,15 +29,15 @@ public record VirtualDroneRequest(
     /** What a drone must be to serve. */
     @Schema(name = "VirtualDroneNeedsView", description = "What a drone must be to serve.")
     public record NeedsView(
-            @Schema(description = "null: any") @ValuesOf(VehicleKind.class) @Nullable
+            @Schema(description = "null: any") @EnumValues(VehicleKind.class) @Nullable
             String kind,
 
-            @Schema(description = "names of actions") @ValuesOf(Capability.class) @Nullable
+            @Schema(description = "names of actions") @EnumValues(Capability.class) @Nullable
             List<@Nullable String> capabilities,
 
             @Schema(description = "minutes in the air with what is in its battery; null: what the mission takes")
             @Min(1)
-            @Max(Needs.LONGEST_ENDURANCE_MINUTES)
+            @Max(DroneRequirements.LONGEST_ENDURANCE_MINUTES)
             @Nullable
             Integer enduranceMinutes,
 
@@ -47,13 +47,13 @@ public record VirtualDroneRequest(
     /** A circle. */
     @Schema(name = "VirtualDroneAreaView")
     public record AreaView(
-            @Schema(description = "degrees") @Min(-Ranges.LATITUDE) @Max(Ranges.LATITUDE) @Nullable
+            @Schema(description = "degrees") @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
             Double latitude,
 
-            @Schema(description = "degrees") @Min(-Ranges.LONGITUDE) @Max(Ranges.LONGITUDE) @Nullable
+            @Schema(description = "degrees") @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
             Double longitude,
 
-            @Schema(description = "metres, 1 to 100000") @Min(Ranges.LEAST_RADIUS) @Max(Ranges.MOST_RADIUS) @Nullable
+            @Schema(description = "metres, 1 to 100000") @Min(FieldRanges.LEAST_RADIUS) @Max(FieldRanges.MOST_RADIUS) @Nullable
             Double radius) {}
 
     /** How a mission is started. */

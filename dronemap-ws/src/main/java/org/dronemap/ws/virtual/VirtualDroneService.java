@@ -8,27 +8,27 @@ import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.virtual.Needs;
-import org.dronemap.core.virtual.Tour;
+import org.dronemap.core.virtual.DroneRequirements;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.core.virtual.VirtualTour;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.mission.MissionReader;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ObjectionProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.Names;
-import org.dronemap.ws.virtual.VirtualDroneViews.VirtualAction;
+import org.dronemap.ws.reading.NameRules;
+import org.dronemap.ws.virtual.VirtualDroneViewMapper.VirtualAction;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around virtual drones: make, plan, start, stop. Each belongs to who made it; supervisors see all. Any thread. */
@@ -40,11 +40,11 @@ public final class VirtualDroneService {
     private static final String CLOUD_LOSS = "continue or rtl";
 
     private final VirtualDrones virtuals;
-    private final VirtualDroneViews views;
+    private final VirtualDroneViewMapper views;
     private final Clock clock;
     private final RandomGenerator random;
 
-    public VirtualDroneService(VirtualDrones virtuals, VirtualDroneViews views, Time time) {
+    public VirtualDroneService(VirtualDrones virtuals, VirtualDroneViewMapper views, Time time) {
         this.virtuals = virtuals;
         this.views = views;
         this.clock = time.clock();
@@ -60,7 +60,7 @@ public final class VirtualDroneService {
     }
 
     public List<VirtualDroneView> all(Principal principal) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         return virtuals.all().stream()
                 .filter(drone -> isShownTo(principal, drone))
                 .map(drone -> views.view(drone, principal))
@@ -68,7 +68,7 @@ public final class VirtualDroneService {
     }
 
     public VirtualDroneView one(Principal principal, String id) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         return views.view(find(principal, id), principal);
     }
 
@@ -106,14 +106,14 @@ public final class VirtualDroneService {
     public VirtualDroneView replace(Principal principal, String id, VirtualDroneRequest request) {
         VirtualDroneId known = allowed(principal, id, VirtualAction.PLAN);
         String name = name(request);
-        Needs needs = NeedsReader.read(request.needs());
+        DroneRequirements needs = NeedsReader.read(request.needs());
         Mission mission = mission(request.items());
         return views.view(
                 conducted(known, () -> virtuals.edit(known, now -> now.with(name, needs, mission))), principal);
     }
 
     public VirtualDroneView start(Principal principal, String id, VirtualDroneRequest.@Nullable StartRequest request) {
-        CloudLoss onCloudLoss = onCloudLoss(request == null ? null : request.onCloudLoss());
+        MissionCloudLossPolicy onCloudLoss = onCloudLoss(request == null ? null : request.onCloudLoss());
         VirtualDroneId known = allowed(principal, id, VirtualAction.START);
         return views.view(conducted(known, () -> virtuals.launch(known, onCloudLoss)), principal);
     }
@@ -146,7 +146,7 @@ public final class VirtualDroneService {
     }
 
     private static void requireVirtually(Principal principal, Role needed) {
-        Roles.require(principal, needed);
+        RoleChecks.require(principal, needed);
         if (!principal.mayVirtually(needed)) {
             throw notVirtually(principal);
         }
@@ -171,7 +171,7 @@ public final class VirtualDroneService {
         return parse(id)
                 .flatMap(virtuals::find)
                 .filter(drone -> isShownTo(principal, drone))
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.VIRTUAL_DRONE, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.VIRTUAL_DRONE, id));
     }
 
     private static Optional<VirtualDroneId> parse(String id) {
@@ -183,7 +183,7 @@ public final class VirtualDroneService {
     }
 
     private static String name(VirtualDroneRequest request) {
-        return Names.checked("name", request.name(), LONGEST_NAME);
+        return NameRules.checked("name", request.name(), LONGEST_NAME);
     }
 
     private static @Nullable Mission mission(@Nullable List<MissionItemRequest> items) {
@@ -191,7 +191,7 @@ public final class VirtualDroneService {
             return null;
         }
         Mission mission = MissionReader.read(items);
-        Tour.fault(mission).ifPresent(fault -> {
+        VirtualTour.fault(mission).ifPresent(fault -> {
             throw new InvalidInput(
                     ValueProblem.MISSION_UNUSABLE,
                     "items",
@@ -201,10 +201,10 @@ public final class VirtualDroneService {
         return mission;
     }
 
-    private static CloudLoss onCloudLoss(@Nullable String name) {
+    private static MissionCloudLossPolicy onCloudLoss(@Nullable String name) {
         return switch (name == null ? "continue" : name) {
-            case "continue" -> CloudLoss.CONTINUE;
-            case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
+            case "continue" -> MissionCloudLossPolicy.CONTINUE;
+            case "rtl" -> MissionCloudLossPolicy.RETURN_TO_LAUNCH;
             default ->
                 throw InvalidInput.outside(
                         ValueProblem.VALUE_NOT_ALLOWED, "onCloudLoss", CLOUD_LOSS, "\"" + name + "\"");

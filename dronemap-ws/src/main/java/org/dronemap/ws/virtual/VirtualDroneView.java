@@ -7,10 +7,10 @@ import java.util.Map;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.VehicleKind;
-import org.dronemap.core.virtual.Stage;
+import org.dronemap.core.virtual.VirtualRunStage;
 import org.dronemap.ws.drone.DroneView;
 import org.dronemap.ws.mission.MissionItemView;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.run.RunView;
 import org.jspecify.annotations.Nullable;
 
@@ -37,7 +37,7 @@ public record VirtualDroneView(
     /** A mission from being asked for to its end. */
     @Schema(name = "VirtualDroneRunView", description = "A mission from being asked for to its end.")
     public record RunView(
-            @ValuesOf(Stage.class) String state,
+            @EnumValues(VirtualRunStage.class) String state,
 
             @Schema(description = "How it is, for people") String sentence,
 
@@ -84,10 +84,10 @@ public record VirtualDroneView(
     /** How the drone is that serves it. */
     @Schema(name = "VirtualDroneLiveView")
     public record LiveView(
-            @ValuesOf(LinkState.class) String link,
-            @ValuesOf(VehicleKind.class) String kind,
+            @EnumValues(LinkState.class) String link,
+            @EnumValues(VehicleKind.class) String kind,
             @Nullable Boolean armed,
-            @ValuesOf(FlightPhase.class) @Nullable String flight,
+            @EnumValues(FlightPhase.class) @Nullable String flight,
             DroneView.@Nullable PositionView position,
             DroneView.@Nullable MotionView motion,
             @Schema(description = "per cent") @Nullable Integer battery) {}

@@ -2,9 +2,9 @@ package org.dronemap.ws.virtual;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.From;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.web.bind.annotation.DeleteMapping;
@@ -32,7 +32,7 @@ public class WarehouseController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.DRONE)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @Operation(
             operationId = "listWarehouse",
             summary = "List the drones of the warehouse",
@@ -42,7 +42,7 @@ public class WarehouseController {
     }
 
     @GetMapping("/{id}/prospects")
-    @Access(from = From.OPERATOR, about = About.DRONE)
+    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE)
     @Operation(
             operationId = "getProspects",
             summary = "What would follow if a drone were put into the warehouse (operator)",
@@ -54,14 +54,14 @@ public class WarehouseController {
     }
 
     @PutMapping("/{id}")
-    @Access(from = From.SUPERVISOR, about = About.DRONE)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.DRONE)
     @Operation(operationId = "putIntoWarehouse", summary = "Let a drone serve virtual ones (supervisor)")
     public WarehouseService.WarehouseView put(@PathVariable String id) {
         return warehouse.put(current.principal(), id);
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.SUPERVISOR, about = About.DRONE)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.DRONE)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             operationId = "takeFromWarehouse",

@@ -6,13 +6,13 @@ import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.OutcomeCode;
-import org.dronemap.core.conduct.Prospect;
+import org.dronemap.core.conduct.VirtualDroneMatch;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.virtual.Against;
-import org.dronemap.core.virtual.Run;
 import org.dronemap.core.virtual.VirtualDrone;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.CommandProblem;
@@ -36,7 +36,7 @@ public final class WarehouseService {
 
     /** Those that the asker may see. */
     public WarehouseView warehouse(Principal principal) {
-        Roles.require(principal, Role.VIEWER);
+        RoleChecks.require(principal, Role.VIEWER);
         return new WarehouseView(virtuals.warehouse().stream()
                 .flatMap(id -> drones.find(principal, id.value()).stream())
                 .map(drone -> new VirtualDroneView.DroneName(drone.id().value(), drone.name()))
@@ -74,10 +74,10 @@ public final class WarehouseService {
         return new ProspectsView(virtuals.warehouse().contains(drone.id()), waiting);
     }
 
-    private static ProspectView view(Principal principal, Prospect prospect) {
+    private static ProspectView view(Principal principal, VirtualDroneMatch prospect) {
         VirtualDrone waiting = prospect.waiting();
         boolean shown = VirtualDroneService.isShownTo(principal, waiting);
-        Run run = waiting.run();
+        VirtualRun run = waiting.run();
         return new ProspectView(
                 shown ? waiting.name() : null,
                 shown ? waiting.owner() : null,

@@ -1,7 +1,7 @@
 package org.dronemap.ws.wiring;
 
+import org.dronemap.ws.access.HandlerMatchInterceptor;
 import org.dronemap.ws.access.RestOperations;
-import org.dronemap.ws.access.SameHandler;
 import org.springframework.beans.factory.ObjectProvider;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -22,7 +22,7 @@ public class AccessConfiguration {
         return new WebMvcConfigurer() {
             @Override
             public void addInterceptors(InterceptorRegistry registry) {
-                registry.addInterceptor(new SameHandler(operations));
+                registry.addInterceptor(new HandlerMatchInterceptor(operations));
             }
         };
     }

@@ -2,19 +2,19 @@ package org.dronemap.ws.wiring;
 
 import java.util.List;
 import java.util.Map;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.door.PhoneDoor;
-import org.dronemap.ws.process.ThisProcess;
-import org.dronemap.ws.server.Closing;
+import org.dronemap.ws.door.PhoneTrustServer;
+import org.dronemap.ws.process.ProcessLifecycle;
+import org.dronemap.ws.server.BuildVersion;
 import org.dronemap.ws.server.DatabaseBuilder;
-import org.dronemap.ws.server.House;
-import org.dronemap.ws.server.HouseBuilder;
-import org.dronemap.ws.server.OwnerTasks;
+import org.dronemap.ws.server.MaintenanceTasks;
+import org.dronemap.ws.server.ServerBuilder;
+import org.dronemap.ws.server.ServerComponents;
+import org.dronemap.ws.server.ShutdownSequence;
 import org.dronemap.ws.server.StartFailure;
-import org.dronemap.ws.server.Version;
-import org.dronemap.ws.setting.Variables;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.setting.EnvironmentVariables;
+import org.dronemap.ws.settings.ServerSettings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ConfigurableApplicationContext;
@@ -31,11 +31,11 @@ public final class Dronemap {
 
     /** The exit code; returns when the server was stopped. */
     private static int run(String[] arguments, Map<String, String> environment) {
-        Closing closing = new Closing();
+        ShutdownSequence closing = new ShutdownSequence();
         try {
-            Settings settings = Settings.fromEnvironment(environment);
+            ServerSettings settings = ServerSettings.fromEnvironment(environment);
             if (arguments.length > 0) {
-                int code = new OwnerTasks(settings, closing, new SystemTime()).run(List.of(arguments));
+                int code = new MaintenanceTasks(settings, closing, new RealTime()).run(List.of(arguments));
                 closing.close();
                 return code;
             }
@@ -48,37 +48,37 @@ public final class Dronemap {
         return waitForTheEnd(closing);
     }
 
-    private static void start(Settings settings, Map<String, String> environment, Closing closing) {
-        Time time = new SystemTime();
+    private static void start(ServerSettings settings, Map<String, String> environment, ShutdownSequence closing) {
+        Time time = new RealTime();
         String lastExit = environment.getOrDefault("DRONEMAP_LAST_EXIT", "");
-        ThisProcess process = ThisProcess.begin(settings.dataDirectory(), lastExit, time);
+        ProcessLifecycle process = ProcessLifecycle.begin(settings.dataDirectory(), lastExit, time);
         closing.add("the mark of a process that runs", process);
-        HouseBuilder builder = new HouseBuilder(settings, closing, time, process.beginning());
+        ServerBuilder builder = new ServerBuilder(settings, closing, time, process.beginning());
         closing.add("the check of itself", process.lookAfter(builder.lanes()));
-        House house = builder.open(new DatabaseBuilder(settings).open(closing));
+        ServerComponents house = builder.open(new DatabaseBuilder(settings).open(closing));
         builder.hear();
-        ConfigurableApplicationContext faces = FacesServer.start(settings, new Variables(environment), house);
+        ConfigurableApplicationContext faces = FacesServer.start(settings, new EnvironmentVariables(environment), house);
         closing.add("the faces", faces);
         builder.serve();
         openPhoneDoor(settings, closing);
         String scheme = settings.tls() == null ? "http" : "https";
         LOG.info(
                 "Dronemap {} is ready at {}://{}:{}",
-                Version.current(),
+                BuildVersion.current(),
                 scheme,
                 settings.bindAddress(),
                 faces.getEnvironment().getProperty("local.server.port"));
     }
 
-    private static void openPhoneDoor(Settings settings, Closing closing) {
-        PhoneDoor.Place place = PhoneDoors.of(settings);
+    private static void openPhoneDoor(ServerSettings settings, ShutdownSequence closing) {
+        PhoneTrustServer.Configuration place = PhoneTrustStarter.of(settings);
         if (place != null) {
-            closing.add("the door for phones", PhoneDoors.open(place));
-            LOG.info("Phones learn to trust this server at {}", PhoneDoors.url(place));
+            closing.add("the door for phones", PhoneTrustStarter.open(place));
+            LOG.info("Phones learn to trust this server at {}", PhoneTrustStarter.url(place));
         }
     }
 
-    private static int waitForTheEnd(Closing closing) {
+    private static int waitForTheEnd(ShutdownSequence closing) {
         Thread hook = new Thread(
                 () -> {
                     LOG.info("Stopping");

@@ -2,9 +2,9 @@ package org.dronemap.ws.wiring;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.dronemap.ws.server.House;
-import org.dronemap.ws.setting.Variables;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.server.ServerComponents;
+import org.dronemap.ws.setting.EnvironmentVariables;
+import org.dronemap.ws.settings.ServerSettings;
 import org.springframework.boot.Banner;
 import org.springframework.boot.SpringApplication;
 import org.springframework.boot.builder.SpringApplicationBuilder;
@@ -18,12 +18,12 @@ public final class FacesServer {
     private FacesServer() {}
 
     /** With nothing set that use cases read for themselves. */
-    public static ConfigurableApplicationContext start(Settings settings, House house) {
-        return start(settings, new Variables(Map.of()), house);
+    public static ConfigurableApplicationContext start(ServerSettings settings, ServerComponents house) {
+        return start(settings, new EnvironmentVariables(Map.of()), house);
     }
 
     /** {@code variables}: what use cases read for themselves. */
-    static ConfigurableApplicationContext start(Settings settings, Variables variables, House house) {
+    static ConfigurableApplicationContext start(ServerSettings settings, EnvironmentVariables variables, ServerComponents house) {
         SpringApplication application = new SpringApplicationBuilder(FacesApplication.class)
                 .bannerMode(Banner.Mode.OFF)
                 .logStartupInfo(false)
@@ -31,20 +31,20 @@ public final class FacesServer {
                 .properties(properties(settings))
                 .initializers(context -> {
                     if (context instanceof GenericApplicationContext generic) {
-                        generic.registerBean(Settings.class, () -> settings);
-                        generic.registerBean(Variables.class, () -> variables);
-                        generic.registerBean(House.class, () -> house);
+                        generic.registerBean(ServerSettings.class, () -> settings);
+                        generic.registerBean(EnvironmentVariables.class, () -> variables);
+                        generic.registerBean(ServerComponents.class, () -> house);
                     }
                 })
                 .build();
         return application.run();
     }
 
-    private static Map<String, Object> properties(Settings settings) {
+    private static Map<String, Object> properties(ServerSettings settings) {
         Map<String, Object> properties = new LinkedHashMap<>();
         properties.put("server.address", settings.bindAddress());
         properties.put("server.port", settings.httpPort());
-        Settings.Tls tls = settings.tls();
+        ServerSettings.Tls tls = settings.tls();
         if (tls != null) {
             properties.put(
                     "spring.ssl.bundle.pem." + TLS_BUNDLE + ".keystore.certificate", "file:" + tls.certificate());

@@ -3,9 +3,9 @@ package org.dronemap.ws.wiring;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.follow.AccountRights;
 import org.dronemap.ws.follow.FollowController;
-import org.dronemap.ws.follow.FollowReliefs;
+import org.dronemap.ws.follow.FollowReliefScheduler;
 import org.dronemap.ws.follow.FollowService;
-import org.dronemap.ws.server.House;
+import org.dronemap.ws.server.ServerComponents;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
@@ -15,13 +15,13 @@ import org.springframework.context.annotation.Import;
 @Import(FollowController.class)
 public class FollowConfiguration {
     @Bean
-    FollowService followService(House house, Time time) {
+    FollowService followService(ServerComponents house, Time time) {
         return new FollowService(conduct(house), house.virtuals()::warehouse, time);
     }
 
     @Bean
-    FollowReliefs followReliefs(House house, Time time) {
-        FollowReliefs reliefs = new FollowReliefs(
+    FollowReliefScheduler followReliefs(ServerComponents house, Time time) {
+        FollowReliefScheduler reliefs = new FollowReliefScheduler(
                 conduct(house),
                 house.virtuals()::warehouse,
                 new AccountRights(house.access(), house.grantBook(), time),
@@ -30,7 +30,7 @@ public class FollowConfiguration {
         return reliefs;
     }
 
-    private static FollowService.Conduct conduct(House house) {
-        return new FollowService.Conduct(house.runs().operations(), house.runs().follows(), house.cloud());
+    private static FollowService.OperationContext conduct(ServerComponents house) {
+        return new FollowService.OperationContext(house.runs().operations(), house.runs().follows(), house.cloud());
     }
 }

@@ -3,12 +3,12 @@ package org.dronemap.ws.wiring;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import org.apache.catalina.connector.Connector;
-import org.dronemap.ws.door.OriginalAddresses;
+import org.dronemap.ws.door.OriginalAddressFilter;
+import org.dronemap.ws.guard.BoundedHttpProtocol;
 import org.dronemap.ws.guard.ClientLimits;
-import org.dronemap.ws.guard.PatientProtocol;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.setting.SetupException;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.settings.ServerSettings;
 import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
 import org.springframework.boot.web.server.WebServerFactoryCustomizer;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
@@ -20,18 +20,18 @@ import org.springframework.core.Ordered;
 @Configuration(proxyBeanMethods = false)
 public class OriginalAddressConfiguration {
     @Bean
-    WebServerFactoryCustomizer<TomcatServletWebServerFactory> originalPorts(Settings settings) {
+    WebServerFactoryCustomizer<TomcatServletWebServerFactory> originalPorts(ServerSettings settings) {
         return factory -> {
             if (settings.originalAddresses()) {
-                OriginalAddresses.ports().forEach(port -> factory.addAdditionalConnectors(connector(port, settings)));
+                OriginalAddressFilter.ports().forEach(port -> factory.addAdditionalConnectors(connector(port, settings)));
             }
         };
     }
 
     /** With the bounds of the server's own port. */
-    private static Connector connector(int port, Settings settings) {
+    private static Connector connector(int port, ServerSettings settings) {
         ClientLimits limits = settings.protection().clients();
-        PatientProtocol protocol = new PatientProtocol();
+        BoundedHttpProtocol protocol = new BoundedHttpProtocol();
         protocol.limits(limits);
         protocol.setConnectionTimeout((int) limits.patience().toMillis());
         try {
@@ -47,9 +47,9 @@ public class OriginalAddressConfiguration {
 
     /** The first: all others see the address that is meant. */
     @Bean
-    FilterRegistrationBean<OriginalAddresses> originalAddresses(ProblemWriter problems, Settings settings) {
-        FilterRegistrationBean<OriginalAddresses> registration =
-                new FilterRegistrationBean<>(new OriginalAddresses(problems));
+    FilterRegistrationBean<OriginalAddressFilter> originalAddresses(ProblemWriter problems, ServerSettings settings) {
+        FilterRegistrationBean<OriginalAddressFilter> registration =
+                new FilterRegistrationBean<>(new OriginalAddressFilter(problems));
         registration.setEnabled(settings.originalAddresses());
         registration.setOrder(Ordered.HIGHEST_PRECEDENCE);
         registration.addUrlPatterns("/*");

@@ -4,11 +4,11 @@ import org.dronemap.core.time.Time;
 import org.dronemap.ws.command.CommandService;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.plan.PlanController;
-import org.dronemap.ws.plan.PlanDesk;
+import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.plan.PlanService;
 import org.dronemap.ws.plan.TourController;
 import org.dronemap.ws.plan.TourService;
-import org.dronemap.ws.server.House;
+import org.dronemap.ws.server.ServerComponents;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
@@ -18,17 +18,17 @@ import org.springframework.context.annotation.Import;
 @Import({PlanController.class, TourController.class})
 public class PlanConfiguration {
     @Bean(destroyMethod = "close")
-    PlanDesk planDesk(Time time) {
-        return new PlanDesk(PlanDesk.Bounds.of(time.parallelism()), time);
+    PlanJobExecutor planDesk(Time time) {
+        return new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
     }
 
     @Bean
-    PlanService planService(House house, PlanDesk desk, DroneService drones, CommandService commands, Time time) {
+    PlanService planService(ServerComponents house, PlanJobExecutor desk, DroneService drones, CommandService commands, Time time) {
         return new PlanService(desk, drones, commands, house.cloud().zones(), time);
     }
 
     @Bean(destroyMethod = "close")
-    TourService tourService(House house, DroneService drones, Time time) {
+    TourService tourService(ServerComponents house, DroneService drones, Time time) {
         return new TourService(drones, house.cloud().zones(), time);
     }
 }

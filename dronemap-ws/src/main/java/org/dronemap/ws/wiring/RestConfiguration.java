@@ -3,8 +3,8 @@ package org.dronemap.ws.wiring;
 import com.fasterxml.jackson.annotation.Nulls;
 import io.swagger.v3.oas.models.OpenAPI;
 import java.util.Map;
-import org.dronemap.core.audit.AuditDesk;
-import org.dronemap.proxy.endpoint.WebSocketDoor;
+import org.dronemap.core.audit.AuditRecorder;
+import org.dronemap.proxy.endpoint.BoundedWebSocketFactory;
 import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.audit.AuditController;
 import org.dronemap.ws.budget.Budgets;
@@ -12,37 +12,37 @@ import org.dronemap.ws.command.BroadcastController;
 import org.dronemap.ws.command.CommandController;
 import org.dronemap.ws.control.ControlController;
 import org.dronemap.ws.drone.DroneController;
-import org.dronemap.ws.drone.LeftBehindController;
 import org.dronemap.ws.drone.SensingController;
-import org.dronemap.ws.enrol.WaitingController;
+import org.dronemap.ws.drone.UnrestoredParameterController;
+import org.dronemap.ws.enrol.EnrolmentController;
 import org.dronemap.ws.fence.FenceController;
 import org.dronemap.ws.guard.BodyLimitFilter;
+import org.dronemap.ws.guard.BoundedHttpProtocol;
+import org.dronemap.ws.guard.CanonicalUriFilter;
 import org.dronemap.ws.guard.ClientLimits;
-import org.dronemap.ws.guard.CrowdFilter;
-import org.dronemap.ws.guard.PatientProtocol;
-import org.dronemap.ws.guard.PlainAddressFilter;
+import org.dronemap.ws.guard.HostConcurrencyFilter;
 import org.dronemap.ws.history.FlightController;
 import org.dronemap.ws.history.TelemetryController;
 import org.dronemap.ws.http.AccessLogFilter;
+import org.dronemap.ws.http.AuditBodyAdvice;
 import org.dronemap.ws.http.AuditFilter;
-import org.dronemap.ws.http.AuditedBodies;
-import org.dronemap.ws.http.ErrorAnswer;
+import org.dronemap.ws.http.FallbackErrorController;
 import org.dronemap.ws.http.ProblemAdvice;
 import org.dronemap.ws.http.SecurityHeadersFilter;
 import org.dronemap.ws.http.WebClientPages;
 import org.dronemap.ws.key.AccessKeyController;
 import org.dronemap.ws.link.LinkController;
 import org.dronemap.ws.link.LinkSecurityController;
-import org.dronemap.ws.log.LogController;
+import org.dronemap.ws.log.OnboardLogController;
 import org.dronemap.ws.mission.MissionController;
-import org.dronemap.ws.openapi.ApiDescription;
-import org.dronemap.ws.openapi.DescribedAlternatives;
-import org.dronemap.ws.openapi.DescribedFiles;
-import org.dronemap.ws.openapi.DescribedNulls;
-import org.dronemap.ws.openapi.DescribedPurposes;
-import org.dronemap.ws.openapi.DescribedRecords;
-import org.dronemap.ws.openapi.DescribedSoapNames;
-import org.dronemap.ws.openapi.DescribedStatuses;
+import org.dronemap.ws.openapi.AlternativesSchemaCustomizer;
+import org.dronemap.ws.openapi.CommandPurposeCustomizer;
+import org.dronemap.ws.openapi.FileContentCustomizer;
+import org.dronemap.ws.openapi.NullabilityCustomizer;
+import org.dronemap.ws.openapi.OpenApiMetadata;
+import org.dronemap.ws.openapi.RecordSchemaRegistry;
+import org.dronemap.ws.openapi.SoapNameCustomizer;
+import org.dronemap.ws.openapi.StatusCustomizer;
 import org.dronemap.ws.openapi.StreamDescriptionHandler;
 import org.dronemap.ws.organisation.GrantController;
 import org.dronemap.ws.organisation.GroupController;
@@ -56,10 +56,10 @@ import org.dronemap.ws.robotkey.RobotKeyController;
 import org.dronemap.ws.security.AccessFilter;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
-import org.dronemap.ws.security.RefusedByTomcat;
-import org.dronemap.ws.server.Version;
-import org.dronemap.ws.settings.Settings;
-import org.dronemap.ws.stream.StreamCrowd;
+import org.dronemap.ws.security.TomcatErrorValve;
+import org.dronemap.ws.server.BuildVersion;
+import org.dronemap.ws.settings.ServerSettings;
+import org.dronemap.ws.stream.StreamClientRegistry;
 import org.dronemap.ws.stream.description.StreamDescription;
 import org.dronemap.ws.system.BackupController;
 import org.dronemap.ws.system.MetricsController;
@@ -91,7 +91,7 @@ import tools.jackson.databind.DeserializationFeature;
     SessionController.class,
     AccessKeyController.class,
     AuditController.class,
-    AuditedBodies.class,
+    AuditBodyAdvice.class,
     UserController.class,
     OidcController.class,
     RegistrationController.class,
@@ -105,7 +105,7 @@ import tools.jackson.databind.DeserializationFeature;
     ControlController.class,
     FenceController.class,
     FlightController.class,
-    LogController.class,
+    OnboardLogController.class,
     MissionController.class,
     ParameterController.class,
     BackupController.class,
@@ -119,18 +119,18 @@ import tools.jackson.databind.DeserializationFeature;
     SensingController.class,
     SystemController.class,
     TelemetryController.class,
-    WaitingController.class,
-    LeftBehindController.class,
+    EnrolmentController.class,
+    UnrestoredParameterController.class,
     ZoneController.class,
     StreamTicketController.class,
     ProblemAdvice.class,
-    ErrorAnswer.class
+    FallbackErrorController.class
 })
 public class RestConfiguration {
     /** One for the process, as what reads records for descriptions is: a second server would take it from the first. */
-    private static final DescribedRecords RECORDS = new DescribedRecords();
+    private static final RecordSchemaRegistry RECORDS = new RecordSchemaRegistry();
 
-    private static final DescribedAlternatives ALTERNATIVES = new DescribedAlternatives(RECORDS);
+    private static final AlternativesSchemaCustomizer ALTERNATIVES = new AlternativesSchemaCustomizer(RECORDS);
 
     private static final int KEEP_ALIVE_MILLIS = 30_000;
 
@@ -149,7 +149,7 @@ public class RestConfiguration {
     @Bean
     WebServerFactoryCustomizer<ConfigurableTomcatWebServerFactory> refusedByTomcat(JsonReader json) {
         return factory -> factory.addContextCustomizers(
-                context -> context.getParent().getPipeline().addValve(new RefusedByTomcat(json)));
+                context -> context.getParent().getPipeline().addValve(new TomcatErrorValve(json)));
     }
 
     @Bean
@@ -158,45 +158,45 @@ public class RestConfiguration {
     }
 
     @Bean
-    FilterRegistrationBean<OncePerRequestFilter> securityHeaders(Settings settings, StreamPort stream) {
+    FilterRegistrationBean<OncePerRequestFilter> securityHeaders(ServerSettings settings, StreamPort stream) {
         return first(new SecurityHeadersFilter(stream.number(), settings.tileAddress()), 1);
     }
 
     /** Before all that turn requests away. */
     @Bean
-    FilterRegistrationBean<OncePerRequestFilter> audit(AuditDesk desk, RestOperations operations) {
+    FilterRegistrationBean<OncePerRequestFilter> audit(AuditRecorder desk, RestOperations operations) {
         return first(new AuditFilter(desk, operations), 2);
     }
 
     @Bean
-    CrowdFilter crowdFilter(ProblemWriter problems, Settings settings) {
-        return new CrowdFilter(problems, settings.protection().clients());
+    HostConcurrencyFilter crowdFilter(ProblemWriter problems, ServerSettings settings) {
+        return new HostConcurrencyFilter(problems, settings.protection().clients());
     }
 
     @Bean
-    Protections protections(Budgets budgets, CrowdFilter crowd, WebSocketDoor streamDoor, StreamCrowd streamCrowd) {
-        return new Protections(budgets, crowd, streamDoor, streamCrowd);
+    ProtectionCounters protections(Budgets budgets, HostConcurrencyFilter crowd, BoundedWebSocketFactory streamDoor, StreamClientRegistry streamCrowd) {
+        return new ProtectionCounters(budgets, crowd, streamDoor, streamCrowd);
     }
 
     @Bean
-    FilterRegistrationBean<OncePerRequestFilter> crowd(CrowdFilter filter) {
+    FilterRegistrationBean<OncePerRequestFilter> crowd(HostConcurrencyFilter filter) {
         return first(filter, 3);
     }
 
     @Bean
-    FilterRegistrationBean<OncePerRequestFilter> bodyLimit(ProblemWriter problems, Settings settings) {
+    FilterRegistrationBean<OncePerRequestFilter> bodyLimit(ProblemWriter problems, ServerSettings settings) {
         return first(new BodyLimitFilter(problems, settings.protection().clients()), 4);
     }
 
     /** The web server's own patience begins anew with each byte. */
     @Bean
     WebServerFactoryCustomizer<TomcatServletWebServerFactory> patientServer(
-            Settings settings, Protections protections) {
+            ServerSettings settings, ProtectionCounters protections) {
         ClientLimits limits = settings.protection().clients();
         return factory -> {
-            factory.setProtocol(PatientProtocol.class.getName());
+            factory.setProtocol(BoundedHttpProtocol.class.getName());
             factory.addConnectorCustomizers(connector -> {
-                if (connector.getProtocolHandler() instanceof PatientProtocol patient) {
+                if (connector.getProtocolHandler() instanceof BoundedHttpProtocol patient) {
                     patient.limits(limits);
                     protections.web(patient);
                     patient.setConnectionTimeout((int) limits.patience().toMillis());
@@ -209,7 +209,7 @@ public class RestConfiguration {
     /** Within the bounds of time and length, and before it is judged who may go there. */
     @Bean
     FilterRegistrationBean<OncePerRequestFilter> plainAddress(ProblemWriter problems) {
-        return first(new PlainAddressFilter(problems), 5);
+        return first(new CanonicalUriFilter(problems), 5);
     }
 
     @Bean
@@ -233,42 +233,42 @@ public class RestConfiguration {
 
     @Bean
     OpenAPI apiDescription() {
-        return ApiDescription.of(Version.current());
+        return OpenApiMetadata.of(BuildVersion.current());
     }
 
     @Bean
-    DescribedRecords describedRecords() {
+    RecordSchemaRegistry describedRecords() {
         return RECORDS;
     }
 
     @Bean
-    DescribedAlternatives describedAlternatives() {
+    AlternativesSchemaCustomizer describedAlternatives() {
         return ALTERNATIVES;
     }
 
     @Bean
-    DescribedStatuses describedStatuses() {
-        return new DescribedStatuses();
+    StatusCustomizer describedStatuses() {
+        return new StatusCustomizer();
     }
 
     @Bean
-    DescribedFiles describedFiles() {
-        return new DescribedFiles();
+    FileContentCustomizer describedFiles() {
+        return new FileContentCustomizer();
     }
 
     @Bean
-    DescribedSoapNames describedSoapNames() {
-        return new DescribedSoapNames();
+    SoapNameCustomizer describedSoapNames() {
+        return new SoapNameCustomizer();
     }
 
     @Bean
-    DescribedPurposes describedPurposes() {
-        return new DescribedPurposes();
+    CommandPurposeCustomizer describedPurposes() {
+        return new CommandPurposeCustomizer();
     }
 
     @Bean
-    DescribedNulls describedNulls(DescribedRecords records) {
-        return new DescribedNulls(records);
+    NullabilityCustomizer describedNulls(RecordSchemaRegistry records) {
+        return new NullabilityCustomizer(records);
     }
 
     private static FilterRegistrationBean<OncePerRequestFilter> first(OncePerRequestFilter filter, int place) {

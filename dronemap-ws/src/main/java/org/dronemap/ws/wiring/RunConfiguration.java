@@ -7,9 +7,9 @@ import org.dronemap.ws.plan.PlanService;
 import org.dronemap.ws.run.RunController;
 import org.dronemap.ws.run.RunJournalService;
 import org.dronemap.ws.run.RunService;
-import org.dronemap.ws.run.RunZones;
-import org.dronemap.ws.server.House;
-import org.dronemap.ws.server.Rounds;
+import org.dronemap.ws.run.RunZoneSynchronizer;
+import org.dronemap.ws.server.PeriodicTask;
+import org.dronemap.ws.server.ServerComponents;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
@@ -21,17 +21,17 @@ public class RunConfiguration {
     private static final Duration ZONE_RHYTHM = Duration.ofMillis(500);
 
     @Bean
-    RunService runService(House house, PlanService plans, DroneService drones, Time time) {
-        RunService.Conduct conduct =
-                new RunService.Conduct(house.runs().operations(), house.runs().kind(), house.cloud());
+    RunService runService(ServerComponents house, PlanService plans, DroneService drones, Time time) {
+        RunService.OperationContext conduct =
+                new RunService.OperationContext(house.runs().operations(), house.runs().kind(), house.cloud());
         return new RunService(conduct, plans, drones, time);
     }
 
     @Bean(destroyMethod = "close")
-    Rounds runZoneRounds(House house, Time time) {
-        RunZones zones = new RunZones(
+    PeriodicTask runZoneRounds(ServerComponents house, Time time) {
+        RunZoneSynchronizer zones = new RunZoneSynchronizer(
                 house.runs().operations(), house.runs().kind(), house.cloud().zones(), time.clock());
-        return new Rounds(
+        return new PeriodicTask(
                 time,
                 "run-zones",
                 ZONE_RHYTHM,
@@ -40,7 +40,7 @@ public class RunConfiguration {
     }
 
     @Bean
-    RunJournalService runJournalService(House house, RunService runs) {
+    RunJournalService runJournalService(ServerComponents house, RunService runs) {
         return new RunJournalService(
                 runs, house.runs().operations(), house.runs().kind());
     }

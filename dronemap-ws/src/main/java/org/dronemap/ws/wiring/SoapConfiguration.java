@@ -7,18 +7,18 @@ import java.util.stream.Stream;
 import org.apache.cxf.Bus;
 import org.apache.cxf.bus.extension.ExtensionManagerBus;
 import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
-import org.dronemap.ws.door.OriginalAddresses;
+import org.dronemap.ws.door.OriginalAddressFilter;
 import org.dronemap.ws.reading.JsonReader;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
-import org.dronemap.ws.settings.Settings;
-import org.dronemap.ws.soap.PublishedServices;
-import org.dronemap.ws.soap.RestCalls;
-import org.dronemap.ws.soap.ServiceDescriptions;
-import org.dronemap.ws.soap.SoapCaller;
-import org.dronemap.ws.soap.SoapCalls;
+import org.dronemap.ws.settings.ServerSettings;
+import org.dronemap.ws.soap.RestDispatcher;
+import org.dronemap.ws.soap.SoapAuthentication;
+import org.dronemap.ws.soap.SoapCallExecutor;
 import org.dronemap.ws.soap.SoapContract;
-import org.dronemap.ws.soap.UsernameTokens;
+import org.dronemap.ws.soap.SoapServicePublisher;
+import org.dronemap.ws.soap.UsernameTokenReader;
+import org.dronemap.ws.soap.WsdlFilter;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.boot.web.servlet.ServletRegistrationBean;
 import org.springframework.context.annotation.Bean;
@@ -39,44 +39,44 @@ public class SoapConfiguration {
 
     /** A call passes the filters that judge and note requests; those that bound connections have seen it already. */
     @Bean
-    RestCalls restCalls(
+    RestDispatcher restCalls(
             DispatcherServlet dispatcher,
             FilterRegistrationBean<OncePerRequestFilter> audit,
             FilterRegistrationBean<OncePerRequestFilter> plainAddress,
             FilterRegistrationBean<OncePerRequestFilter> access,
             ProblemWriter problems) {
-        return new RestCalls(
+        return new RestDispatcher(
                 dispatcher, List.of(audit.getFilter(), plainAddress.getFilter(), access.getFilter()), problems);
     }
 
     @Bean
-    SoapContract soapContract(RestCalls rest, JsonReader json, ServletContext context) {
+    SoapContract soapContract(RestDispatcher rest, JsonReader json, ServletContext context) {
         return new SoapContract(() -> json.mapper().readTree(rest.read(context, DESCRIPTION)));
     }
 
     @Bean
-    SoapCalls soapCalls(
-            SoapContract contract, RestCalls rest, Authentication authentication, Clock clock, JsonReader json) {
-        return new SoapCalls(contract, new SoapCaller(authentication, new UsernameTokens(clock)), rest, json);
+    SoapCallExecutor soapCalls(
+            SoapContract contract, RestDispatcher rest, Authentication authentication, Clock clock, JsonReader json) {
+        return new SoapCallExecutor(contract, new SoapAuthentication(authentication, new UsernameTokenReader(clock)), rest, json);
     }
 
     @Bean
-    PublishedServices publishedServices(Bus soapBus, SoapContract contract, SoapCalls calls) {
-        return new PublishedServices(soapBus, contract, calls);
+    SoapServicePublisher publishedServices(Bus soapBus, SoapContract contract, SoapCallExecutor calls) {
+        return new SoapServicePublisher(soapBus, contract, calls);
     }
 
     @Bean
-    FilterRegistrationBean<ServiceDescriptions> serviceDescriptions(
-            PublishedServices published, ProblemWriter problems, Settings settings) {
-        FilterRegistrationBean<ServiceDescriptions> registration =
-                new FilterRegistrationBean<>(new ServiceDescriptions(published, problems));
+    FilterRegistrationBean<WsdlFilter> serviceDescriptions(
+            SoapServicePublisher published, ProblemWriter problems, ServerSettings settings) {
+        FilterRegistrationBean<WsdlFilter> registration =
+                new FilterRegistrationBean<>(new WsdlFilter(published, problems));
         registration.addUrlPatterns("/services");
         registration.addUrlPatterns(paths(settings));
         return registration;
     }
 
     @Bean
-    ServletRegistrationBean<CXFNonSpringServlet> soapServlet(Bus soapBus, Settings settings) {
+    ServletRegistrationBean<CXFNonSpringServlet> soapServlet(Bus soapBus, ServerSettings settings) {
         CXFNonSpringServlet servlet = new CXFNonSpringServlet();
         servlet.setBus(soapBus);
         ServletRegistrationBean<CXFNonSpringServlet> registration =
@@ -86,8 +86,8 @@ public class SoapConfiguration {
         return registration;
     }
 
-    private static String[] paths(Settings settings) {
-        Stream<String> original = settings.originalAddresses() ? OriginalAddresses.paths().stream() : Stream.empty();
+    private static String[] paths(ServerSettings settings) {
+        Stream<String> original = settings.originalAddresses() ? OriginalAddressFilter.paths().stream() : Stream.empty();
         return Stream.concat(Stream.of("/services/*"), original).toArray(String[]::new);
     }
 }

@@ -2,10 +2,10 @@ package org.dronemap.ws.wiring;
 
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.server.House;
+import org.dronemap.ws.server.ServerComponents;
 import org.dronemap.ws.virtual.VirtualDroneController;
 import org.dronemap.ws.virtual.VirtualDroneService;
-import org.dronemap.ws.virtual.VirtualDroneViews;
+import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.dronemap.ws.virtual.WarehouseController;
 import org.dronemap.ws.virtual.WarehouseService;
 import org.springframework.context.annotation.Bean;
@@ -17,17 +17,17 @@ import org.springframework.context.annotation.Import;
 @Import({VirtualDroneController.class, WarehouseController.class})
 public class VirtualConfiguration {
     @Bean
-    VirtualDroneViews virtualDroneViews(House house) {
-        return new VirtualDroneViews(house.cloud(), house.virtuals());
+    VirtualDroneViewMapper virtualDroneViews(ServerComponents house) {
+        return new VirtualDroneViewMapper(house.cloud(), house.virtuals());
     }
 
     @Bean
-    VirtualDroneService virtualDroneService(House house, VirtualDroneViews views, Time time) {
+    VirtualDroneService virtualDroneService(ServerComponents house, VirtualDroneViewMapper views, Time time) {
         return new VirtualDroneService(house.virtuals(), views, time);
     }
 
     @Bean
-    WarehouseService warehouseService(House house, DroneService drones) {
+    WarehouseService warehouseService(ServerComponents house, DroneService drones) {
         return new WarehouseService(house.virtuals(), drones);
     }
 }

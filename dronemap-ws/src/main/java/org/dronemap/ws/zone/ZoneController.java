@@ -4,12 +4,12 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
-import org.dronemap.ws.access.About;
 import org.dronemap.ws.access.Access;
-import org.dronemap.ws.access.Cost;
-import org.dronemap.ws.access.From;
-import org.dronemap.ws.http.Answers;
-import org.dronemap.ws.http.TakesOrGivesFile;
+import org.dronemap.ws.access.AccessLevel;
+import org.dronemap.ws.access.RequestCost;
+import org.dronemap.ws.access.ResourceScope;
+import org.dronemap.ws.http.FileMediaTypes;
+import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
@@ -40,22 +40,22 @@ public class ZoneController {
     }
 
     @GetMapping
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(operationId = "listZones", summary = "List the zones", description = "A GeoJSON FeatureCollection.")
     public ZoneFeature.ZoneCollection zones() {
         return zones.zones(current.principal());
     }
 
     @GetMapping("/{id}")
-    @Access(from = From.VIEWER, about = About.SHARED)
+    @Access(from = AccessLevel.VIEWER, about = ResourceScope.SHARED)
     @Operation(operationId = "getZone", summary = "Look at one zone")
     public ZoneFeature zone(@PathVariable String id) {
         return zones.zone(current.principal(), id);
     }
 
     @PostMapping
-    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
-    @Answers(201)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(201)
     @Operation(
             operationId = "addZone",
             summary = "Add a zone (supervisor)",
@@ -66,9 +66,9 @@ public class ZoneController {
     }
 
     @PostMapping("/import")
-    @Access(from = From.SUPERVISOR, about = About.ORGANISATION, costs = Cost.EXPORT)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
     @ResponseStatus(HttpStatus.CREATED)
-    @TakesOrGivesFile(takes = {"application/geo+json", "application/vnd.google-earth.kml+xml"})
+    @FileMediaTypes(takes = {"application/geo+json", "application/vnd.google-earth.kml+xml"})
     @Operation(
             operationId = "importZones",
             summary = "Add the zones of a GeoJSON or KML file (supervisor)",
@@ -79,8 +79,8 @@ public class ZoneController {
     }
 
     @PutMapping("/{id}")
-    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
-    @Answers(never = 409)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION)
+    @ResponseStatuses(never = 409)
     @Operation(
             operationId = "replaceZone",
             summary = "Replace a zone (supervisor)",
@@ -90,7 +90,7 @@ public class ZoneController {
     }
 
     @DeleteMapping("/{id}")
-    @Access(from = From.SUPERVISOR, about = About.ORGANISATION)
+    @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION)
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(operationId = "deleteZone", summary = "Remove a zone (supervisor)")
     public void delete(@PathVariable String id) {

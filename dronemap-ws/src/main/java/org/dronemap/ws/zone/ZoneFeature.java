@@ -11,11 +11,11 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Zone;
-import org.dronemap.ws.reading.Ranges;
-import org.dronemap.ws.reading.ValuesOf;
+import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.ws.reading.EnumValues;
+import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -43,8 +43,8 @@ public record ZoneFeature(
             String kind,
 
             @Schema(description = "Point: metres, 1 to 100000")
-            @Min(Ranges.LEAST_RADIUS)
-            @Max(Ranges.MOST_RADIUS)
+            @Min(FieldRanges.LEAST_RADIUS)
+            @Max(FieldRanges.MOST_RADIUS)
             @Nullable
             Double radius,
 
@@ -61,7 +61,7 @@ public record ZoneFeature(
             Double ceiling,
 
             @Schema(description = "what floor and ceiling are measured from: home (the default) or amsl")
-            @ValuesOf(Altitude.Reference.class)
+            @EnumValues(Altitude.Reference.class)
             @Nullable
             String altitudeReference,
 
@@ -77,7 +77,7 @@ public record ZoneFeature(
             @Schema(description = "ISO 8601; null: for ever") @Nullable
             String until,
 
-            @Schema(description = "left out: hold") @ValuesOf(BreachAction.class) @Nullable
+            @Schema(description = "left out: hold") @EnumValues(BreachAction.class) @Nullable
             String onBreach,
 
             @Schema(description = "Who changed it last; given by the server") @Nullable
@@ -150,7 +150,7 @@ public record ZoneFeature(
     }
 
     private static ZoneProperties properties(Zone zone, boolean namesMaker) {
-        Binding binding = zone.binding();
+        ZoneBinding binding = zone.binding();
         return new ZoneProperties(
                 zone.name(),
                 kind(zone.shape()),
@@ -158,8 +158,8 @@ public record ZoneFeature(
                 zone.band().floorMeters(),
                 zone.band().ceilingMeters(),
                 WireNames.camel(zone.band().reference()),
-                binding instanceof Binding.OfUser user ? user.name() : null,
-                binding instanceof Binding.OfDrone drone ? drone.id().value() : null,
+                binding instanceof ZoneBinding.OfUser user ? user.name() : null,
+                binding instanceof ZoneBinding.OfDrone drone ? drone.id().value() : null,
                 text(zone.validity().from()),
                 text(zone.validity().until()),
                 WireNames.camel(zone.onBreach()),

@@ -9,13 +9,13 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.reading.AreaReader;
-import org.dronemap.ws.reading.ObjectsOnly;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /** A geometry of GeoJSON (RFC 7946) as zones have it: degrees, longitude before latitude; one record for each type. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-@JsonTypeResolver(ObjectsOnly.class)
+@JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
     @JsonSubTypes.Type(value = ZoneGeometry.Polygon.class, name = "Polygon"),
     @JsonSubTypes.Type(value = ZoneGeometry.Point.class, name = "Point")

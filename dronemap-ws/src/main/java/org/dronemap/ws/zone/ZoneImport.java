@@ -7,7 +7,7 @@ import java.util.List;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.JsonReader;
-import org.dronemap.ws.reading.ObjectsOnly;
+import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.annotation.JsonTypeResolver;
@@ -38,7 +38,7 @@ final class ZoneImport {
 
     /** Of one zone, or of several. */
     @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-    @JsonTypeResolver(ObjectsOnly.class)
+    @JsonTypeResolver(ObjectOnlyTypeResolver.class)
     @JsonSubTypes({
         @JsonSubTypes.Type(ZoneGeometry.class),
         @JsonSubTypes.Type(value = MultiPolygon.class, name = "MultiPolygon")
@@ -53,7 +53,7 @@ final class ZoneImport {
 
     static List<Part> parts(String text) {
         if (text.stripLeading().startsWith("<")) {
-            return KmlZones.parts(text);
+            return KmlZoneReader.parts(text);
         }
         Document document = LENIENT.read(text, Document.class);
         if ("Feature".equals(document.type())) {

@@ -6,14 +6,14 @@ import java.time.OffsetDateTime;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Validity;
+import org.dronemap.core.zone.ZoneBinding;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
+import org.dronemap.ws.reading.AltitudeBandReader;
 import org.dronemap.ws.reading.AreaReader;
-import org.dronemap.ws.reading.BandReader;
-import org.dronemap.ws.reading.Names;
+import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** Turns a feature that a client wrote into the parts of a zone, or says which member is wrong. */
@@ -43,7 +43,7 @@ final class ZoneReader {
     }
 
     String name() {
-        return Names.checked(at + "properties.name", properties.name(), LONGEST_NAME);
+        return NameRules.checked(at + "properties.name", properties.name(), LONGEST_NAME);
     }
 
     FenceZone shape() {
@@ -61,11 +61,11 @@ final class ZoneReader {
     }
 
     AltitudeBand band() {
-        return new BandReader(at + "properties.")
+        return new AltitudeBandReader(at + "properties.")
                 .band(properties.floor(), properties.ceiling(), properties.altitudeReference());
     }
 
-    Binding binding() {
+    ZoneBinding binding() {
         if (properties.user() != null && properties.drone() != null) {
             throw new InvalidInput(
                     ValueProblem.VALUES_EXCLUSIVE,
@@ -74,14 +74,14 @@ final class ZoneReader {
                     "A zone binds a user or a drone, not both.");
         }
         if (properties.user() != null) {
-            return new Binding.OfUser(properties.user());
+            return new ZoneBinding.OfUser(properties.user());
         }
-        return properties.drone() == null ? Binding.EVERYBODY : ofDrone(properties.drone());
+        return properties.drone() == null ? ZoneBinding.EVERYBODY : ofDrone(properties.drone());
     }
 
-    private Binding ofDrone(String id) {
+    private ZoneBinding ofDrone(String id) {
         try {
-            return new Binding.OfDrone(new DroneId(id));
+            return new ZoneBinding.OfDrone(new DroneId(id));
         } catch (IllegalArgumentException e) {
             throw InvalidInput.outside(
                     ValueProblem.VALUE_MALFORMED, at + "properties.drone", "the id of a drone", quoted(id));

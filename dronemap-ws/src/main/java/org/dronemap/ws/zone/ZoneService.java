@@ -9,32 +9,32 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.Zone;
-import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.core.zone.ZoneStore;
-import org.dronemap.ws.access.Roles;
+import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.UnknownProblem;
 import org.dronemap.ws.problem.ValueProblem;
 
 /** Use cases around the zones of the cloud: each change is kept first and binds at once. Any thread. */
 public final class ZoneService {
     private static final int MOST = 500;
 
-    private final Keeping keeping;
+    private final Stores keeping;
     private final DroneService drones;
     private final Clock clock;
 
     /** Where zones are kept, where they bind from, and the users that they may name. */
-    public record Keeping(ZoneStore store, ZoneBook book, AccessStore users) {}
+    public record Stores(ZoneStore store, ZoneRegistry book, AccessStore users) {}
 
-    public ZoneService(Keeping keeping, DroneService drones, Clock clock) {
+    public ZoneService(Stores keeping, DroneService drones, Clock clock) {
         this.keeping = keeping;
         this.drones = drones;
         this.clock = clock;
@@ -57,18 +57,18 @@ public final class ZoneService {
         if (!zone.organisation().equals(principal.organisation())) {
             return zone.isGlobal();
         }
-        return !(zone.binding() instanceof Binding.OfDrone drone) || principal.sees(drone.id());
+        return !(zone.binding() instanceof ZoneBinding.OfDrone drone) || principal.sees(drone.id());
     }
 
     public ZoneFeature add(Principal principal, ZoneFeature feature) {
-        Roles.requireForAll(principal, Role.SUPERVISOR);
+        RoleChecks.requireForAll(principal, Role.SUPERVISOR);
         Zone zone = read("", newId(), feature, principal);
         keep(List.of(zone));
         return ZoneFeature.of(zone, principal.organisation());
     }
 
     public ZoneFeature replace(Principal principal, String id, ZoneFeature feature) {
-        Roles.requireForAll(principal, Role.SUPERVISOR);
+        RoleChecks.requireForAll(principal, Role.SUPERVISOR);
         Zone zone = read("", changeable(principal, id).id(), feature, principal);
         keep(List.of(zone));
         return ZoneFeature.of(zone, principal.organisation());
@@ -76,7 +76,7 @@ public final class ZoneService {
 
     /** GeoJSON of others; all of it, or nothing. */
     public ZoneFeature.ZoneCollection take(Principal principal, String text) {
-        Roles.requireForAll(principal, Role.SUPERVISOR);
+        RoleChecks.requireForAll(principal, Role.SUPERVISOR);
         List<Zone> zones = ZoneImport.parts(text).stream()
                 .map(part -> read(part.at(), newId(), part.feature(), principal))
                 .toList();
@@ -85,9 +85,9 @@ public final class ZoneService {
     }
 
     public synchronized void delete(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.SUPERVISOR);
+        RoleChecks.requireForAll(principal, Role.SUPERVISOR);
         if (!keeping.store().delete(changeable(principal, id).id())) {
-            throw Rejection.unknown(UnknownProblem.ZONE, id);
+            throw Rejection.unknown(NotFoundProblem.ZONE, id);
         }
         keeping.book().remove(id);
     }
@@ -129,8 +129,8 @@ public final class ZoneService {
     }
 
     /** A slip of the pen must not make a zone that binds nobody. */
-    private Binding known(String at, Binding binding, Principal principal) {
-        if (binding instanceof Binding.OfUser user
+    private ZoneBinding known(String at, ZoneBinding binding, Principal principal) {
+        if (binding instanceof ZoneBinding.OfUser user
                 && keeping.users()
                         .user(user.name())
                         .filter(known -> known.organisation().equals(principal.organisation()))
@@ -141,7 +141,7 @@ public final class ZoneService {
                     "the name of a user",
                     "\"" + user.name() + "\"");
         }
-        if (binding instanceof Binding.OfDrone drone
+        if (binding instanceof ZoneBinding.OfDrone drone
                 && drones.find(principal, drone.id().value()).isEmpty()) {
             throw InvalidInput.outside(
                     ValueProblem.REFERENCE_UNKNOWN,
@@ -173,7 +173,7 @@ public final class ZoneService {
         return keeping.store().zones().stream()
                 .filter(zone -> zone.id().equals(id) && isShownTo(principal, zone))
                 .findFirst()
-                .orElseThrow(() -> Rejection.unknown(UnknownProblem.ZONE, id));
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.ZONE, id));
     }
 
     private static String newId() {

@@ -8,7 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.dronemap.ws.house.WrittenPart;
+import org.dronemap.ws.house.GeneratedSection;
 import org.junit.jupiter.api.Test;
 
 /** The table of docs/security.md says what the handlers say. {@code -Ddronemap.approve=true} writes it anew. */
@@ -18,7 +18,7 @@ class AccessTableTest {
             "| operation | from | about | costs | record |\n| --- | --- | --- | --- | --- |\n";
     private static final List<String> METHODS = List.of("GET", "POST", "PUT", "PATCH", "DELETE");
 
-    private final List<RestOperation> operations = Handlers.all().stream()
+    private final List<RestOperation> operations = HandlerCatalogue.all().stream()
             .filter(operation -> !path(operation).equals("/error"))
             .sorted(Comparator.comparing(AccessTableTest::path)
                     .thenComparing(operation -> METHODS.indexOf(operation.method())))
@@ -26,7 +26,7 @@ class AccessTableTest {
 
     @Test
     void isTheTableOfThePage() throws IOException {
-        WrittenPart.check(PAGE, "the handlers", table());
+        GeneratedSection.check(PAGE, "the handlers", table());
     }
 
     @Test
@@ -42,7 +42,7 @@ class AccessTableTest {
                 .hasSizeGreaterThanOrEqualTo(14)
                 .allSatisfy(operation -> assertThat(operation.access().costs())
                         .as(operation.name())
-                        .isEqualTo(Cost.EXPORT));
+                        .isEqualTo(RequestCost.EXPORT));
     }
 
     private static boolean isOfFiles(RestOperation operation) {

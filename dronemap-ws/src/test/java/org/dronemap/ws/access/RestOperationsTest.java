@@ -3,7 +3,7 @@ package org.dronemap.ws.access;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import org.dronemap.ws.planted.PlantedHandlers;
+import org.dronemap.ws.planted.HandlerViolations;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,7 +13,7 @@ import org.springframework.mock.web.MockHttpServletResponse;
 import org.springframework.web.method.HandlerMethod;
 
 class RestOperationsTest {
-    private final RestOperations operations = Handlers.of(PlantedHandlers.Careful.class);
+    private final RestOperations operations = HandlerCatalogue.of(HandlerViolations.Careful.class);
 
     @ParameterizedTest
     @CsvSource({
@@ -24,7 +24,7 @@ class RestOperationsTest {
         "DELETE, /api/v1/things/a-b, ADMINISTRATOR, EXPORT,  RECORDED,            DELETE /api/v1/things/{id}",
         "DELETE, /api/v1/things/all, SUPERVISOR,    NOTHING, LEFT_OUT,            DELETE /api/v1/things/all"
     })
-    void findsWhatTheHandlerSays(String method, String path, From from, Cost costs, Audit audit, String name) {
+    void findsWhatTheHandlerSays(String method, String path, AccessLevel from, RequestCost costs, AuditPolicy audit, String name) {
         AccessRule rule = rule(method, path);
 
         assertThat(withoutOperation(rule)).isEqualTo(new AccessRule(from, costs, audit, null));
@@ -40,24 +40,24 @@ class RestOperationsTest {
         "POST,    /api/v1/nowhere,    VIEWER,    REQUEST, RECORDED",
         "GET,     /api/v1/nowhere,    VIEWER,    REQUEST, ONLY_LOOKS"
     })
-    void isAsClosedToOtherMethodsAsAnAddressIsToLookAt(String method, String path, From from, Cost costs, Audit audit) {
+    void isAsClosedToOtherMethodsAsAnAddressIsToLookAt(String method, String path, AccessLevel from, RequestCost costs, AuditPolicy audit) {
         assertThat(rule(method, path)).isEqualTo(new AccessRule(from, costs, audit, null));
     }
 
     @Test
     void namesTheHandlerThatDoesNotSayWhoMayCallIt() {
-        RestOperations forgetful = Handlers.of(PlantedHandlers.Forgetful.class);
+        RestOperations forgetful = HandlerCatalogue.of(HandlerViolations.Forgetful.class);
 
         assertThatThrownBy(forgetful::afterSingletonsInstantiated)
                 .hasMessage(
-                        "The handler org.dronemap.ws.planted.PlantedHandlers$Forgetful.forgotten has no @Access; say"
+                        "The handler org.dronemap.ws.planted.HandlerViolations$Forgetful$forgotten has no @Access; say"
                                 + " there who may call it, and what it is about.");
     }
 
     @Test
     void letsNoHandlerRunThatWasNotJudged() throws NoSuchMethodException {
-        SameHandler same = new SameHandler(operations);
-        HandlerMethod remove = new HandlerMethod(new PlantedHandlers.Careful(), "remove");
+        HandlerMatchInterceptor same = new HandlerMatchInterceptor(operations);
+        HandlerMethod remove = new HandlerMethod(new HandlerViolations.Careful(), "remove");
         MockHttpServletResponse response = new MockHttpServletResponse();
 
         assertThat(same.preHandle(new MockHttpServletRequest("DELETE", "/api/v1/things/a-b"), response, remove))

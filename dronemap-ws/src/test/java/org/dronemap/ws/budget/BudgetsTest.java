@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 
 class BudgetsTest {
     private long now = TimeUnit.HOURS.toNanos(5);
-    private final Budgets budgets = new Budgets(new Rates(Map.of(Work.COMMAND, 2.0)), () -> now);
+    private final Budgets budgets = new Budgets(new BudgetRates(Map.of(WorkKind.COMMAND, 2.0)), () -> now);
 
     private int taken(String user) {
         int times = 0;
         while (true) {
             try {
-                budgets.take(Work.COMMAND, user);
+                budgets.take(WorkKind.COMMAND, user);
                 times++;
             } catch (Throttled refused) {
                 assertThat(refused.retryAfterSeconds()).isEqualTo(1);
@@ -39,32 +39,32 @@ class BudgetsTest {
         taken("ann");
         assertThat(taken("bob")).isEqualTo(20);
         for (int times = 0; times < 1_000; times++) {
-            budgets.take(Work.REQUEST, "ann");
+            budgets.take(WorkKind.REQUEST, "ann");
         }
-        assertThat(budgets.refusedCount(Work.COMMAND)).isEqualTo(2);
-        assertThat(budgets.refusedCount(Work.REQUEST)).isZero();
+        assertThat(budgets.refusedCount(WorkKind.COMMAND)).isEqualTo(2);
+        assertThat(budgets.refusedCount(WorkKind.REQUEST)).isZero();
     }
 
     @Test
     void saysHowLongToWaitForTheNext() {
-        Budgets slow = new Budgets(new Rates(Map.of(Work.EXPORT, 0.1)), () -> now);
-        slow.take(Work.EXPORT, "ann");
+        Budgets slow = new Budgets(new BudgetRates(Map.of(WorkKind.EXPORT, 0.1)), () -> now);
+        slow.take(WorkKind.EXPORT, "ann");
 
-        assertThatThrownBy(() -> slow.take(Work.EXPORT, "ann"))
+        assertThatThrownBy(() -> slow.take(WorkKind.EXPORT, "ann"))
                 .hasMessage("More than 0.1 exports a second for a while; wait 10 s and try again.");
         now += TimeUnit.SECONDS.toNanos(10);
-        slow.take(Work.EXPORT, "ann");
+        slow.take(WorkKind.EXPORT, "ann");
     }
 
     @Test
     void remembersABoundedNumberOfUsersAndThoseThatAskLast() {
         taken("ann");
         for (int user = 0; user < 9_999; user++) {
-            budgets.take(Work.COMMAND, "user" + user);
+            budgets.take(WorkKind.COMMAND, "user" + user);
         }
         assertThat(taken("ann")).as("still remembered").isZero();
         for (int user = 0; user < 10_000; user++) {
-            budgets.take(Work.COMMAND, "another" + user);
+            budgets.take(WorkKind.COMMAND, "another" + user);
         }
         assertThat(taken("ann")).as("forgotten").isEqualTo(20);
     }

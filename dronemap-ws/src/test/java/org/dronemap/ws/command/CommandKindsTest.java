@@ -23,19 +23,19 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Payload;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.parameter.ParameterSet;
 import org.dronemap.ws.mission.MissionItemView;
 import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.reading.Alternatives;
 import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.reading.WireNames;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,7 +58,7 @@ class CommandKindsTest {
                     LinkQuality.UNKNOWN,
                     List.of()),
             new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", null, null),
-            Standing.UNPROVED,
+            IdentityTrust.UNPROVED,
             Capabilities.UNKNOWN,
             null,
             null,
@@ -83,8 +83,8 @@ class CommandKindsTest {
             Path.of("src", "test", "resources", "wire", "wsdl", "MAVLinkControllerService.wsdl");
     private static final Pattern GIVING = Pattern.compile(
             "name=\"(\\w+)\">\\s*<wsdl:documentation>Give a command \\(operator\\): (\\w+)</wsdl:documentation>");
-    private static final Alternatives ALTERNATIVES =
-            Alternatives.of(CommandRequest.class).orElseThrow();
+    private static final RecordAlternatives ALTERNATIVES =
+            RecordAlternatives.of(CommandRequest.class).orElseThrow();
     private static final Set<String> TYPES = ALTERNATIVES.records().keySet();
 
     /** Fence, rally points and the download of a log have addresses of their own; the rest is given by the cloud alone. */
@@ -175,7 +175,7 @@ class CommandKindsTest {
 
     @Test
     void hasAPageThatKnowsEachItemOfAMission() throws IOException {
-        assertThat(Alternatives.of(MissionItemView.class)
+        assertThat(RecordAlternatives.of(MissionItemView.class)
                         .orElseThrow()
                         .records()
                         .keySet())

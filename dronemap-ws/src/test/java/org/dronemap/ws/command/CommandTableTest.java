@@ -7,8 +7,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.drone.Capability;
-import org.dronemap.ws.house.WrittenPart;
-import org.dronemap.ws.reading.Alternatives;
+import org.dronemap.ws.house.GeneratedSection;
+import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.reading.WireNames;
 import org.junit.jupiter.api.Test;
 
@@ -18,8 +18,8 @@ class CommandTableTest {
 
     @Test
     void isTheTableOfThePage() throws IOException {
-        Alternatives bodies = Alternatives.of(CommandRequest.class).orElseThrow();
-        WrittenPart.check(
+        RecordAlternatives bodies = RecordAlternatives.of(CommandRequest.class).orElseThrow();
+        GeneratedSection.check(
                 Path.of("..", "docs", "security.md"),
                 "the kinds of commands",
                 Stream.of(CommandKind.values())

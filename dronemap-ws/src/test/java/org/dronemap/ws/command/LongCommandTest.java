@@ -11,11 +11,11 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.ws.house.ConditionWait;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.lab.CommandRequests;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 class LongCommandTest {
     private static final Principal ANN = new Principal("ann", Role.OPERATOR);
 
-    private final TestHouse house = SharedServer.get();
+    private final TestServer house = SharedServer.get();
     private final CommandService commands = house.bean(CommandService.class);
     /** Each a silence that is over when the test says how the command stands then. */
     private final LinkedBlockingQueue<CompletableFuture<CommandView>> silences = new LinkedBlockingQueue<>();
@@ -35,8 +35,8 @@ class LongCommandTest {
     void give() {
         ScriptedVehicle vehicle = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
         vehicle.takesItsTime();
-        given = commands.submit(ANN, "rest", vehicle.id(), Commands.takePicture());
-        report = Waiting.until("it is under way", () -> Optional.ofNullable(vehicle.underWay()));
+        given = commands.submit(ANN, "rest", vehicle.id(), CommandRequests.takePicture());
+        report = ConditionWait.until("it is under way", () -> Optional.ofNullable(vehicle.underWay()));
     }
 
     private CompletableFuture<CommandView> silence(CommandView before) {
@@ -52,7 +52,7 @@ class LongCommandTest {
     /** As it stands once so many steps are done. */
     private CommandView done(int steps) {
         report.progress(steps, 30);
-        return Waiting.until(
+        return ConditionWait.until(
                 steps + " steps are done",
                 () -> Optional.of(commands.command(ANN, given.id()))
                         .filter(now -> now.progress() != null && now.progress().done() == steps));
@@ -60,7 +60,7 @@ class LongCommandTest {
 
     private CommandView ended() {
         report.ended(new Outcome.Succeeded());
-        return Waiting.until(
+        return ConditionWait.until(
                 "it has ended",
                 () -> Optional.of(commands.command(ANN, given.id())).filter(now -> now.outcome() != null));
     }

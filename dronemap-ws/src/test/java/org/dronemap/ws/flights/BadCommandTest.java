@@ -13,11 +13,11 @@ import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.ws.command.CommandRequest;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkTap;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.WireTap;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.problem.InvalidInput;
 import org.jspecify.annotations.Nullable;
@@ -34,7 +34,7 @@ class BadCommandTest {
 
     private final Laboratory lab = new Laboratory(1);
     private final LabDrone copter = lab.copter();
-    private final WireTap tap = copter.wire().tap();
+    private final LinkTap tap = copter.wire().tap();
 
     @AfterEach
     void nothingWentToTheVehicle() {
@@ -61,14 +61,14 @@ class BadCommandTest {
     static Stream<Arguments> badValues() {
         return Stream.of(
                 Arguments.of(
-                        Commands.uploadMission(List.of(waypoint(47.4, 8.5, 20.0), waypoint(47, 8, null))),
+                        CommandRequests.uploadMission(List.of(waypoint(47.4, 8.5, 20.0), waypoint(47, 8, null))),
                         "items[1].altitude",
                         "altitude"),
-                Arguments.of(Commands.goTo(95.0, 8.0, 20.0), "latitude", "-90 to 90"),
-                Arguments.of(Commands.goTo(47.0, 181.0, 20.0), "longitude", "-180 to 180"),
-                Arguments.of(Commands.takeOff(0.0), "altitude", "1 to 500"),
-                Arguments.of(Commands.takeOff(null), "altitude", "altitude"),
-                Arguments.of(Commands.uploadMission(List.of()), "items", "1 to 500"));
+                Arguments.of(CommandRequests.goTo(95.0, 8.0, 20.0), "latitude", "-90 to 90"),
+                Arguments.of(CommandRequests.goTo(47.0, 181.0, 20.0), "longitude", "-180 to 180"),
+                Arguments.of(CommandRequests.takeOff(0.0), "altitude", "1 to 500"),
+                Arguments.of(CommandRequests.takeOff(null), "altitude", "altitude"),
+                Arguments.of(CommandRequests.uploadMission(List.of()), "items", "1 to 500"));
     }
 
     @ParameterizedTest
@@ -87,6 +87,6 @@ class BadCommandTest {
         Pilot vera = lab.pilot("vera", Role.VIEWER);
         assertThat(lab.server().drones().drones(vera.principal())).hasSize(1);
 
-        assertThat(vera.refusal(copter, Commands.arm())).contains("operator");
+        assertThat(vera.refusal(copter, CommandRequests.arm())).contains("operator");
     }
 }

@@ -16,11 +16,11 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.ScriptedPeer;
-import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -145,11 +145,11 @@ class BadLinkTest {
         SplittableRandom chance = new SplittableRandom(seed);
         return IntStream.range(0, count)
                 .mapToObj(number -> switch (number % 5) {
-                    case 0 -> Commands.takePicture();
-                    case 1 -> Commands.setMode(MODES.get(number / 5 % 2));
-                    case 2 -> Commands.setRelay(number % 16, "toggle");
-                    case 3 -> Commands.goTo(47.3 + number / 1e5, 8.5, 30.0);
-                    default -> Commands.turn((number % 359 + 1) * (chance.nextBoolean() ? 1.0 : -1.0));
+                    case 0 -> CommandRequests.takePicture();
+                    case 1 -> CommandRequests.setMode(MODES.get(number / 5 % 2));
+                    case 2 -> CommandRequests.setRelay(number % 16, "toggle");
+                    case 3 -> CommandRequests.goTo(47.3 + number / 1e5, 8.5, 30.0);
+                    default -> CommandRequests.turn((number % 359 + 1) * (chance.nextBoolean() ? 1.0 : -1.0));
                 })
                 .toList();
     }
@@ -194,8 +194,8 @@ class BadLinkTest {
         }
     }
 
-    private static void spoil(Wire wire) {
-        wire.is(Wire.Quality.BAD);
+    private static void spoil(LabVehicleLink wire) {
+        wire.is(LabVehicleLink.Quality.BAD);
         wire.doubles(0.02);
     }
 

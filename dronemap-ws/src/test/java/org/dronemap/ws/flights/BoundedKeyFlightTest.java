@@ -14,9 +14,9 @@ import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.ws.command.CommandRequest;
-import org.dronemap.ws.key.KeyArea;
-import org.dronemap.ws.key.KeyRequest;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.key.AccessKeyArea;
+import org.dronemap.ws.key.AccessKeyRequest;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -33,13 +33,13 @@ class BoundedKeyFlightTest {
     private static final String BEYOND = "leaves the bounds of this access key after";
     private static final String CEILING = "over the ceiling of the bounds of this access key at 30 m above home";
 
-    private static KeyRequest key(
+    private static AccessKeyRequest key(
             LabDrone copter, @Nullable Double radius, @Nullable Double ceiling, @Nullable List<String> operations) {
         Geodetic home = copter.place(0, 0);
-        KeyArea area = radius == null
+        AccessKeyArea area = radius == null
                 ? null
-                : new KeyArea.Point(List.of(home.longitudeDegrees(), home.latitudeDegrees()), radius);
-        return new KeyRequest(
+                : new AccessKeyArea.Point(List.of(home.longitudeDegrees(), home.latitudeDegrees()), radius);
+        return new AccessKeyRequest(
                 "field",
                 null,
                 operations == null ? null : operations.stream().toList(),
@@ -53,7 +53,7 @@ class BoundedKeyFlightTest {
 
     private static CommandRequest goTo(LabDrone copter, double north, double height) {
         Geodetic place = copter.place(north, 0);
-        return Commands.goTo(place.latitudeDegrees(), place.longitudeDegrees(), height);
+        return CommandRequests.goTo(place.latitudeDegrees(), place.longitudeDegrees(), height);
     }
 
     private static CommandRequest mission(LabDrone copter, double... norths) {
@@ -61,7 +61,7 @@ class BoundedKeyFlightTest {
         for (double north : norths) {
             items.add(new MissionItem.Waypoint(copter.place(north, 0), Altitude.aboveHome(10), 0));
         }
-        return Commands.uploadMission(MissionItemRequest.of(items));
+        return CommandRequests.uploadMission(MissionItemRequest.of(items));
     }
 
     /** It was told to go somewhere. */
@@ -96,15 +96,15 @@ class BoundedKeyFlightTest {
             lab.until("it is out of the child's reach", Duration.ofSeconds(60), () -> copter.away() > 65);
             field.does(copter, mission(copter, 50, 120));
             // Whoever was let in further may go on; the child may still call it home.
-            near.does(copter, Commands.returnToLaunch());
+            near.does(copter, CommandRequests.returnToLaunch());
             lab.until("it landed", Duration.ofMinutes(2), copter::isDown);
         }
     }
 
     private static void takesOffBelowTheCeiling(Laboratory lab, LabDrone copter, Pilot field) {
-        field.does(copter, Commands.setMode("GUIDED")).does(copter, Commands.arm());
-        assertThat(field.refusalByGate(copter, Commands.takeOff(40.0))).contains(CEILING);
-        field.does(copter, Commands.takeOff(10.0));
+        field.does(copter, CommandRequests.setMode("GUIDED")).does(copter, CommandRequests.arm());
+        assertThat(field.refusalByGate(copter, CommandRequests.takeOff(40.0))).contains(CEILING);
+        field.does(copter, CommandRequests.takeOff(10.0));
         lab.until("it is up", Duration.ofSeconds(30), () -> copter.height() > 9);
     }
 

@@ -10,17 +10,17 @@ import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.core.process.Beginning;
-import org.dronemap.core.process.PastEnd;
-import org.dronemap.core.process.PeerWatch;
-import org.dronemap.core.process.PeersAtWork;
-import org.dronemap.core.process.Precautions;
+import org.dronemap.core.process.ActivePeers;
+import org.dronemap.core.process.PeerCrashGuard;
+import org.dronemap.core.process.ProcessCrash;
+import org.dronemap.core.process.ProcessStart;
+import org.dronemap.core.process.SafeMode;
 import org.dronemap.ws.follow.FollowRequest;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.Phone;
+import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.RunFlight;
+import org.dronemap.ws.lab.SimulatedPhone;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.plan.PlanRequest;
 import org.dronemap.ws.virtual.VirtualDroneRequest;
@@ -42,22 +42,22 @@ class CarefulStartFlightTest {
     }
 
     /** As after three ends within two minutes. */
-    private Beginning careful() {
-        PastEnd end = new PastEnd(lab.now(), "lane-0", "It ended with ThreadDeath.", List.of());
-        Precautions precautions = new Precautions(List.of(end, end, end), Set.of());
-        return new Beginning(end, new PeerWatch(PeersAtWork.UNKNOWN, precautions));
+    private ProcessStart careful() {
+        ProcessCrash end = new ProcessCrash(lab.now(), "lane-0", "It ended with ThreadDeath.", List.of());
+        SafeMode precautions = new SafeMode(List.of(end, end, end), Set.of());
+        return new ProcessStart(end, new PeerCrashGuard(ActivePeers.UNKNOWN, precautions));
     }
 
-    private RunFlight runs(LabDrone one, LabDrone other) {
+    private MissionRunFlight runs(LabDrone one, LabDrone other) {
         List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 8)
-                .mapToObj(n -> RunFlight.waypoint(one.place((1 + n % 4) * 40, (n / 4) * 40), one.groundAmsl() + 20))
+                .mapToObj(n -> MissionRunFlight.waypoint(one.place((1 + n % 4) * 40, (n / 4) * 40), one.groundAmsl() + 20))
                 .toList();
-        return RunFlight.begins(lab, chief, List.of(one, other), waypoints, RunFlight.Manner.ON)
+        return MissionRunFlight.begins(lab, chief, List.of(one, other), waypoints, MissionRunFlight.Manner.ON)
                 .awaitsAll("flying");
     }
 
-    private Phone follows(LabDrone drone) {
-        Phone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), drone, 40, 0);
+    private SimulatedPhone follows(LabDrone drone) {
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), drone, 40, 0);
         phone.asks(drone, new FollowRequest.PlaceRequest("fixed", 180.0, null, 15.0, 25.0), 600)
                 .starts();
         phone.awaits("tracking", Duration.ofMinutes(2));
@@ -87,8 +87,8 @@ class CarefulStartFlightTest {
 
     @Test
     void allThatWasConductedIsSetAsideAndAllComeHome() {
-        RunFlight run = runs(drones.get(0), drones.get(1));
-        Phone phone = follows(drones.get(2));
+        MissionRunFlight run = runs(drones.get(0), drones.get(1));
+        SimulatedPhone phone = follows(drones.get(2));
         String virtual = virtual(drones.get(3));
 
         lab.crashServer();

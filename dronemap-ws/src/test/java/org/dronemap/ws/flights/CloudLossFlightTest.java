@@ -10,11 +10,11 @@ import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.mavlink.message.ParamSet;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,8 +45,8 @@ class CloudLossFlightTest {
         lab.close();
     }
 
-    static Stream<VehicleKit> autopilots() {
-        return VehicleKit.autopilots();
+    static Stream<VehicleSpec> autopilots() {
+        return VehicleSpec.autopilots();
     }
 
     private static Map<String, Double> settings(LabDrone drone) {
@@ -62,8 +62,8 @@ class CloudLossFlightTest {
     private void hovers(LabDrone drone) {
         drone.known()
                 .filter(state -> state.capabilities().modes().contains("GUIDED"))
-                .ifPresent(state -> ann.does(drone, Commands.setMode("GUIDED")));
-        ann.does(drone, Commands.arm()).does(drone, Commands.takeOff(METERS));
+                .ifPresent(state -> ann.does(drone, CommandRequests.setMode("GUIDED")));
+        ann.does(drone, CommandRequests.arm()).does(drone, CommandRequests.takeOff(METERS));
         lab.until("it hovers", Duration.ofSeconds(30), () -> drone.height() > METERS - 1);
     }
 
@@ -86,7 +86,7 @@ class CloudLossFlightTest {
 
     @ParameterizedTest
     @MethodSource("autopilots")
-    void whoeverDoesNotHearTheCloudAnyMoreComesHomeAndIsItsOwnersAgain(VehicleKit kit) {
+    void whoeverDoesNotHearTheCloudAnyMoreComesHomeAndIsItsOwnersAgain(VehicleSpec kit) {
         LabDrone drone = lab.ready(lab.add(kit));
         Map<String, Double> owners = settings(drone);
         hovers(drone);
@@ -121,7 +121,7 @@ class CloudLossFlightTest {
     void oneWhoseLinkIsCutInTheMiddleOfItIsGivenBackWhenItIsHeardAgain() {
         LabDrone drone = lab.copter();
         Map<String, Double> owners = settings(drone);
-        ann.give(drone, Commands.arm());
+        ann.give(drone, CommandRequests.arm());
         lab.until(
                 "a part is written",
                 Duration.ofSeconds(5),
@@ -145,7 +145,7 @@ class CloudLossFlightTest {
     void aServerThatIsKilledBeforeItIsWrittenKnowsWhatItsOwnerHad() {
         LabDrone drone = lab.copter();
         Map<String, Double> owners = settings(drone);
-        ann.give(drone, Commands.arm());
+        ann.give(drone, CommandRequests.arm());
         lab.until(
                 "it is kept",
                 Duration.ofSeconds(5),
@@ -155,7 +155,7 @@ class CloudLossFlightTest {
         lab.startServer();
         lab.ready(drone);
 
-        ann.does(drone, Commands.arm());
+        ann.does(drone, CommandRequests.arm());
         lab.until("it disarms by itself", Duration.ofSeconds(30), drone::isDown);
 
         isGivenBack(drone, owners);
@@ -167,8 +167,8 @@ class CloudLossFlightTest {
         LabDrone one = drones.get(0);
         LabDrone other = drones.get(1);
 
-        var first = ann.give(one, Commands.arm());
-        var second = bob.give(other, Commands.arm());
+        var first = ann.give(one, CommandRequests.arm());
+        var second = bob.give(other, CommandRequests.arm());
         ann.succeeds(first);
         bob.succeeds(second);
 

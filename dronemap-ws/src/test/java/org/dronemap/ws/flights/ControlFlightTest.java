@@ -8,7 +8,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.control.ControlRequest;
 import org.dronemap.ws.drone.ControlView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -54,7 +54,7 @@ class ControlFlightTest {
         ControlView kept = ann.control(copter);
         assertThat(kept.explicit()).isTrue();
         assertThat(copter.mode()).isEqualTo(GUIDED);
-        Rejection refused = bob.rejection(copter, Commands.setMode("LOITER"));
+        Rejection refused = bob.rejection(copter, CommandRequests.setMode("LOITER"));
         assertThat(refused.kind()).isEqualTo(RejectionKind.CONFLICT);
         assertThat(refused.holder()).isEqualTo(kept.holder()).isEqualTo("ann");
 
@@ -76,12 +76,12 @@ class ControlFlightTest {
     void aSupervisorCallsBackWhatAnotherFliesAtAnyMoment() {
         ann.takesControl(copter);
 
-        chief.does(copter, Commands.hold());
+        chief.does(copter, CommandRequests.hold());
         assertThat(HOLDING).contains(copter.mode());
-        chief.does(copter, Commands.returnToLaunch());
+        chief.does(copter, CommandRequests.returnToLaunch());
         assertThat(copter.mode()).isEqualTo(RTL);
 
-        assertThat(chief.rejection(copter, Commands.setMode("GUIDED")).kind()).isEqualTo(RejectionKind.CONFLICT);
+        assertThat(chief.rejection(copter, CommandRequests.setMode("GUIDED")).kind()).isEqualTo(RejectionKind.CONFLICT);
         assertThat(ann.controls(copter, new ControlRequest.Release()).state()).isEqualTo("free");
     }
 
@@ -94,12 +94,12 @@ class ControlFlightTest {
                 Duration.ofSeconds(3),
                 () -> ann.control(copter).state().equals("pilot"));
 
-        Rejection refused = ann.rejection(copter, Commands.setMode("GUIDED"));
+        Rejection refused = ann.rejection(copter, CommandRequests.setMode("GUIDED"));
         assertThat(refused.kind()).isEqualTo(RejectionKind.CONFLICT);
         assertThat(refused.sentence()).contains("pilot");
         assertThat(copter.mode()).isEqualTo(LOITER);
         assertThat(ann.takesControl(copter).epoch()).isGreaterThan(taken);
-        ann.does(copter, Commands.setMode("GUIDED"));
+        ann.does(copter, CommandRequests.setMode("GUIDED"));
         assertThat(copter.mode()).isEqualTo(GUIDED);
     }
 }

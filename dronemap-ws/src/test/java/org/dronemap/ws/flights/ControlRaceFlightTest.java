@@ -16,8 +16,8 @@ import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.ws.command.CommandRequest;
-import org.dronemap.ws.lab.Commands;
-import org.dronemap.ws.lab.Hoverer;
+import org.dronemap.ws.lab.CommandRequests;
+import org.dronemap.ws.lab.HoveringVehicle;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.problem.Rejection;
@@ -59,7 +59,7 @@ class ControlRaceFlightTest {
     }
 
     /** In the air, guided, and slow to acknowledge: most commands are repeated until somebody stops them. */
-    private void obey(Hoverer peer, Frame frame, long atNanos) {
+    private void obey(HoveringVehicle peer, Frame frame, long atNanos) {
         if (frame.messageId() == CommandLong.ID) {
             CommandLong order = CommandLong.decode(frame);
             obey(peer, order.command(), order.param2());
@@ -77,7 +77,7 @@ class ControlRaceFlightTest {
         }
     }
 
-    private static void obey(Hoverer peer, int command, float mode) {
+    private static void obey(HoveringVehicle peer, int command, float mode) {
         boolean known = command == SET_MODE || command == RETURN;
         if (known) {
             peer.is(true, command == RETURN ? 6 : (long) mode);
@@ -90,7 +90,7 @@ class ControlRaceFlightTest {
     @ValueSource(longs = {1, 2, 3})
     void twoUsersWhoRaceNeverBothHaveTheDrone(long seed) {
         try (Laboratory lab = new Laboratory(seed)) {
-            Hoverer peer =
+            HoveringVehicle peer =
                     lab.hoverer((one, frame) -> obey(one, frame, lab.time().nanos()));
             peer.is(true, GUIDED);
             lab.until(
@@ -126,7 +126,7 @@ class ControlRaceFlightTest {
         }
         int move = racer.next;
         racer.next += 2;
-        CommandRequest there = Commands.goTo(10 + move * STEP_DEGREES, 8.0, 20.0);
+        CommandRequest there = CommandRequests.goTo(10 + move * STEP_DEGREES, 8.0, 20.0);
         try {
             Long epoch = lab.server()
                     .commands()

@@ -11,11 +11,11 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.OtherStation;
 import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.SecondGroundStation;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -44,8 +44,8 @@ class CrashFlightTest {
         List<MissionItem> items = corners.stream()
                 .<MissionItem>map(corner -> new MissionItem.Waypoint(corner, Altitude.aboveHome(METERS), 0))
                 .toList();
-        ann.does(copter, Commands.uploadMission(MissionItemRequest.of(items)))
-                .does(copter, Commands.startMission(onCloudLoss));
+        ann.does(copter, CommandRequests.uploadMission(MissionItemRequest.of(items)))
+                .does(copter, CommandRequests.startMission(onCloudLoss));
         lab.until(
                 "it heads for the first waypoint",
                 Duration.ofSeconds(10),
@@ -131,7 +131,7 @@ class CrashFlightTest {
         isInMission(null);
         lab.crashServer();
         Geodetic north = copter.place(22, 0);
-        OtherStation other = lab.otherStation(copter, List.of(copter.place(0, 0), north, north), 12);
+        SecondGroundStation other = lab.otherStation(copter, List.of(copter.place(0, 0), north, north), 12);
         lab.until("it took the mission of somebody else", Duration.ofSeconds(30), other::isDone);
 
         isBackWithMission();

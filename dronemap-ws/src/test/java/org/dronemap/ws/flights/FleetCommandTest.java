@@ -14,11 +14,11 @@ import org.dronemap.ws.command.BroadcastRequest;
 import org.dronemap.ws.command.BroadcastView;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.problem.InvalidInput;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -41,7 +41,7 @@ class FleetCommandTest {
 
     private List<LabDrone> fleet(int count) {
         List<LabDrone> fleet = IntStream.range(0, count)
-                .mapToObj(number -> lab.add(VehicleKit.COPTER))
+                .mapToObj(number -> lab.add(VehicleSpec.COPTER))
                 .toList();
         fleet.forEach(lab::ready);
         return fleet;
@@ -72,7 +72,7 @@ class FleetCommandTest {
     void twentyDronesGiveTwentyOutcomes() {
         List<LabDrone> fleet = fleet(20);
 
-        BroadcastView armed = give(ALL, Commands.arm(), "arm-all-of-them");
+        BroadcastView armed = give(ALL, CommandRequests.arm(), "arm-all-of-them");
 
         assertThat(armed.results())
                 .extracting(BroadcastView.Result::drone)
@@ -91,10 +91,10 @@ class FleetCommandTest {
         List<LabDrone> fleet = fleet(2);
         String first = fleet.get(0).id().value();
         String second = fleet.get(1).id().value();
-        give(List.of(first, second), Commands.arm(), "arm-both");
-        give(List.of(first), Commands.disarm(), "disarm-first");
+        give(List.of(first, second), CommandRequests.arm(), "arm-both");
+        give(List.of(first), CommandRequests.disarm(), "disarm-first");
 
-        BroadcastView mixed = give(List.of(second, first, "nobody"), Commands.disarm(), "disarm-all");
+        BroadcastView mixed = give(List.of(second, first, "nobody"), CommandRequests.disarm(), "disarm-all");
 
         assertThat(mixed.results()).extracting(BroadcastView.Result::drone).containsExactly(second, first, "nobody");
         assertThat(outcome(mixed.results().get(0)).result()).isEqualTo("succeeded");
@@ -110,8 +110,8 @@ class FleetCommandTest {
     void theSameIdActsOnceOnEachDrone() {
         List<String> ids = ids(fleet(3));
 
-        BroadcastView first = give(ids, Commands.arm(), "once-8251");
-        BroadcastView second = give(ids, Commands.arm(), "once-8251");
+        BroadcastView first = give(ids, CommandRequests.arm(), "once-8251");
+        BroadcastView second = give(ids, CommandRequests.arm(), "once-8251");
 
         assertThat(first.id()).isEqualTo(second.id()).isEqualTo("once-8251");
         assertThat(second.results())
@@ -131,11 +131,11 @@ class FleetCommandTest {
 
     @Test
     void anIdThatNobodyGaveIsTheSameInTheSameFlight() {
-        BroadcastRequest land = new BroadcastRequest(ALL, Commands.land(), null);
+        BroadcastRequest land = new BroadcastRequest(ALL, CommandRequests.land(), null);
         try (Laboratory same = new Laboratory(1)) {
             Pilot ben = same.pilot("ben", Role.OPERATOR);
 
-            String id = begin(ALL, Commands.land(), null).id();
+            String id = begin(ALL, CommandRequests.land(), null).id();
 
             assertThat(id).startsWith("all-").hasSize(22);
             assertThat(same.server()
@@ -148,11 +148,11 @@ class FleetCommandTest {
 
     static Stream<Arguments> badInput() {
         return Stream.of(
-                Arguments.of(null, Commands.arm(), "a-good-id", "drones"),
-                Arguments.of(List.of(), Commands.arm(), "a-good-id", "drones"),
+                Arguments.of(null, CommandRequests.arm(), "a-good-id", "drones"),
+                Arguments.of(List.of(), CommandRequests.arm(), "a-good-id", "drones"),
                 Arguments.of(ALL, null, "a-good-id", "command"),
-                Arguments.of(ALL, Commands.takeOff(null), "a-good-id", "command.altitude"),
-                Arguments.of(ALL, Commands.arm(), "x", "id"));
+                Arguments.of(ALL, CommandRequests.takeOff(null), "a-good-id", "command.altitude"),
+                Arguments.of(ALL, CommandRequests.arm(), "x", "id"));
     }
 
     @ParameterizedTest

@@ -6,13 +6,13 @@ import java.time.Duration;
 import java.util.Objects;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.operation.Reach;
+import org.dronemap.core.operation.ReporterState;
 import org.dronemap.ws.follow.FollowRequest.PlaceRequest;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.Phone;
-import org.dronemap.ws.lab.Track;
-import org.dronemap.ws.lab.Zones;
+import org.dronemap.ws.lab.SimulatedPhone;
+import org.dronemap.ws.lab.VehicleTrack;
+import org.dronemap.ws.lab.ZoneFixtures;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,8 +31,8 @@ class FollowBoundsTest {
         lab.close();
     }
 
-    private Phone follows(double distance, double height) {
-        Phone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), copter, 20, 0);
+    private SimulatedPhone follows(double distance, double height) {
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), copter, 20, 0);
         phone.asks(copter, new PlaceRequest("behind", null, null, distance, height), 60)
                 .starts();
         return phone.awaits("tracking", Duration.ofMinutes(1));
@@ -43,8 +43,8 @@ class FollowBoundsTest {
         Geodetic pond = copter.place(20, 60);
         lab.server()
                 .zones()
-                .add(lab.pilot("chief", Role.SUPERVISOR).principal(), Zones.circle("Pond", pond, RADIUS, null, null));
-        Phone phone = follows(3, LOWEST);
+                .add(lab.pilot("chief", Role.SUPERVISOR).principal(), ZoneFixtures.circle("Pond", pond, RADIUS, null, null));
+        SimulatedPhone phone = follows(3, LOWEST);
         lab.goOn(Duration.ofSeconds(10));
         long since = lab.time().nanos();
 
@@ -61,7 +61,7 @@ class FollowBoundsTest {
         assertThat(phone.view().state()).isEqualTo("tracking");
         assertThat(copter.track().nearestOverGround(pond, since)).isGreaterThan(RADIUS);
         assertThat(copter.track().since(since))
-                .extracting(Track.Fix::height)
+                .extracting(VehicleTrack.Fix::height)
                 .allSatisfy(height -> assertThat(height).isGreaterThan(LOWEST - 0.01));
     }
 
@@ -71,8 +71,8 @@ class FollowBoundsTest {
             CUT    | cut    | The phone cannot be reached: it has no network.
             GONE   | gone   | The phone's page was closed, or has crashed.
             """)
-    void theDroneStandsWhileItsPhoneIsAwayAndGoesOnWhenItIsBack(Reach how, String reach, String words) {
-        Phone phone = follows(6, 10);
+    void theDroneStandsWhileItsPhoneIsAwayAndGoesOnWhenItIsBack(ReporterState how, String reach, String words) {
+        SimulatedPhone phone = follows(6, 10);
         phone.walks(1, 0);
         lab.goOn(Duration.ofSeconds(20));
 
@@ -90,7 +90,7 @@ class FollowBoundsTest {
         assertThat(phone.view().state()).isEqualTo("tracking");
 
         phone.speaksAgain();
-        phone.isReached(Reach.SPEAKS);
+        phone.isReached(ReporterState.SPEAKS);
         lab.untilSeen("that is told", Duration.ofSeconds(10), () -> phone.wasTold("The phone says again where it is."));
         lab.until("it is near again", Duration.ofMinutes(1), () -> copter.distanceTo(phone.place()) < 12);
         assertThat(phone.view().state()).isEqualTo("tracking");

@@ -18,9 +18,9 @@ import org.dronemap.ws.follow.FollowRequest.PlaceRequest;
 import org.dronemap.ws.follow.FollowView;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.Phone;
-import org.dronemap.ws.lab.Traffic;
-import org.dronemap.ws.lab.VehicleKit;
+import org.dronemap.ws.lab.LinkTraffic;
+import org.dronemap.ws.lab.SimulatedPhone;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.problem.Rejection;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -50,7 +50,7 @@ class FollowFlightTest {
     @Test
     void aPhoneIsFollowedInTheOrderOfItsSequence() {
         LabDrone copter = lab.copter();
-        Phone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), copter, 20, 0);
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), copter, 20, 0);
         phone.asks(copter, south(5, 5), 60);
         assertThat(phone.view().state()).isEqualTo("allocated");
         assertThat(phone.view().drone()).isEqualTo(copter.id().value());
@@ -77,7 +77,7 @@ class FollowFlightTest {
     private static Stream<String> told(LabDrone copter) {
         Map<Integer, String> known = Map.of(400, "arm", 22, "take off", 20, "home");
         return copter.wire().traffic().down(0, CommandLong.ID, CommandInt.ID, SetPositionTargetGlobalInt.ID).stream()
-                .map(Traffic.Heard::frame)
+                .map(LinkTraffic.Heard::frame)
                 .map(frame -> switch (frame.messageId()) {
                     case CommandLong.ID ->
                         known.getOrDefault(CommandLong.decode(frame).command(), "");
@@ -91,8 +91,8 @@ class FollowFlightTest {
 
     @Test
     void aCopterWalksBesideAPhoneAndComesHome() {
-        LabDrone copter = lab.ready(lab.add(VehicleKit.COPTER.with(Map.of("MNT1_TYPE", 1.0))));
-        Phone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), copter, 15, 0);
+        LabDrone copter = lab.ready(lab.add(VehicleSpec.COPTER.with(Map.of("MNT1_TYPE", 1.0))));
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), copter, 15, 0);
         phone.asks(copter, new PlaceRequest("behind", null, null, DISTANCE, HEIGHT), 60)
                 .starts()
                 .walks(0, 1.4);
@@ -127,7 +127,7 @@ class FollowFlightTest {
     @Test
     void aFollowGoesOnOverACrashOfTheServerThatIsShort() {
         LabDrone copter = lab.copter();
-        Phone phone = follows(copter);
+        SimulatedPhone phone = follows(copter);
 
         lab.crashServer();
         lab.goOn(Duration.ofSeconds(3));
@@ -144,7 +144,7 @@ class FollowFlightTest {
     @Test
     void aDroneThatMissedTheCloudFollowsAgain() {
         LabDrone copter = lab.copter();
-        Phone phone = follows(copter);
+        SimulatedPhone phone = follows(copter);
 
         lab.crashServer();
         lab.until("it misses the cloud", Duration.ofSeconds(25), () -> copter.mode() == RTL);
@@ -160,8 +160,8 @@ class FollowFlightTest {
         assertThat(copter.isDown()).isTrue();
     }
 
-    private Phone follows(LabDrone copter) {
-        Phone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), copter, 40, 0);
+    private SimulatedPhone follows(LabDrone copter) {
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), copter, 40, 0);
         phone.asks(copter, south(5, 20), 600).starts();
         phone.awaits("tracking", Duration.ofMinutes(1));
         lab.until("it has come", Duration.ofMinutes(1), () -> copter.distanceTo(phone.beside(-5, 0)) < 3);
@@ -172,7 +172,7 @@ class FollowFlightTest {
     void aDroneThatRunsLowIsReplacedAndNobodyIsLost() {
         LabDrone first = lab.copter();
         LabDrone second = lab.copter();
-        Phone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), first, 40, 0);
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), first, 40, 0);
         phone.asks(first, new PlaceRequest("behind", null, null, 8.0, 15.0), 60).starts();
         phone.awaits("tracking", Duration.ofMinutes(1));
         lab.server()
@@ -202,7 +202,7 @@ class FollowFlightTest {
     }
 
     /** One of them is with the phone, and it is followed all along. */
-    private static void requireNear(Phone phone, LabDrone first, LabDrone second) {
+    private static void requireNear(SimulatedPhone phone, LabDrone first, LabDrone second) {
         assertThat(phone.view().state()).isEqualTo("tracking");
         assertThat(Math.min(first.distanceTo(phone.place()), second.distanceTo(phone.place())))
                 .isLessThan(50);

@@ -16,13 +16,13 @@ import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkTap;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.lab.WireTap;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.problem.InvalidInput;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Home, turns, pictures and relays; judged by what the vehicle itself did. */
 class HomeAndPayloadTest {
-    private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleKit#autopilots";
+    private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleSpec#autopilots";
     private static final int DO_SET_HOME = 179;
 
     private final Laboratory lab = new Laboratory(1);
@@ -42,7 +42,7 @@ class HomeAndPayloadTest {
         lab.close();
     }
 
-    private LabDrone drone(VehicleKit kit) {
+    private LabDrone drone(VehicleSpec kit) {
         return lab.ready(lab.add(kit));
     }
 
@@ -56,7 +56,7 @@ class HomeAndPayloadTest {
     }
 
     private static CommandRequest homeHere() {
-        return Commands.setHome();
+        return CommandRequests.setHome();
     }
 
     private static String payload(LabDrone drone) {
@@ -65,10 +65,10 @@ class HomeAndPayloadTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void homeGoesWhereItIsPutAndIsShownThere(VehicleKit kit) {
+    void homeGoesWhereItIsPutAndIsShownThere(VehicleSpec kit) {
         LabDrone drone = drone(kit);
-        drone.wire().is(new Wire.Quality(0.1, Duration.ofMillis(100), Duration.ofMillis(200)));
-        ann.does(drone, Commands.setHome(47.4012, 8.5501, 501.0));
+        drone.wire().is(new LabVehicleLink.Quality(0.1, Duration.ofMillis(100), Duration.ofMillis(200)));
+        ann.does(drone, CommandRequests.setHome(47.4012, 8.5501, 501.0));
         assertThat(homeOf(drone)).containsExactly(474_012_000L, 85_501_000L, 501_000L);
         lab.until(
                 "it is shown",
@@ -76,7 +76,7 @@ class HomeAndPayloadTest {
                 () -> new Home(new Geodetic(47.4012, 8.5501), 501)
                         .equals(drone.state().home()));
 
-        ann.does(drone, Commands.setHome(47.4013, 8.5502, 502.0));
+        ann.does(drone, CommandRequests.setHome(47.4013, 8.5502, 502.0));
         assertThat(homeOf(drone)).containsExactly(474_013_000L, 85_502_000L, 502_000L);
 
         ann.does(drone, homeHere());
@@ -85,18 +85,18 @@ class HomeAndPayloadTest {
         LocalFrame home = drone.craft().home();
         assertThat(home.latitude()).isCloseTo(here.latitudeDegrees(), within(1e-5));
         assertThat(home.longitude()).isCloseTo(here.longitudeDegrees(), within(1e-5));
-        ann.does(drone, Commands.readHome());
+        ann.does(drone, CommandRequests.readHome());
     }
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void halfAHomeIsRefusedBeforeAnythingIsSent(VehicleKit kit) {
+    void halfAHomeIsRefusedBeforeAnythingIsSent(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         List<Long> before = homeOf(drone);
-        WireTap tap = drone.wire().tap();
+        LinkTap tap = drone.wire().tap();
 
         InvalidInput half =
-                catchThrowableOfType(InvalidInput.class, () -> ann.give(drone, Commands.setHome(47.4, null, null)));
+                catchThrowableOfType(InvalidInput.class, () -> ann.give(drone, CommandRequests.setHome(47.4, null, null)));
 
         assertThat(half.field()).isEqualTo("longitude");
         lab.goOn(Duration.ofSeconds(3));
@@ -107,10 +107,10 @@ class HomeAndPayloadTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void everyPictureIsOneOnTheVehicle(VehicleKit kit) {
+    void everyPictureIsOneOnTheVehicle(VehicleSpec kit) {
         LabDrone drone = drone(kit);
 
-        ann.does(drone, Commands.takePicture()).does(drone, Commands.takePicture());
+        ann.does(drone, CommandRequests.takePicture()).does(drone, CommandRequests.takePicture());
 
         assertThat(payload(drone)).contains("pictures 2 ");
     }
@@ -118,16 +118,16 @@ class HomeAndPayloadTest {
     @Test
     void everySwitchedRelayIsOneOnTheVehicle() {
         LabDrone drone = lab.copter();
-        ann.does(drone, Commands.takePicture()).does(drone, Commands.takePicture());
+        ann.does(drone, CommandRequests.takePicture()).does(drone, CommandRequests.takePicture());
 
-        ann.does(drone, Commands.setRelay(1, "on")).does(drone, Commands.setRelay(4, "toggle"));
+        ann.does(drone, CommandRequests.setRelay(1, "on")).does(drone, CommandRequests.setRelay(4, "toggle"));
         assertThat(payload(drone)).isEqualTo("pictures 2 relays on: 1 4");
 
-        ann.does(drone, Commands.setRelay(1, "off"));
+        ann.does(drone, CommandRequests.setRelay(1, "off"));
         assertThat(payload(drone)).isEqualTo("pictures 2 relays on: 4");
 
         CommandView.OutcomeView missing = Objects.requireNonNull(
-                ann.outcome(drone, Commands.setRelay(9, "on")).outcome());
+                ann.outcome(drone, CommandRequests.setRelay(9, "on")).outcome());
         assertThat(missing.result()).isEqualTo("refused");
         assertThat(missing.by()).isEqualTo("vehicle");
         assertThat(payload(drone)).isEqualTo("pictures 2 relays on: 4");
@@ -135,9 +135,9 @@ class HomeAndPayloadTest {
 
     @Test
     void aVehicleWithoutRelaysIsNotAskedToSwitchOne() {
-        LabDrone px4 = drone(VehicleKit.PX4);
+        LabDrone px4 = drone(VehicleSpec.PX4);
 
-        assertThat(ann.refusal(px4, Commands.setRelay(1, "on"))).contains("cannot switch a relay");
+        assertThat(ann.refusal(px4, CommandRequests.setRelay(1, "on"))).contains("cannot switch a relay");
     }
 
     @Test
@@ -147,7 +147,7 @@ class HomeAndPayloadTest {
         lab.until("it is up", Duration.ofSeconds(60), () -> copter.height() > 9);
         double before = heading(copter);
 
-        CommandView turn = ann.give(copter, Commands.turn(-270.0));
+        CommandView turn = ann.give(copter, CommandRequests.turn(-270.0));
 
         List<Double> passed = new ArrayList<>();
         lab.until("it has turned three quarters to the left", Duration.ofSeconds(40), () -> {

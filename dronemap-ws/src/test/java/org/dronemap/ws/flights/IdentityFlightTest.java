@@ -14,14 +14,14 @@ import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.ws.command.CommandRequest;
-import org.dronemap.ws.enrol.WaitingService.EnrolRequest;
-import org.dronemap.ws.enrol.WaitingView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.enrol.EnrolmentService.EnrolRequest;
+import org.dronemap.ws.enrol.PendingVehicleView;
+import org.dronemap.ws.lab.CommandRequests;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.SigningPeer;
-import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
 import org.junit.jupiter.api.AfterEach;
@@ -36,8 +36,8 @@ class IdentityFlightTest {
     /** A new address is believed once the old one has been silent for 1.5 s; until then commands go to the old one. */
     private static final Duration LATEST_TO_AN_OLD_ADDRESS = Duration.ofSeconds(4);
 
-    private static final CommandRequest ARM = Commands.arm();
-    private static final CommandRequest DISARM = Commands.disarm();
+    private static final CommandRequest ARM = CommandRequests.arm();
+    private static final CommandRequest DISARM = CommandRequests.disarm();
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ada = lab.pilot("ada", Role.ADMINISTRATOR);
@@ -64,7 +64,7 @@ class IdentityFlightTest {
         return only(drone).link().state() == LinkState.LOST;
     }
 
-    private List<WaitingView> waiting() {
+    private List<PendingVehicleView> waiting() {
         return lab.server().office().waiting().waiting(ada.principal());
     }
 
@@ -184,7 +184,7 @@ class IdentityFlightTest {
     @Test
     void aCommandRightAfterAConnectionCameBackIsCarriedOut() {
         SigningPeer copter =
-                lab.signingPeer(7, Wire.Kind.TCP).withHardware(BOARD).begin();
+                lab.signingPeer(7, LabVehicleLink.Kind.TCP).withHardware(BOARD).begin();
         DroneId drone = copter.listed();
         lab.until("its hardware is known", Duration.ofSeconds(10), this::knowsHardware);
 
@@ -199,12 +199,12 @@ class IdentityFlightTest {
 
     @Test
     void aStrangerWaitsUntilAnAdministratorLetsItIn() {
-        SigningPeer stranger = lab.signingPeer(7, Wire.Kind.remote("198.51.100.9"))
+        SigningPeer stranger = lab.signingPeer(7, LabVehicleLink.Kind.remote("198.51.100.9"))
                 .withHardware(BOARD)
                 .begin();
 
         lab.until("it waits", Duration.ofSeconds(10), () -> !waiting().isEmpty());
-        WaitingView waits = waiting().get(0);
+        PendingVehicleView waits = waiting().get(0);
         assertThat(waits.reason()).isEqualTo("unknown");
         assertThat(waits.port()).isEqualTo(stranger.wire().port());
         lab.throughout("it is no drone", Duration.ofSeconds(3), () -> drones().isEmpty());

@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkFrameLog;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.lab.WireLog;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,16 +24,16 @@ class LinkFlightTest {
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ann = lab.pilot("ann", Role.OPERATOR);
-    private final LabDrone copter = lab.add(VehicleKit.COPTER);
+    private final LabDrone copter = lab.add(VehicleSpec.COPTER);
 
     @AfterEach
     void close() {
         lab.close();
     }
 
-    static Stream<Wire.Kind> kinds() {
+    static Stream<LabVehicleLink.Kind> kinds() {
         return Stream.of(
-                Wire.Kind.serial(DEVICE), Wire.Kind.UDP, Wire.Kind.TCP, Wire.Kind.WEBSOCKET, Wire.Kind.dtls("copter"));
+                LabVehicleLink.Kind.serial(DEVICE), LabVehicleLink.Kind.UDP, LabVehicleLink.Kind.TCP, LabVehicleLink.Kind.WEBSOCKET, LabVehicleLink.Kind.dtls("copter"));
     }
 
     private void takesOff() {
@@ -44,7 +44,7 @@ class LinkFlightTest {
     private void goesAndLands() {
         ann.fliesTo(copter, copter.place(22, 0), METERS);
         lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(22, 0)) < 2);
-        ann.does(copter, Commands.land());
+        ann.does(copter, CommandRequests.land());
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
         lab.until(
                 "the server knows",
@@ -54,9 +54,9 @@ class LinkFlightTest {
 
     @ParameterizedTest
     @MethodSource("kinds")
-    void everyKindOfLinkCarriesAFlight(Wire.Kind kind) {
+    void everyKindOfLinkCarriesAFlight(LabVehicleLink.Kind kind) {
         copter.wire().is(kind);
-        WireLog log = copter.wire().log();
+        LinkFrameLog log = copter.wire().log();
         lab.ready(copter);
 
         takesOff();
@@ -75,7 +75,7 @@ class LinkFlightTest {
 
     @Test
     void aConnectionThatBreaksInFlightIsThereAgainForWhatWasCommandedMeanwhile() {
-        copter.wire().is(Wire.Kind.TCP);
+        copter.wire().is(LabVehicleLink.Kind.TCP);
         lab.ready(copter);
         takesOff();
 
@@ -83,8 +83,8 @@ class LinkFlightTest {
         copter.wire().reconnect();
         var unused = lab.time().worker("the other side", 1).after(Duration.ofSeconds(2), copter.wire()::mend);
         // Given while there is no connection: it is sent again when there is one.
-        ann.does(copter, Commands.hold());
-        ann.does(copter, Commands.setMode("GUIDED"));
+        ann.does(copter, CommandRequests.hold());
+        ann.does(copter, CommandRequests.setMode("GUIDED"));
 
         goesAndLands();
         assertThat(copter.state().link().transport()).isEqualTo("tcp");
@@ -93,15 +93,15 @@ class LinkFlightTest {
 
     @Test
     void aDtlsVehicleIsKeptWhenItsAddressChangesInFlight() {
-        copter.wire().is(Wire.Kind.dtls("roaming copter"));
+        copter.wire().is(LabVehicleLink.Kind.dtls("roaming copter"));
         lab.ready(copter);
         takesOff();
         int before = copter.wire().port();
 
         for (int i = 0; i < 3; i++) {
             copter.wire().move();
-            ann.does(copter, Commands.hold());
-            ann.does(copter, Commands.setMode("GUIDED"));
+            ann.does(copter, CommandRequests.hold());
+            ann.does(copter, CommandRequests.setMode("GUIDED"));
         }
         goesAndLands();
 

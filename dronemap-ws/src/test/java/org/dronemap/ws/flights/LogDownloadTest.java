@@ -12,12 +12,12 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.message.LogData;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkTap;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.lab.WireTap;
-import org.dronemap.ws.log.LogService;
-import org.dronemap.ws.log.LogsView;
+import org.dronemap.ws.log.OnboardLogService;
+import org.dronemap.ws.log.OnboardLogsView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
 import org.junit.jupiter.api.Test;
@@ -25,18 +25,18 @@ import org.junit.jupiter.api.Test;
 /** Logs on board: listed, fetched over a link that breaks in the middle, saved byte for byte. */
 class LogDownloadTest {
     private static final int SIZE = 100_000;
-    private static final Wire.Quality LOSSY = new Wire.Quality(0.1, Duration.ofMillis(20), Duration.ZERO);
+    private static final LabVehicleLink.Quality LOSSY = new LabVehicleLink.Quality(0.1, Duration.ofMillis(20), Duration.ZERO);
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ann = lab.pilot("ann", Role.OPERATOR);
-    private final LogService logs = lab.server().logs();
+    private final OnboardLogService logs = lab.server().logs();
 
     private byte[] file(LabDrone drone) throws IOException {
         return Files.readAllBytes(logs.file(ann.principal(), drone.id().value(), 2));
     }
 
     /** As the vehicle itself said it, piece by piece, whether it arrived or not. */
-    private static byte[] said(WireTap tap) {
+    private static byte[] said(LinkTap tap) {
         byte[] all = new byte[SIZE];
         for (LogData piece : tap.said(LogData.ID, LogData::decode)) {
             for (int at = 0; at < piece.count(); at++) {
@@ -65,11 +65,11 @@ class LogDownloadTest {
             assertThat(logs.logs(ann.principal(), id).logs()).isNull();
             ann.succeeds(logs.refresh(ann.caller(), id));
             assertThat(logs.logs(ann.principal(), id).logs())
-                    .extracting(LogsView.LogView::sizeBytes)
+                    .extracting(OnboardLogsView.LogView::sizeBytes)
                     .containsExactly(12_345L, (long) SIZE);
             assertConflict(() -> logs.file(ann.principal(), id, 2));
 
-            WireTap tap = drone.wire().tap();
+            LinkTap tap = drone.wire().tap();
             drone.wire().is(LOSSY);
             CommandView fetching = logs.download(ann.caller(), id, 2);
             lab.until("some of it came", Duration.ofSeconds(30), () -> came(fetching) > 10_000);
@@ -80,7 +80,7 @@ class LogDownloadTest {
                     Duration.ofSeconds(10),
                     () -> drone.state().link().state() != LinkState.LIVE);
             drone.wire().mend();
-            drone.wire().is(Wire.Quality.GOOD);
+            drone.wire().is(LabVehicleLink.Quality.GOOD);
             ann.succeeds(fetching);
             assertConflict(() -> logs.download(ann.caller(), id, 2));
 

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -17,9 +17,9 @@ class MissionFlightTest {
             LabDrone copter = lab.copter();
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
             ann.plans(copter, 20, copter.place(60, 0), copter.place(60, 40))
-                    .does(copter, Commands.setMode("GUIDED"))
-                    .does(copter, Commands.arm())
-                    .does(copter, Commands.startMission(null));
+                    .does(copter, CommandRequests.setMode("GUIDED"))
+                    .does(copter, CommandRequests.arm())
+                    .does(copter, CommandRequests.startMission(null));
 
             lab.until(
                     "it is at the far corner",

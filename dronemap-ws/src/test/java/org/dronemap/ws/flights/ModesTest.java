@@ -12,7 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.ScriptedPeer;
@@ -61,7 +61,7 @@ class ModesTest {
             List<Map.Entry<Long, String>> backwards = new ArrayList<>(modes.entrySet());
             Collections.reverse(backwards);
             for (Map.Entry<Long, String> mode : backwards) {
-                ann.does(peer, Commands.setMode(mode.getValue()));
+                ann.does(peer, CommandRequests.setMode(mode.getValue()));
                 assertThat(peer.customMode()).as(mode.getValue()).isEqualTo(mode.getKey());
             }
         }

@@ -10,12 +10,12 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.command.CommandRequest;
-import org.dronemap.ws.key.KeyRequest;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.key.AccessKeyRequest;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.zone.ZoneFeature;
 import org.dronemap.ws.zone.ZoneGeometry;
@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** No bound of heights moves with a home that somebody moves: zones, keys, and what is watched in flight. */
 class MovedHomeTest {
-    private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleKit#autopilots";
+    private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleSpec#autopilots";
     private static final double CEILING_METERS = 50;
     private static final double RAISED_METERS = 100;
 
@@ -38,7 +38,7 @@ class MovedHomeTest {
         lab.close();
     }
 
-    private LabDrone drone(VehicleKit kit) {
+    private LabDrone drone(VehicleSpec kit) {
         return lab.ready(lab.add(kit));
     }
 
@@ -68,11 +68,11 @@ class MovedHomeTest {
                                         null)));
     }
 
-    private void takesOff(LabDrone drone, VehicleKit kit) {
+    private void takesOff(LabDrone drone, VehicleSpec kit) {
         if (!kit.isPx4()) {
-            ann.does(drone, Commands.setMode("GUIDED"));
+            ann.does(drone, CommandRequests.setMode("GUIDED"));
         }
-        ann.does(drone, Commands.arm()).does(drone, Commands.takeOff(20.0));
+        ann.does(drone, CommandRequests.arm()).does(drone, CommandRequests.takeOff(20.0));
         lab.until("it is up", Duration.ofMinutes(1), () -> up(drone) > 19);
     }
 
@@ -87,7 +87,7 @@ class MovedHomeTest {
 
     private static CommandRequest raisedHome(LabDrone drone) {
         Geodetic here = drone.place(0, 0);
-        return Commands.setHome(here.latitudeDegrees(), here.longitudeDegrees(), homeAmsl(drone) + RAISED_METERS);
+        return CommandRequests.setHome(here.latitudeDegrees(), here.longitudeDegrees(), homeAmsl(drone) + RAISED_METERS);
     }
 
     private void raiseHome(LabDrone drone) {
@@ -102,12 +102,12 @@ class MovedHomeTest {
 
     private static CommandRequest goTo(LabDrone drone, double height) {
         Geodetic place = drone.place(60, 0);
-        return Commands.goTo(place.latitudeDegrees(), place.longitudeDegrees(), height);
+        return CommandRequests.goTo(place.latitudeDegrees(), place.longitudeDegrees(), height);
     }
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void aHomeIsNotRaisedWhereAZoneIsMeasuredFromIt(VehicleKit kit) {
+    void aHomeIsNotRaisedWhereAZoneIsMeasuredFromIt(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         ceiling(drone);
         double before = homeAmsl(drone);
@@ -115,24 +115,24 @@ class MovedHomeTest {
         assertThat(ann.refusalByGate(drone, raisedHome(drone))).contains("at that height only");
         takesOff(drone, kit);
         assertThat(ann.refusalByGate(drone, raisedHome(drone))).contains("at that height only");
-        assertThat(ann.refusalByGate(drone, Commands.setHome())).contains("at that height only");
+        assertThat(ann.refusalByGate(drone, CommandRequests.setHome())).contains("at that height only");
 
         assertThat(homeAmsl(drone)).isEqualTo(before);
         Geodetic beside = drone.place(10, 0);
-        ann.does(drone, Commands.setHome(beside.latitudeDegrees(), beside.longitudeDegrees(), before));
+        ann.does(drone, CommandRequests.setHome(beside.latitudeDegrees(), beside.longitudeDegrees(), before));
         ann.does(drone, goTo(drone, CEILING_METERS));
     }
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void aCeilingStaysWhereItIsWhenHomeWasRaisedBeforeTheStart(VehicleKit kit) {
+    void aCeilingStaysWhereItIsWhenHomeWasRaisedBeforeTheStart(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         raiseHome(drone);
         ceiling(drone);
 
         assertThat(ann.refusalByGate(
                         drone,
-                        Commands.uploadMission(MissionItemRequest.of(List.of(
+                        CommandRequests.uploadMission(MissionItemRequest.of(List.of(
                                 new MissionItem.TakeOff(40),
                                 new MissionItem.Waypoint(drone.place(60, 0), Altitude.aboveHome(40), 0))))))
                 .contains("over the ceiling of");
@@ -140,7 +140,7 @@ class MovedHomeTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void aCeilingStaysWhereItIsWhenHomeWasRaisedInTheAirAndAfterACrash(VehicleKit kit) {
+    void aCeilingStaysWhereItIsWhenHomeWasRaisedInTheAirAndAfterACrash(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         takesOff(drone, kit);
         raiseHome(drone);
@@ -160,9 +160,9 @@ class MovedHomeTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void theBoundsOfAKeyStayWhereTheyAre(VehicleKit kit) {
+    void theBoundsOfAKeyStayWhereTheyAre(VehicleSpec kit) {
         LabDrone drone = drone(kit);
-        Pilot field = ann.withKey(new KeyRequest("field", null, null, null, null, null, CEILING_METERS, null, null));
+        Pilot field = ann.withKey(new AccessKeyRequest("field", null, null, null, null, null, CEILING_METERS, null, null));
         takesOff(drone, kit);
         raiseHome(drone);
 
@@ -173,7 +173,7 @@ class MovedHomeTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void whatIsWatchedInFlightIsMeasuredFromTheGround(VehicleKit kit) {
+    void whatIsWatchedInFlightIsMeasuredFromTheGround(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         takesOff(drone, kit);
         ann.does(drone, goTo(drone, 90));

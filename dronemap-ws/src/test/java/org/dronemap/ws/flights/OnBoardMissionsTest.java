@@ -21,14 +21,14 @@ import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.fence.FenceService;
 import org.dronemap.ws.fence.FenceView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
+import org.dronemap.ws.lab.DirectGroundStation;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkTap;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.PluggedStation;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.lab.WireTap;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.problem.InvalidInput;
 import org.junit.jupiter.api.AfterEach;
@@ -38,7 +38,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Missions over links that are bad, or break: what the vehicle holds is what was sent, or it is said. */
 class OnBoardMissionsTest {
-    private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleKit#autopilots";
+    private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleSpec#autopilots";
     private static final Duration FELT = Duration.ofSeconds(10);
     private static final int ENDED = 10_000;
 
@@ -72,12 +72,12 @@ class OnBoardMissionsTest {
                 .toList();
     }
 
-    private LabDrone drone(VehicleKit kit) {
+    private LabDrone drone(VehicleSpec kit) {
         return lab.ready(lab.add(kit));
     }
 
     private CommandView begin(LabDrone drone, List<MissionItemRequest.Waypoint> items) {
-        return ann.give(drone, Commands.uploadMission(List.copyOf(items)));
+        return ann.give(drone, CommandRequests.uploadMission(List.copyOf(items)));
     }
 
     /** What the vehicle itself has last in its mission, whatever stands before. */
@@ -101,17 +101,17 @@ class OnBoardMissionsTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void aLinkThatBreaksAtAnyItemOnlyDelaysTheUpload(VehicleKit kit) {
+    void aLinkThatBreaksAtAnyItemOnlyDelaysTheUpload(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         for (int done : new int[] {0, 3, 7, 11}) {
             List<MissionItemRequest.Waypoint> items = waypoints(12, 100 * done);
-            drone.wire().is(Wire.Quality.late(50));
+            drone.wire().is(LabVehicleLink.Quality.late(50));
             CommandView upload = begin(drone, items);
             lab.until("it is that far", Duration.ofSeconds(20), () -> done(upload) >= done);
             drone.wire().cut();
             lab.until("the cut is felt", FELT, () -> drone.state().link().state() != LinkState.LIVE);
             drone.wire().mend();
-            drone.wire().is(Wire.Quality.GOOD);
+            drone.wire().is(LabVehicleLink.Quality.GOOD);
 
             ann.succeeds(upload);
             assertHolds(drone, items);
@@ -120,13 +120,13 @@ class OnBoardMissionsTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void anItemThatTheVehicleSilentlyAlteredIsTold(VehicleKit kit) {
+    void anItemThatTheVehicleSilentlyAlteredIsTold(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         drone.vehicle().alterations().alterItem(4);
         List<MissionItemRequest.Waypoint> items = waypoints(8, 0);
 
         CommandView.OutcomeView outcome = Objects.requireNonNull(
-                ann.outcome(drone, Commands.uploadMission(List.copyOf(items))).outcome());
+                ann.outcome(drone, CommandRequests.uploadMission(List.copyOf(items))).outcome());
 
         assertThat(outcome.result()).isEqualTo("failed");
         assertThat(outcome.reason()).contains("another mission than the one sent");
@@ -136,20 +136,20 @@ class OnBoardMissionsTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void aMissionGoesUpABadLink(VehicleKit kit) {
+    void aMissionGoesUpABadLink(VehicleSpec kit) {
         goesUpABadLink(kit, 6, Duration.ofMinutes(2));
     }
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void aLongMissionGoesUpABadLink(VehicleKit kit) {
+    void aLongMissionGoesUpABadLink(VehicleSpec kit) {
         goesUpABadLink(kit, 200, Duration.ofMinutes(30));
     }
 
-    private void goesUpABadLink(VehicleKit kit, int count, Duration longest) {
+    private void goesUpABadLink(VehicleSpec kit, int count, Duration longest) {
         LabDrone drone = drone(kit);
         List<MissionItemRequest.Waypoint> items = waypoints(count, 0);
-        drone.wire().is(Wire.Quality.BAD);
+        drone.wire().is(LabVehicleLink.Quality.BAD);
         drone.wire().doubles(0.02);
 
         CommandView upload = begin(drone, items);
@@ -161,7 +161,7 @@ class OnBoardMissionsTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void onlyWhatDiffersGoesUpWhereTheVehicleTakesParts(VehicleKit kit) {
+    void onlyWhatDiffersGoesUpWhereTheVehicleTakesParts(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         List<MissionItemRequest.Waypoint> items = new ArrayList<>(waypoints(30, 0));
         ann.succeeds(begin(drone, items));
@@ -169,7 +169,7 @@ class OnBoardMissionsTest {
         assertThat(firstHash).isNotEmpty();
         MissionItemRequest.Waypoint old = items.get(7);
         items.set(7, waypoint(Objects.requireNonNull(old.latitude()), Objects.requireNonNull(old.longitude()), 44));
-        WireTap tap = drone.wire().tap();
+        LinkTap tap = drone.wire().tap();
 
         ann.succeeds(begin(drone, items));
 
@@ -184,17 +184,17 @@ class OnBoardMissionsTest {
     }
 
     static Stream<Arguments> autopilotsAndLengths() {
-        return VehicleKit.autopilots().flatMap(kit -> Stream.of(Arguments.of(kit, 5), Arguments.of(kit, 80)));
+        return VehicleSpec.autopilots().flatMap(kit -> Stream.of(Arguments.of(kit, 5), Arguments.of(kit, 80)));
     }
 
     @ParameterizedTest
     @MethodSource("autopilotsAndLengths")
-    void aChangeBySomebodyElseIsNoticedAndTold(VehicleKit kit, int count) {
+    void aChangeBySomebodyElseIsNoticedAndTold(VehicleSpec kit, int count) {
         LabDrone drone = drone(kit);
         ann.succeeds(begin(drone, waypoints(count, 0)));
         assertThat(drone.state().mission().notice()).isNull();
 
-        new PluggedStation(lab, drone).raiseItem(4, 7);
+        new DirectGroundStation(lab, drone).raiseItem(4, 7);
 
         String notice = lab.until(
                 "the change is told",
@@ -206,11 +206,11 @@ class OnBoardMissionsTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void fenceAndRallyPointsGoRound(VehicleKit kit) {
+    void fenceAndRallyPointsGoRound(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         String id = drone.id().value();
         FenceService fences = lab.server().fences();
-        PluggedStation station = new PluggedStation(lab, drone);
+        DirectGroundStation station = new DirectGroundStation(lab, drone);
         FenceView.PointView corner = new FenceView.PointView(47.39, 8.54);
         FenceView fence = new FenceView(List.of(
                 new FenceView.PolygonView(
@@ -237,7 +237,7 @@ class OnBoardMissionsTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void aBrokenFenceIsRefusedByNameAndLeavesTheOldOne(VehicleKit kit) {
+    void aBrokenFenceIsRefusedByNameAndLeavesTheOldOne(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         FenceView.PointView center = new FenceView.PointView(47.39, 8.54);
         FenceView fence = new FenceView(List.of(new FenceView.CircleView(false, center, 50.0)));
@@ -250,7 +250,7 @@ class OnBoardMissionsTest {
                 () -> fences.setFence(ann.caller(), drone.id().value(), broken));
 
         assertThat(refused.field()).isEqualTo("zones[0].center.latitude");
-        assertThat(new PluggedStation(lab, drone).mission(1))
+        assertThat(new DirectGroundStation(lab, drone).mission(1))
                 .extracting(MissionItemInt::command)
                 .containsExactly(5004);
     }

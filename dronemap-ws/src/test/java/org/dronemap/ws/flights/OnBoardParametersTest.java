@@ -19,11 +19,11 @@ import org.dronemap.sim.flight.Parameters;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkTap;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.Wire;
-import org.dronemap.ws.lab.WireTap;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.parameter.ParameterService;
 import org.dronemap.ws.parameter.ParametersView;
 import org.dronemap.ws.problem.InvalidInput;
@@ -35,7 +35,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Parameters: read, searched, changed with proof, saved and loaded; over good links and over one that breaks. */
 class OnBoardParametersTest {
-    private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleKit#autopilots";
+    private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleSpec#autopilots";
     private static final int COUNT = 1_000;
     private static final CommandView.OutcomeView SUCCEEDED = new CommandView.OutcomeView("succeeded", null, null, null);
 
@@ -48,7 +48,7 @@ class OnBoardParametersTest {
         lab.close();
     }
 
-    private LabDrone drone(VehicleKit kit) {
+    private LabDrone drone(VehicleSpec kit) {
         return lab.ready(lab.add(kit.withParameters(COUNT)));
     }
 
@@ -77,7 +77,7 @@ class OnBoardParametersTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void readsSearchesChangesAndProvesIt(VehicleKit kit) {
+    void readsSearchesChangesAndProvesIt(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         assertThat(parameters
                         .parameters(ann.principal(), drone.id().value(), null)
@@ -100,7 +100,7 @@ class OnBoardParametersTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void saysWhatTheVehicleHoldsWhenItSilentlyKeptSomethingElse(VehicleKit kit) {
+    void saysWhatTheVehicleHoldsWhenItSilentlyKeptSomethingElse(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         read(drone);
         drone.vehicle().alterations().alterParameter("SPARE_0003");
@@ -118,11 +118,11 @@ class OnBoardParametersTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void refusesWhatTheVehicleDoesNotHaveBeforeAnythingIsSent(VehicleKit kit) {
+    void refusesWhatTheVehicleDoesNotHaveBeforeAnythingIsSent(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         read(drone);
         Map<String, Double> before = held(drone);
-        WireTap tap = drone.wire().tap();
+        LinkTap tap = drone.wire().tap();
 
         InvalidInput unknown = catchThrowableOfType(InvalidInput.class, () -> put(drone, "NOBODY", 1));
         InvalidInput broken = catchThrowableOfType(InvalidInput.class, () -> put(drone, "SPARE_0001", 1.5));
@@ -136,12 +136,12 @@ class OnBoardParametersTest {
     }
 
     static Stream<Arguments> autopilotsAndForms() {
-        return VehicleKit.autopilots().flatMap(kit -> Stream.of(Arguments.of(kit, "list"), Arguments.of(kit, "table")));
+        return VehicleSpec.autopilots().flatMap(kit -> Stream.of(Arguments.of(kit, "list"), Arguments.of(kit, "table")));
     }
 
     @ParameterizedTest
     @MethodSource("autopilotsAndForms")
-    void aFileGoesRoundWithABreakInTheMiddle(VehicleKit kit, String form) {
+    void aFileGoesRoundWithABreakInTheMiddle(VehicleSpec kit, String form) {
         LabDrone drone = drone(kit);
         String id = drone.id().value();
         read(drone);
@@ -156,7 +156,7 @@ class OnBoardParametersTest {
         assertThat(compared.unfit()).isEmpty();
         assertThat(compared.command()).isNull();
 
-        drone.wire().is(Wire.Quality.late(200));
+        drone.wire().is(LabVehicleLink.Quality.late(200));
         CommandView loading =
                 Objects.requireNonNull(parameters.load(ann.caller(), id, saved).command());
         lab.until("some are written", Duration.ofSeconds(30), () -> isUnderWay(loading));
@@ -167,7 +167,7 @@ class OnBoardParametersTest {
                 Duration.ofSeconds(10),
                 () -> drone.state().link().state() != LinkState.LIVE);
         drone.wire().mend();
-        drone.wire().is(Wire.Quality.GOOD);
+        drone.wire().is(LabVehicleLink.Quality.GOOD);
 
         ann.succeeds(loading);
         assertThat(held(drone)).isEqualTo(before);
@@ -176,7 +176,7 @@ class OnBoardParametersTest {
 
     @Test
     void aThousandParametersGoUpABadLink() {
-        LabDrone drone = drone(VehicleKit.COPTER);
+        LabDrone drone = drone(VehicleSpec.COPTER);
         String id = drone.id().value();
         read(drone);
         List<String> names = shown(drone, "SPARE").parameters().stream()
@@ -187,7 +187,7 @@ class OnBoardParametersTest {
         String file = wanted.entrySet().stream()
                 .map(line -> line.getKey() + "," + line.getValue())
                 .collect(Collectors.joining("\n"));
-        drone.wire().is(Wire.Quality.BAD);
+        drone.wire().is(LabVehicleLink.Quality.BAD);
         drone.wire().doubles(0.02);
 
         CommandView loading =
@@ -215,7 +215,7 @@ class OnBoardParametersTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    void aParameterOfTheAutopilotsOwnIsChangedAsAnyOther(VehicleKit kit) {
+    void aParameterOfTheAutopilotsOwnIsChangedAsAnyOther(VehicleSpec kit) {
         LabDrone drone = lab.ready(lab.add(kit));
         String name = kit.isPx4() ? "RTL_RETURN_ALT" : "RTL_ALT";
         ann.succeeds(parameters.refresh(ann.caller(), drone.id().value()));

@@ -14,12 +14,12 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkTap;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.WireTap;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.junit.jupiter.api.Test;
 
@@ -33,7 +33,7 @@ class OtherAutopilotsTest {
     private static void fly(Laboratory lab, LabDrone drone) {
         Pilot ann = lab.pilot("ann", Role.OPERATOR);
         List<Geodetic> corners = List.of(drone.place(20, 0), drone.place(20, 20), drone.place(0, 20));
-        ann.does(drone, Commands.arm()).does(drone, Commands.takeOff(HEIGHT));
+        ann.does(drone, CommandRequests.arm()).does(drone, CommandRequests.takeOff(HEIGHT));
         lab.until("it hovers", Duration.ofSeconds(60), () -> drone.height() > HEIGHT - 1 && above(drone) > HEIGHT - 1);
         ann.fliesTo(drone, corners.get(0), HEIGHT);
         lab.until(
@@ -43,7 +43,7 @@ class OtherAutopilotsTest {
         assertThat(drone.height()).isBetween(HEIGHT - 1, HEIGHT + 1);
         List<MissionItem> items = new ArrayList<>();
         corners.forEach(corner -> items.add(new MissionItem.Waypoint(corner, Altitude.aboveHome(HEIGHT), 0)));
-        ann.does(drone, Commands.uploadMission(MissionItemRequest.of(items))).does(drone, Commands.startMission(null));
+        ann.does(drone, CommandRequests.uploadMission(MissionItemRequest.of(items))).does(drone, CommandRequests.startMission(null));
         int last = drone.state().mission().items().size() - 1;
         for (Geodetic corner : corners) {
             lab.until("it is at the next corner", Duration.ofSeconds(60), () -> drone.distanceTo(corner) < 2);
@@ -53,7 +53,7 @@ class OtherAutopilotsTest {
         // Not every vehicle says it: MAVLink 1 has no field for it.
         lab.until("the mission is over", Duration.ofSeconds(30), () -> isOver(drone));
         assertThat(reached(drone, last)).as("what was reached stays so").isTrue();
-        ann.does(drone, Commands.hold()).does(drone, Commands.returnToLaunch());
+        ann.does(drone, CommandRequests.hold()).does(drone, CommandRequests.returnToLaunch());
         lab.until(
                 "it landed and disarmed",
                 Duration.ofSeconds(150),
@@ -84,9 +84,9 @@ class OtherAutopilotsTest {
     @Test
     void px4FliesByItsOwnCommands() {
         try (Laboratory lab = new Laboratory(1)) {
-            LabDrone px4 = lab.ready(lab.add(VehicleKit.PX4));
+            LabDrone px4 = lab.ready(lab.add(VehicleSpec.PX4));
             assertThat(px4.state().identification().autopilot()).isEqualTo("PX4");
-            WireTap tap = px4.wire().tap();
+            LinkTap tap = px4.wire().tap();
 
             fly(lab, px4);
 
@@ -105,8 +105,8 @@ class OtherAutopilotsTest {
     @Test
     void mavlink1CarriesAFlight() {
         try (Laboratory lab = new Laboratory(1)) {
-            LabDrone old = lab.add(VehicleKit.COPTER.ofMavlink1());
-            WireTap tap = old.wire().tap();
+            LabDrone old = lab.add(VehicleSpec.COPTER.ofMavlink1());
+            LinkTap tap = old.wire().tap();
             lab.ready(old);
 
             fly(lab, old);

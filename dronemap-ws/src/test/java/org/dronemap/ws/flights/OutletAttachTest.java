@@ -16,16 +16,16 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.ws.lab.Administrator;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.GroundStation;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabPeerLink;
 import org.dronemap.ws.lab.LabRobot;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.Line;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.RobotKit;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.Wire;
+import org.dronemap.ws.lab.RobotSpec;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.outlet.OutletView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
@@ -40,7 +40,7 @@ class OutletAttachTest {
     private static final Duration A_WHILE = Duration.ofSeconds(3);
 
     private final Laboratory lab = new Laboratory(1);
-    private final List<LabDrone> twins = List.of(lab.add(VehicleKit.COPTER, 1), lab.add(VehicleKit.COPTER, 1));
+    private final List<LabDrone> twins = List.of(lab.add(VehicleSpec.COPTER, 1), lab.add(VehicleSpec.COPTER, 1));
     private final Administrator administrator = lab.administrator();
     private final Pilot viewer = lab.pilot("eve", Role.VIEWER);
 
@@ -54,7 +54,7 @@ class OutletAttachTest {
     }
 
     private GroundStation station(boolean tcp, int systemId) {
-        return lab.station(tcp ? Line.Kind.TCP : Line.Kind.UDP, viewer.passphrase(), systemId);
+        return lab.station(tcp ? LabPeerLink.Kind.TCP : LabPeerLink.Kind.UDP, viewer.passphrase(), systemId);
     }
 
     private OutletView.RefusedView refused() {
@@ -135,7 +135,7 @@ class OutletAttachTest {
     void strangersAndWrongPassphrasesSeeNothingAndAreCounted() {
         viewer.passphrase();
         List<GroundStation> strangers = new ArrayList<>();
-        for (Line.Kind kind : List.of(Line.Kind.UDP, Line.Kind.TCP)) {
+        for (LabPeerLink.Kind kind : List.of(LabPeerLink.Kind.UDP, LabPeerLink.Kind.TCP)) {
             strangers.add(lab.station(kind, null, 255));
             strangers.add(lab.station(kind, "a passphrase of nobody's " + kind.transport(), 255));
         }
@@ -242,7 +242,7 @@ class OutletAttachTest {
         try (Laboratory bad = new Laboratory(seed)) {
             bad.copter();
             Pilot eve = bad.pilot("eve", Role.VIEWER);
-            Wire.Quality rough = new Wire.Quality(0.3, Duration.ofMillis(50), Duration.ofSeconds(1));
+            LabVehicleLink.Quality rough = new LabVehicleLink.Quality(0.3, Duration.ofMillis(50), Duration.ofSeconds(1));
             GroundStation before = bad.station(eve, 255);
             before.line().is(rough);
             before.hears(1);
@@ -265,10 +265,10 @@ class OutletAttachTest {
             LabDrone copter = lab.copter();
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
             GroundStation ground = lab.station(ann, 255);
-            ground.line().is(new Wire.Quality(0.2, Duration.ofMillis(20), Duration.ofMillis(100)));
-            LabRobot rover = lab.robot(RobotKit.rover(3_000)).allows(ann, "hold");
+            ground.line().is(new LabVehicleLink.Quality(0.2, Duration.ofMillis(20), Duration.ofMillis(100)));
+            LabRobot rover = lab.robot(RobotSpec.rover(3_000)).allows(ann, "hold");
             ann.takesOff(copter, 10);
-            rover.does(ann, Commands.hold());
+            rover.does(ann, CommandRequests.hold());
             ground.hears(1);
             return lab.sum();
         }

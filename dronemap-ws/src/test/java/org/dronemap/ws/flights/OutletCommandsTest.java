@@ -11,18 +11,18 @@ import org.dronemap.mavlink.message.AutopilotVersion;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.ControlStatus;
 import org.dronemap.mavlink.message.GlobalPositionInt;
-import org.dronemap.ws.audit.AuditSearch;
+import org.dronemap.ws.audit.AuditSearchRequest;
 import org.dronemap.ws.audit.AuditView;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.control.ControlRequest;
 import org.dronemap.ws.lab.Administrator;
 import org.dronemap.ws.lab.GroundStation;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabPeerLink;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.Line;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.VehicleLog;
+import org.dronemap.ws.lab.VehicleFrameLog;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -44,8 +44,8 @@ class OutletCommandsTest {
     private static final int GUIDED = 4;
 
     private final Laboratory lab = new Laboratory(1);
-    private final LabDrone first = lab.add(VehicleKit.COPTER, 1);
-    private final LabDrone second = lab.add(VehicleKit.COPTER, 1);
+    private final LabDrone first = lab.add(VehicleSpec.COPTER, 1);
+    private final LabDrone second = lab.add(VehicleSpec.COPTER, 1);
     private final Administrator administrator = lab.administrator();
 
     OutletCommandsTest() {
@@ -59,7 +59,7 @@ class OutletCommandsTest {
     }
 
     private GroundStation station(Pilot user, int systemId) {
-        return lab.station(Line.Kind.TCP, user.passphrase(), systemId);
+        return lab.station(LabPeerLink.Kind.TCP, user.passphrase(), systemId);
     }
 
     @Test
@@ -96,7 +96,7 @@ class OutletCommandsTest {
 
     @Test
     void aRefusalSaysWhy() {
-        VehicleLog log = new VehicleLog(first);
+        VehicleFrameLog log = new VehicleFrameLog(first);
         GroundStation ground = station(administrator.granted("eve", Role.VIEWER, first), 255);
         int number = ground.hears(1).get(0);
         assertThat(ground.command(number, ARM, 1)).isEqualTo(DENIED);
@@ -164,7 +164,7 @@ class OutletCommandsTest {
 
     /** By whom, and what, as it was taken down for good. */
     private List<String> done() {
-        AuditSearch search = new AuditSearch(null, second.id().value(), null, "outlet", null, null, null);
+        AuditSearchRequest search = new AuditSearchRequest(null, second.id().value(), null, "outlet", null, null, null);
         List<AuditView> records = lab.server()
                 .accounts()
                 .audit()

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.ScheduledTask;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandLong;
@@ -18,11 +18,11 @@ import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.control.ControlRequest;
 import org.dronemap.ws.drone.DroneView;
 import org.dronemap.ws.lab.Administrator;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.GroundStation;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabPeerLink;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.Line;
 import org.dronemap.ws.lab.Pilot;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -47,7 +47,7 @@ class OutletSteeringTest {
     private final Administrator administrator = lab.administrator();
     private final Pilot pilot = administrator.granted("ann", Role.OPERATOR, copter);
     private final Pilot supervisor = administrator.granted("sue", Role.SUPERVISOR, copter);
-    private final GroundStation ground = lab.station(Line.Kind.TCP, pilot.passphrase(), 255);
+    private final GroundStation ground = lab.station(LabPeerLink.Kind.TCP, pilot.passphrase(), 255);
     private final int number = ground.hears(1).get(0);
 
     @AfterEach
@@ -113,7 +113,7 @@ class OutletSteeringTest {
     }
 
     private void land(Pilot who) {
-        who.does(copter, Commands.land());
+        who.does(copter, CommandRequests.land());
         lab.until(
                 "it is down",
                 A_FLIGHT,
@@ -123,7 +123,7 @@ class OutletSteeringTest {
     @Test
     void speedsSteerADroneAndItStandsWhenTheyStop() {
         takeOff();
-        Repetition said = ground.saysOn(northward(1));
+        ScheduledTask said = ground.saysOn(northward(1));
         awaitSpeed("it is steered by speeds");
         said.callOff();
         awaitStand("it stands without another word");
@@ -142,7 +142,7 @@ class OutletSteeringTest {
         lab.until("sticks do nothing in GUIDED", SOON, () -> ground.texts().contains("mode to LOITER"));
         assertThat(trueSpeed()).isLessThan(0.5);
         assertThat(ground.command(number, SET_MODE, 1, LOITER)).isEqualTo(ACCEPTED);
-        Repetition said = ground.saysOn(forward);
+        ScheduledTask said = ground.saysOn(forward);
         awaitSpeed("it is steered by sticks");
         supervisor.controls(copter, HELICOPTER);
         awaitStand("it stands whatever the sticks say");
@@ -159,7 +159,7 @@ class OutletSteeringTest {
     @Test
     void whoIsDisabledWhileSteeringSteersNoMoreAndHasNoControl() {
         takeOff();
-        Repetition said = ground.saysOn(northward(1));
+        ScheduledTask said = ground.saysOn(northward(1));
         awaitSpeed("it is steered");
         administrator.disables(pilot);
         lab.until("it stands", SOON, () -> trueSpeed() < 0.5 && shownSpeed() < 0.5);
@@ -202,7 +202,7 @@ class OutletSteeringTest {
         takeOff();
         int north = (int) Math.round((copter.place(0, 0).latitudeDegrees() + 0.02) * 1e7);
         int east = (int) Math.round(copter.place(0, 0).longitudeDegrees() * 1e7);
-        Repetition said = ground.saysOn(
+        ScheduledTask said = ground.saysOn(
                 new SetPositionTargetGlobalInt(0, number, 1, 6, 0xDF8, north, east, 15, 0, 0, 0, 0, 0, 0, 0, 0));
         lab.until("it is led", SOON, this::isLed);
         awaitSpeed("it flies there");

@@ -19,15 +19,15 @@ import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.ws.lab.Administrator;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.GroundStation;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabPeerLink;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.Line;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.VehicleLog;
-import org.dronemap.ws.lab.Wire;
+import org.dronemap.ws.lab.VehicleFrameLog;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -42,8 +42,8 @@ class OutletTransfersTest {
     private static final int REAL32 = 9;
 
     private final Laboratory lab = new Laboratory(1);
-    private final LabDrone copter = lab.ready(lab.add(VehicleKit.COPTER.withParameters(PARAMETERS)));
-    private final VehicleLog log = new VehicleLog(copter);
+    private final LabDrone copter = lab.ready(lab.add(VehicleSpec.COPTER.withParameters(PARAMETERS)));
+    private final VehicleFrameLog log = new VehicleFrameLog(copter);
     private final Administrator administrator = lab.administrator();
 
     /** As items carry it: 1e-7 degrees and metres. */
@@ -55,7 +55,7 @@ class OutletTransfersTest {
     }
 
     private GroundStation station(Pilot user, int systemId) {
-        return lab.station(Line.Kind.TCP, user.passphrase(), systemId);
+        return lab.station(LabPeerLink.Kind.TCP, user.passphrase(), systemId);
     }
 
     private Pilot user(Role role) {
@@ -199,7 +199,7 @@ class OutletTransfersTest {
             byTcp.add(station(users.get(more % 3), 251 + more));
         }
         int number = byUdp.hears(1).get(0);
-        byUdp.line().is(new Wire.Quality(0.05, Duration.ofMillis(5), Duration.ZERO));
+        byUdp.line().is(new LabVehicleLink.Quality(0.05, Duration.ofMillis(5), Duration.ZERO));
         byUdp.says(new ParamRequestList(number, 1));
         for (GroundStation ground : byTcp) {
             ground.says(new ParamRequestList(ground.hears(1).get(0), 1));
@@ -252,7 +252,7 @@ class OutletTransfersTest {
 
     @Test
     void aParameterIsSetByWhoMayAndToldAsItIsToOthers() {
-        administrator.account().does(copter, Commands.readParameters());
+        administrator.account().does(copter, CommandRequests.readParameters());
         for (Role role : List.of(Role.OPERATOR, Role.VIEWER)) {
             GroundStation ground = station(user(role), 255);
             int number = ground.hears(1).get(0);

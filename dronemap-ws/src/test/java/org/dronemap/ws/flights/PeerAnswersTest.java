@@ -13,12 +13,12 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabVehicle;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkTap;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.ScriptedPeer;
-import org.dronemap.ws.lab.WireTap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -70,7 +70,7 @@ class PeerAnswersTest {
     }
 
     private static CommandRequest arm() {
-        return Commands.arm();
+        return CommandRequests.arm();
     }
 
     @Test
@@ -164,7 +164,7 @@ class PeerAnswersTest {
     })
     void otherComponentsMakeNoDrone(String what, int type, int component) {
         ScriptedPeer stranger = lab.peer(99, new ScriptedPeer.Kind(type, 8, component, 2), ScriptedPeer.OBEDIENT);
-        WireTap tap = stranger.wire().tap();
+        LinkTap tap = stranger.wire().tap();
         ScriptedPeer copter = peer(98, ScriptedPeer.Kind.COPTER, ScriptedPeer.OBEDIENT);
 
         lab.goOn(Duration.ofSeconds(5));
@@ -190,7 +190,7 @@ class PeerAnswersTest {
     @Test
     void aVehicleMayComeByMavlink1() {
         ScriptedPeer peer = peer(1, new ScriptedPeer.Kind(2, 3, 1, 1), ScriptedPeer.OBEDIENT);
-        WireTap tap = peer.wire().tap();
+        LinkTap tap = peer.wire().tap();
 
         ann.does(peer, arm());
 
@@ -227,7 +227,7 @@ class PeerAnswersTest {
         });
         ann.does(peer, arm());
 
-        CommandView.OutcomeView outcome = outcome(peer, Commands.takeOff(10.0));
+        CommandView.OutcomeView outcome = outcome(peer, CommandRequests.takeOff(10.0));
 
         assertThat(outcome.result()).isIn("refused", "failed", "timedOut");
         assertThat(outcome.reason()).isNotEmpty();

@@ -16,12 +16,12 @@ import org.dronemap.ws.control.ControlRequest;
 import org.dronemap.ws.control.SteeringRequest;
 import org.dronemap.ws.follow.FollowRequest.PlaceRequest;
 import org.dronemap.ws.lab.Administrator;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
-import org.dronemap.ws.lab.Phone;
+import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.RunFlight;
+import org.dronemap.ws.lab.SimulatedPhone;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.virtual.VirtualDroneRequest;
@@ -92,9 +92,9 @@ class RandomMomentsTest {
         private final Pilot pilot;
         private final Kind kind;
         private final End end;
-        private final SocketJudge socket = new SocketJudge();
+        private final OrderCapture socket = new OrderCapture();
         private boolean steers;
-        private @Nullable Phone phone;
+        private @Nullable SimulatedPhone phone;
         private long endedNanos;
         private boolean taken;
         private long takenMode;
@@ -149,14 +149,14 @@ class RandomMomentsTest {
                 case STICKS -> {
                     pilot.takesOff(drone, HEIGHT);
                     lab.until("it is up", Duration.ofSeconds(40), () -> drone.height() > HEIGHT - 1);
-                    pilot.does(drone, Commands.setMode("LOITER"));
+                    pilot.does(drone, CommandRequests.setMode("LOITER"));
                     steers = true;
                 }
                 case MISSION -> {
                     pilot.plans(drone, HEIGHT, drone.place(30, 0), drone.place(60, 0));
-                    pilot.does(drone, Commands.setMode("GUIDED"));
-                    pilot.does(drone, Commands.arm());
-                    pilot.does(drone, Commands.startMission("continue"));
+                    pilot.does(drone, CommandRequests.setMode("GUIDED"));
+                    pilot.does(drone, CommandRequests.arm());
+                    pilot.does(drone, CommandRequests.startMission("continue"));
                 }
                 case RUN -> beginsRun();
                 case FOLLOW -> {
@@ -169,14 +169,14 @@ class RandomMomentsTest {
         }
 
         private void beginsRun() {
-            var unused = RunFlight.begins(
+            var unused = MissionRunFlight.begins(
                     lab,
                     pilot,
                     List.of(drone),
                     List.of(
-                            RunFlight.waypoint(drone.place(30, 0), drone.groundAmsl() + 20),
-                            RunFlight.waypoint(drone.place(60, 0), drone.groundAmsl() + 20)),
-                    RunFlight.Manner.ON);
+                            MissionRunFlight.waypoint(drone.place(30, 0), drone.groundAmsl() + 20),
+                            MissionRunFlight.waypoint(drone.place(60, 0), drone.groundAmsl() + 20)),
+                    MissionRunFlight.Manner.ON);
         }
 
         private void beginsVirtual(Pilot chief) {
@@ -209,7 +209,7 @@ class RandomMomentsTest {
                 }
                 case IS_STOPPED_BY_A_SUPERVISOR -> {
                     vanishes();
-                    tries(() -> chief.does(drone, Commands.hold()));
+                    tries(() -> chief.does(drone, CommandRequests.hold()));
                 }
                 case PILOT_TAKES_IT -> isTakenInto(drone.mode() == LOITER ? ALT_HOLD : LOITER);
                 case STATION_TAKES_IT -> isTakenInto(drone.mode() == GUIDED ? LOITER : GUIDED);

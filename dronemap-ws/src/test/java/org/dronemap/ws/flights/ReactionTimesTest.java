@@ -14,11 +14,11 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.lease.LeaseRules;
-import org.dronemap.core.safety.Times;
+import org.dronemap.core.safety.SafetyTimes;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.RunFlight;
 import org.dronemap.ws.plan.PlanRequest;
 import org.junit.jupiter.api.Test;
 
@@ -72,7 +72,7 @@ class ReactionTimesTest {
     }
 
     private static Duration toldAfter(Laboratory lab, LabDrone drone, String what) {
-        SocketJudge socket = new SocketJudge();
+        OrderCapture socket = new OrderCapture();
         drone.wire().capturedBy(socket);
         return until(lab, what, () -> !socket.ordersAfter(0).isEmpty());
     }
@@ -104,7 +104,7 @@ class ReactionTimesTest {
         for (int number = 0; number < RUNS; number++) {
             try (Laboratory lab = new Laboratory(number + 1)) {
                 List<LabDrone> drones = lab.copters(2);
-                RunFlight run = runsFarOut(lab, drones).awaitsAll("flying");
+                MissionRunFlight run = runsFarOut(lab, drones).awaitsAll("flying");
                 LabDrone silent = drones.get(0);
                 LabDrone other = drones.get(1);
                 lab.goOn(Duration.ofMillis(chance.nextLong(5_000)));
@@ -125,7 +125,7 @@ class ReactionTimesTest {
             }
         }
         Duration slowest = worst("taken over", Watchdog.DEFAULT.lostAfter().minus(SLACK), taken);
-        Duration due = Watchdog.DEFAULT.lostAfter().plus(Times.CORRIDOR_FREED);
+        Duration due = Watchdog.DEFAULT.lostAfter().plus(SafetyTimes.CORRIDOR_FREED);
         Duration last = worst("reserved and freed", due.minus(SLACK), freed);
 
         assertThat(slowest).isLessThan(Watchdog.DEFAULT.lostAfter().plus(SLACK));
@@ -133,14 +133,14 @@ class ReactionTimesTest {
     }
 
     /** So far that each has more ahead of it than it may reach before it comes home by itself. */
-    private static RunFlight runsFarOut(Laboratory lab, List<LabDrone> drones) {
+    private static MissionRunFlight runsFarOut(Laboratory lab, List<LabDrone> drones) {
         LabDrone first = drones.get(0);
         List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 12)
-                .mapToObj(n -> RunFlight.waypoint(
+                .mapToObj(n -> MissionRunFlight.waypoint(
                         first.place((n % 2 == 0 ? 1 : -1) * 60, (1 + n / 2) * 120), first.groundAmsl() + 20))
                 .toList();
         Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
-        return RunFlight.begins(lab, chief, drones, waypoints, new RunFlight.Manner("automatic", "rtl", null));
+        return MissionRunFlight.begins(lab, chief, drones, waypoints, new MissionRunFlight.Manner("automatic", "rtl", null));
     }
 
     @Test
@@ -174,13 +174,13 @@ class ReactionTimesTest {
 
     @Test
     void aVehicleComesHomeByItselfWithoutTheServer() {
-        Duration home = worst("comes home", Times.VEHICLE_RETURNS.minus(SLACK), (lab, drone, ann) -> {
+        Duration home = worst("comes home", SafetyTimes.VEHICLE_RETURNS.minus(SLACK), (lab, drone, ann) -> {
             lab.crashServer();
             return until(lab, "it comes home", () -> drone.mode() == RTL);
         });
 
-        assertThat(home).isLessThan(Times.VEHICLE_RETURNS.plus(SLACK));
-        assertThat(home).isLessThan(Times.CORRIDOR_KEPT);
+        assertThat(home).isLessThan(SafetyTimes.VEHICLE_RETURNS.plus(SLACK));
+        assertThat(home).isLessThan(SafetyTimes.CORRIDOR_KEPT);
     }
 
     @Test

@@ -20,12 +20,12 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkFrameLog;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.WireLog;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
@@ -40,12 +40,12 @@ import org.junit.jupiter.api.Test;
 class RecordedFlightTest {
     private static final int CLOUD = 255;
     private static final int ARMED = 128;
-    private static final CommandRequest ARM = Commands.arm();
+    private static final CommandRequest ARM = CommandRequests.arm();
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ann = lab.pilot("ann", Role.OPERATOR);
-    private final LabDrone copter = lab.add(VehicleKit.COPTER);
-    private final WireLog log = copter.wire().log();
+    private final LabDrone copter = lab.add(VehicleSpec.COPTER);
+    private final LinkFrameLog log = copter.wire().log();
 
     /** One record of a file: microseconds since 1970 and a frame, read by the letter of the format. */
     private record Kept(long micros, byte[] frame) {
@@ -130,7 +130,7 @@ class RecordedFlightTest {
     void aFlightIsRecordedByteForByteInBothDirections() throws IOException {
         lab.goOn(Duration.ofSeconds(5));
         List<CommandView> given = new ArrayList<>();
-        for (CommandRequest each : List.of(ARM, Commands.takeOff(8.0), Commands.land())) {
+        for (CommandRequest each : List.of(ARM, CommandRequests.takeOff(8.0), CommandRequests.land())) {
             given.add(ann.outcome(copter, each));
         }
         assertThat(given).extracting(command -> command.outcome().result()).containsOnly("succeeded");
@@ -191,7 +191,7 @@ class RecordedFlightTest {
 
     @Test
     void aRecordingIsPlayedAndDeleted() throws IOException {
-        ann.does(copter, ARM).does(copter, Commands.disarm());
+        ann.does(copter, ARM).does(copter, CommandRequests.disarm());
         RecordingView done = recording("complete");
         Pilot viewer = lab.pilot("looks", Role.VIEWER);
         assertThat(service().download(viewer.principal(), done.id()).file()).isNotEmptyFile();

@@ -17,16 +17,16 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.ws.drone.EventView;
-import org.dronemap.ws.history.FlightSearch;
+import org.dronemap.ws.history.FlightSearchRequest;
 import org.dronemap.ws.history.FlightView;
-import org.dronemap.ws.history.TelemetrySearch;
+import org.dronemap.ws.history.TelemetrySearchRequest;
 import org.dronemap.ws.history.TelemetryService;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkFrameLog;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.WireLog;
-import org.dronemap.ws.reading.PointView;
+import org.dronemap.ws.reading.TelemetryPointView;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -38,8 +38,8 @@ class RememberedFlightTest {
     /** What a crash of the server may cost. */
     private static final Duration MOST_LOST = Duration.ofSeconds(1);
 
-    private static final TelemetrySearch ALL = new TelemetrySearch(null, null, null, null, null);
-    private static final FlightSearch ANY = new FlightSearch(null, null, null, null, null);
+    private static final TelemetrySearchRequest ALL = new TelemetrySearchRequest(null, null, null, null, null);
+    private static final FlightSearchRequest ANY = new FlightSearchRequest(null, null, null, null, null);
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ann = lab.pilot("ann", Role.OPERATOR);
@@ -79,20 +79,20 @@ class RememberedFlightTest {
     private FlightView fly() {
         ann.takesOff(copter, 8).fliesTo(copter, copter.place(30, 30), 12);
         lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(30, 30)) < 3);
-        ann.does(copter, Commands.land());
+        ann.does(copter, CommandRequests.land());
         return flight("ended");
     }
 
     @Test
     void aFlightIsRememberedAsItWasOnTheWire() {
-        WireLog log = copter.wire().log();
+        LinkFrameLog log = copter.wire().log();
         FlightView flight = fly();
 
         assertThat(flight.distance()).isBetween(35.0, 60.0);
         assertThat(flight.highest()).isBetween(10.0, 15.0);
         assertThat(flight.users()).containsExactly("ann");
         assertThat(flight.recordings()).hasSize(1);
-        List<PointView> points = telemetry().points(subject(flight), ALL).points();
+        List<TelemetryPointView> points = telemetry().points(subject(flight), ALL).points();
         assertThat(points.size()).isGreaterThan((int) flight.seconds());
         points.forEach(
                 point -> assertThat(metersOff(log, point)).as("%s", point).isLessThan(METERS));
@@ -111,7 +111,7 @@ class RememberedFlightTest {
                 .mapToDouble(point -> Objects.requireNonNull(point.altitudeAboveHome()))
                 .max()
                 .orElseThrow();
-        TelemetrySearch heights = new TelemetrySearch(null, null, "altitudeAboveHome", "7", null);
+        TelemetrySearchRequest heights = new TelemetrySearchRequest(null, null, "altitudeAboveHome", "7", null);
         assertThat(Collections.max(telemetry()
                         .series(subject(flight), heights)
                         .fields()
@@ -121,7 +121,7 @@ class RememberedFlightTest {
     }
 
     /** From the nearest place that it said it was at around that time. */
-    private double metersOff(WireLog log, PointView point) {
+    private double metersOff(LinkFrameLog log, TelemetryPointView point) {
         Geodetic here =
                 new Geodetic(Objects.requireNonNull(point.latitude()), Objects.requireNonNull(point.longitude()));
         double height = Objects.requireNonNull(point.altitudeAboveHome());
@@ -143,7 +143,7 @@ class RememberedFlightTest {
     void theFilesOfAFlightHoldAllOfItsPoints() throws IOException {
         FlightView flight = fly();
         int points = telemetry()
-                .points(subject(flight), new TelemetrySearch(null, null, null, null, "20000"))
+                .points(subject(flight), new TelemetrySearchRequest(null, null, null, null, "20000"))
                 .points()
                 .size();
 
@@ -188,7 +188,7 @@ class RememberedFlightTest {
                 "it is heard again",
                 Duration.ofSeconds(10),
                 () -> flights().get(0).state().equals("running"));
-        ann.does(copter, Commands.land());
+        ann.does(copter, CommandRequests.land());
         FlightView after = flight("ended");
         assertThat(copter.isDown()).isTrue();
         assertThat(after.id()).isEqualTo(before.id());
@@ -209,8 +209,8 @@ class RememberedFlightTest {
         String from = lab.now().minusSeconds(30).toString();
         TelemetryService.Subject subject =
                 telemetry().drone(ann.principal(), copter.id().value());
-        return telemetry().points(subject, new TelemetrySearch(from, null, null, null, null)).points().stream()
-                .map(PointView::at)
+        return telemetry().points(subject, new TelemetrySearchRequest(from, null, null, null, null)).points().stream()
+                .map(TelemetryPointView::at)
                 .toList();
     }
 }

@@ -14,7 +14,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.VehicleKind;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.recording.ReplayService;
@@ -51,7 +51,7 @@ class ReplayedFlightTest {
                             .map(DroneId::new));
             lab.until("mode and battery are shown", Duration.ofSeconds(20), () -> shows(lab, drone));
             checkSubmarine(state(lab, drone));
-            assertThat(ann.refusal(drone, Commands.arm())).contains("recording");
+            assertThat(ann.refusal(drone, CommandRequests.arm())).contains("recording");
 
             ReplayView done = lab.until(
                     "it was played to its end",

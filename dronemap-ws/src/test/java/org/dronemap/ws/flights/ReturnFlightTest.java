@@ -8,12 +8,12 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.GlobalPositionInt;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.ScriptedPeer;
-import org.dronemap.ws.lab.Zones;
+import org.dronemap.ws.lab.ZoneFixtures;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -67,7 +67,7 @@ class ReturnFlightTest {
         LabDrone drone = flown(80);
         var unused = lab.server()
                 .zones()
-                .add(chief.principal(), Zones.circle("Crowd", drone.place(40, 0), 15, drone, "hold"));
+                .add(chief.principal(), ZoneFixtures.circle("Crowd", drone.place(40, 0), 15, drone, "hold"));
 
         lab.until("it lands", LEFT, () -> drone.mode() == LAND);
         lab.until("it is down there", DOWN, () -> isDownAt(drone, 80));
@@ -79,7 +79,7 @@ class ReturnFlightTest {
     void fliesToTheNearestProvedPlaceWithTooLittleEnergyForTheWayHome() {
         LabDrone drone = flown(60);
         Geodetic far = drone.place(2_000, 0);
-        ann.does(drone, Commands.setHome(far.latitudeDegrees(), far.longitudeDegrees(), drone.groundAmsl()));
+        ann.does(drone, CommandRequests.setHome(far.latitudeDegrees(), far.longitudeDegrees(), drone.groundAmsl()));
         drone.craft().battery().setRemainingPercent(15);
 
         lab.until("it is down where it stood before", LEFT.plus(DOWN), () -> isDownAt(drone, 0));
@@ -154,7 +154,7 @@ class ReturnFlightTest {
     @Test
     void landsWhenItRefusesToReturn() {
         ScriptedPeer copter = peer(2, (int) RTL);
-        ann.does(copter, Commands.setMode("BRAKE"));
+        ann.does(copter, CommandRequests.setMode("BRAKE"));
 
         lab.until("it lands", LEFT.plusSeconds(30), () -> copter.customMode() == LAND);
     }
@@ -162,7 +162,7 @@ class ReturnFlightTest {
     @Test
     void aPlaneWithoutALandingSequenceReturnsAndSaysThatItCircles() {
         ScriptedPeer plane = peer(1, -1);
-        ann.does(plane, Commands.setMode("LOITER"));
+        ann.does(plane, CommandRequests.setMode("LOITER"));
         assertThat(plane.customMode()).isEqualTo(PLANE_LOITER);
 
         lab.until("it returns", LEFT.plusSeconds(30), () -> plane.customMode() == PLANE_RTL);

@@ -4,16 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.time.Repetition;
-import org.dronemap.sim.robot.Quirk;
+import org.dronemap.core.time.ScheduledTask;
+import org.dronemap.sim.robot.BridgeQuirk;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.control.ControlRequest;
 import org.dronemap.ws.control.SteeringRequest;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabRobot;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.RobotKit;
+import org.dronemap.ws.lab.RobotSpec;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -33,9 +33,9 @@ class RobotsLeftAloneTest {
 
     @Test
     void robotsThatMissTheServerStopAndLandAndHearTheNextOne() {
-        LabRobot rover = lab.robot(RobotKit.rover(3_601).missing(PATIENCE)).allows(ann, "goToLocal");
+        LabRobot rover = lab.robot(RobotSpec.rover(3_601).missing(PATIENCE)).allows(ann, "goToLocal");
         LabRobot flyer = lab.robot(
-                        RobotKit.flyer(3_602).missing(PATIENCE).onWeb("/").with(Quirk.PAYLOAD_SHAPE))
+                        RobotSpec.flyer(3_602).missing(PATIENCE).onWeb("/").with(BridgeQuirk.PAYLOAD_SHAPE))
                 .allows(ann, "arm");
         fly(flyer);
         long before = rover.heartbeats();
@@ -44,7 +44,7 @@ class RobotsLeftAloneTest {
                 Duration.ofSeconds(20),
                 () -> flyer.truth().height() > 2.5);
         assertThat(rover.heartbeats() - before).isBetween(18L, 21L);
-        begin(rover, Commands.goToLocal(3.0, -1.0));
+        begin(rover, CommandRequests.goToLocal(3.0, -1.0));
         lab.until("it goes", SOON, () -> rover.truth().speed() > 0.3);
 
         lab.crashServer();
@@ -61,10 +61,10 @@ class RobotsLeftAloneTest {
 
     @Test
     void aDroneBehindMavrosOfAHolderWhoFallsSilentStandsAndThenReturns() {
-        LabRobot flyer = lab.robot(RobotKit.flyer(3_603)).allows(ann, "arm");
+        LabRobot flyer = lab.robot(RobotSpec.flyer(3_603)).allows(ann, "arm");
         fly(flyer);
         takes(flyer);
-        Repetition sticks = steering(flyer);
+        ScheduledTask sticks = steering(flyer);
         lab.until("it flies", SOON, () -> flyer.truth().speed() > 0.3);
         sticks.callOff();
         lab.until("it stands", Duration.ofSeconds(2), () -> flyer.truth().speed() == 0);
@@ -82,7 +82,7 @@ class RobotsLeftAloneTest {
 
     @Test
     void aDroneBehindMavrosReturnsWhenControlThatCameWithACommandRunsOut() {
-        LabRobot flyer = lab.robot(RobotKit.flyer(3_604)).allows(ann, "arm");
+        LabRobot flyer = lab.robot(RobotSpec.flyer(3_604)).allows(ann, "arm");
         fly(flyer);
         lab.throughout(
                 "it may be taken",
@@ -95,17 +95,17 @@ class RobotsLeftAloneTest {
     @Test
     void aRoverThatIsSteeredStandsWhenItsHolderFallsSilent() {
         LabRobot rover =
-                lab.robot(RobotKit.rover(3_605).with(Quirk.REPEATS_TWIST)).allows(ann, "velocity");
+                lab.robot(RobotSpec.rover(3_605).with(BridgeQuirk.REPEATS_TWIST)).allows(ann, "velocity");
         takes(rover);
-        Repetition sticks = steering(rover);
+        ScheduledTask sticks = steering(rover);
         lab.until("it drives", SOON, () -> rover.truth().speed() > 0.3);
         sticks.callOff();
         lab.until("it stands", Duration.ofSeconds(1), () -> rover.truth().speed() == 0);
     }
 
     private void fly(LabRobot flyer) {
-        flyer.does(ann, Commands.arm());
-        flyer.does(ann, Commands.takeOff(3.0));
+        flyer.does(ann, CommandRequests.arm());
+        flyer.does(ann, CommandRequests.takeOff(3.0));
         assertThat(flyer.truth().height()).isGreaterThan(2.5);
     }
 
@@ -121,7 +121,7 @@ class RobotsLeftAloneTest {
         var unused = lab.server().commands().submit(ann.principal(), "laboratory", id(robot), what);
     }
 
-    private Repetition steering(LabRobot robot) {
+    private ScheduledTask steering(LabRobot robot) {
         SteeringRequest.Velocity ahead = new SteeringRequest.Velocity(null, 0.4, null, null, null, null);
         return lab.time()
                 .worker("sticks", 1)

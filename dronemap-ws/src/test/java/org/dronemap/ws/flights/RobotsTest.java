@@ -6,16 +6,16 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.time.Repetition;
-import org.dronemap.sim.robot.Quirk;
+import org.dronemap.core.time.ScheduledTask;
+import org.dronemap.sim.robot.BridgeQuirk;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.control.SteeringRequest;
 import org.dronemap.ws.drone.DroneView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabRobot;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.RobotKit;
+import org.dronemap.ws.lab.RobotSpec;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -34,11 +34,11 @@ class RobotsTest {
 
     @Test
     void aRoverIsShownOnItsOwnMapAndStopsWhenToldTo() {
-        LabRobot rover = lab.robot(RobotKit.rover(3_012)
+        LabRobot rover = lab.robot(RobotSpec.rover(3_012)
                 .showing("12")
                 .onWeb("/websockets/roslink/user/12/robot/12/robot")
-                .with(Quirk.NUMBER_KEY, Quirk.BEATS_ON_BOTH, Quirk.REPEATS_TWIST));
-        LabRobot flyer = lab.robot(RobotKit.flyer(3_026).showing("1243-0000-0000-FGFG"));
+                .with(BridgeQuirk.NUMBER_KEY, BridgeQuirk.BEATS_ON_BOTH, BridgeQuirk.REPEATS_TWIST));
+        LabRobot flyer = lab.robot(RobotSpec.flyer(3_026).showing("1243-0000-0000-FGFG"));
         rover.allows(ann, "hold");
         lab.until(
                 "both of its links are known as one robot's",
@@ -59,12 +59,12 @@ class RobotsTest {
         // Whoever calls in is told to stand still first, until it reports that it does.
         lab.until("it was told to stand", SOON, () -> rover.orders().size() >= 6);
         double before = rover.truth().x();
-        Repetition push = lab.time().worker("somebody beside it", 1).every(OFTEN, OFTEN, () -> rover.isPushed(0.4));
+        ScheduledTask push = lab.time().worker("somebody beside it", 1).every(OFTEN, OFTEN, () -> rover.isPushed(0.4));
         lab.until("it is seen to move", SOON, () -> groundSpeed(rover) > 0.3);
         push.callOff();
         assertThat(rover.truth().x()).isGreaterThan(before);
         assertThat(rover.truth().speed()).isEqualTo(0.4);
-        rover.does(ann, Commands.hold());
+        rover.does(ann, CommandRequests.hold());
 
         assertThat(rover.truth().speed()).isZero();
         assertThat(rover.orders()).containsOnly(LabRobot.TWIST);
@@ -80,15 +80,15 @@ class RobotsTest {
 
     @Test
     void aDroneBehindMavrosIsFlown() {
-        LabRobot flyer = lab.robot(RobotKit.flyer(3_026)).allows(ann, "arm");
-        flyer.does(ann, Commands.arm());
+        LabRobot flyer = lab.robot(RobotSpec.flyer(3_026)).allows(ann, "arm");
+        flyer.does(ann, CommandRequests.arm());
         assertThat(flyer.truth().armed()).isTrue();
-        flyer.does(ann, Commands.takeOff(3.0));
+        flyer.does(ann, CommandRequests.takeOff(3.0));
         assertThat(flyer.truth().height()).isGreaterThan(2.5);
         assertThat(flyer.view(ann).mode()).isEqualTo("GUIDED");
-        flyer.does(ann, Commands.land());
+        flyer.does(ann, CommandRequests.land());
         assertThat(flyer.truth().height()).isZero();
-        flyer.does(ann, Commands.disarm());
+        flyer.does(ann, CommandRequests.disarm());
         assertThat(flyer.truth().armed()).isFalse();
         assertThat(flyer.wrong()).isZero();
     }
@@ -96,8 +96,8 @@ class RobotsTest {
     @Test
     void aRobotThatIgnoresAnOrderIsNeverSaidToHaveFollowedIt() {
         LabRobot stubborn =
-                lab.robot(RobotKit.flyer(3_099).with(Quirk.IGNORES_ORDERS)).allows(ann, "arm");
-        CommandView.OutcomeView ended = stubborn.outcome(ann, Commands.arm());
+                lab.robot(RobotSpec.flyer(3_099).with(BridgeQuirk.IGNORES_ORDERS)).allows(ann, "arm");
+        CommandView.OutcomeView ended = stubborn.outcome(ann, CommandRequests.arm());
         assertThat(ended.result()).isEqualTo("failed");
         assertThat(ended.reason()).contains("still disarmed");
         assertThat(stubborn.truth().armed()).isFalse();
@@ -108,12 +108,12 @@ class RobotsTest {
     @Test
     void aServerThatDiesInMidTwistLeavesNoRobotDriving() {
         // Bridges in the field drive on with what they heard last, for ever; ours stops half a second after it.
-        LabRobot foreign = lab.robot(RobotKit.rover(3_501).with(Quirk.REPEATS_TWIST));
-        LabRobot ours = lab.robot(RobotKit.rover(3_502).onWeb("/").with(Quirk.BEATS_ON_BOTH));
+        LabRobot foreign = lab.robot(RobotSpec.rover(3_501).with(BridgeQuirk.REPEATS_TWIST));
+        LabRobot ours = lab.robot(RobotSpec.rover(3_502).onWeb("/").with(BridgeQuirk.BEATS_ON_BOTH));
         List<LabRobot> both = List.of(foreign, ours);
         both.forEach(robot -> robot.allows(ann, "velocity"));
         lab.until("ours has both links", SOON, () -> hasBothLinks(ours));
-        Repetition sticks = lab.time().worker("sticks", 1).every(OFTEN, OFTEN, () -> both.forEach(this::steer));
+        ScheduledTask sticks = lab.time().worker("sticks", 1).every(OFTEN, OFTEN, () -> both.forEach(this::steer));
         lab.until(
                 "both drive",
                 SOON,

@@ -25,13 +25,13 @@ import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkTraffic;
+import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.RunFlight;
-import org.dronemap.ws.lab.Track;
-import org.dronemap.ws.lab.Traffic;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.Wire;
+import org.dronemap.ws.lab.VehicleSpec;
+import org.dronemap.ws.lab.VehicleTrack;
 import org.dronemap.ws.plan.PlanRequest;
 import org.dronemap.ws.run.RunView;
 import org.junit.jupiter.api.AfterEach;
@@ -86,9 +86,9 @@ class RunFlightTest {
         LabDrone fallen = drones.get(0);
         List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 12)
                 .mapToObj(n ->
-                        RunFlight.waypoint(fallen.place((1 + n % 4) * 30, (n / 4 - 1) * 30), fallen.groundAmsl() + 20))
+                        MissionRunFlight.waypoint(fallen.place((1 + n % 4) * 30, (n / 4 - 1) * 30), fallen.groundAmsl() + 20))
                 .toList();
-        RunFlight run = RunFlight.begins(lab, chief, drones, waypoints, RunFlight.Manner.ON)
+        MissionRunFlight run = MissionRunFlight.begins(lab, chief, drones, waypoints, MissionRunFlight.Manner.ON)
                 .awaitsAll("flying");
         lab.untilSeen(
                 "it is on its way",
@@ -123,13 +123,13 @@ class RunFlightTest {
 
     @Test
     void whatAPilotTakesADroneFromAnotherFliesAtTheSameHeightAndNobodyOrdersItAbout() {
-        LabDrone stays = lab.add(VehicleKit.COPTER, new LocalFrame(47.3977, 8.5456, 488));
-        LabDrone leaves = lab.add(VehicleKit.COPTER, new LocalFrame(47.3977, 8.5472, 568));
+        LabDrone stays = lab.add(VehicleSpec.COPTER, new LocalFrame(47.3977, 8.5456, 488));
+        LabDrone leaves = lab.add(VehicleSpec.COPTER, new LocalFrame(47.3977, 8.5472, 568));
         Stream.of(stays, leaves).forEach(lab::ready);
         List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 8)
-                .mapToObj(n -> RunFlight.waypoint(stays.place(44.5, n * 120.5 / 7), 590 + 2 * n))
+                .mapToObj(n -> MissionRunFlight.waypoint(stays.place(44.5, n * 120.5 / 7), 590 + 2 * n))
                 .toList();
-        RunFlight run = RunFlight.begins(lab, chief, List.of(stays, leaves), waypoints, RunFlight.Manner.ON);
+        MissionRunFlight run = MissionRunFlight.begins(lab, chief, List.of(stays, leaves), waypoints, MissionRunFlight.Manner.ON);
         lab.untilSeen(
                 "it is on its way",
                 Duration.ofMinutes(4),
@@ -175,7 +175,7 @@ class RunFlightTest {
                 .filteredOn(one -> left.contains(one.id()) && one.state().equals("visited"))
                 .isNotEmpty()
                 .allSatisfy(one -> {
-                    assertThat(stays.track().nearest(RunFlight.place(one), one.altitudeAmsl()))
+                    assertThat(stays.track().nearest(MissionRunFlight.place(one), one.altitudeAmsl()))
                             .isLessThan(NEAR_METERS);
                     assertThat(offHeight(one, stays)).isLessThan(1);
                 });
@@ -185,8 +185,8 @@ class RunFlightTest {
     private static double offHeight(RunView.WaypointView one, LabDrone drone) {
         double nearest = Double.POSITIVE_INFINITY;
         double off = Double.POSITIVE_INFINITY;
-        for (Track.Fix fix : drone.track().since(0)) {
-            double away = Geodesy.distanceMeters(fix.place(), RunFlight.place(one));
+        for (VehicleTrack.Fix fix : drone.track().since(0)) {
+            double away = Geodesy.distanceMeters(fix.place(), MissionRunFlight.place(one));
             if (away < nearest) {
                 nearest = away;
                 off = Math.abs(fix.amsl() - one.altitudeAmsl());
@@ -198,7 +198,7 @@ class RunFlightTest {
     /** What tells that vehicle to do something; asking it for messages is none. */
     private static List<Frame> orders(LabDrone drone, long since) {
         return drone.wire().traffic().down(since, ORDERS).stream()
-                .map(Traffic.Heard::frame)
+                .map(LinkTraffic.Heard::frame)
                 .filter(frame -> frame.messageId() != CommandLong.ID
                         || !QUESTIONS.contains(CommandLong.decode(frame).command()))
                 .toList();
@@ -207,20 +207,20 @@ class RunFlightTest {
     @Test
     void nobodyIsGivenUpForGustsGapsBetweenHeartbeatsAndLostMessages() {
         List<LabDrone> drones = IntStream.range(0, 3)
-                .mapToObj(n -> lab.add(VehicleKit.COPTER.inWind(6)))
+                .mapToObj(n -> lab.add(VehicleSpec.COPTER.inWind(6)))
                 .toList();
         drones.forEach(lab::ready);
         SplittableRandom chance = new SplittableRandom(1);
         LabDrone first = drones.get(0);
         List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 9)
-                .mapToObj(n -> RunFlight.waypoint(
+                .mapToObj(n -> MissionRunFlight.waypoint(
                         first.place(chance.nextDouble(-22, 22), chance.nextDouble(-25, 145)),
                         first.groundAmsl() + 15 + 5 * chance.nextInt(3)))
                 .toList();
-        Wire.Quality lossy = new Wire.Quality(0.1, Duration.ofMillis(10), Duration.ofMillis(40));
+        LabVehicleLink.Quality lossy = new LabVehicleLink.Quality(0.1, Duration.ofMillis(10), Duration.ofMillis(40));
         drones.forEach(drone -> drone.wire().is(lossy));
 
-        RunFlight run = RunFlight.begins(lab, chief, drones, waypoints, new RunFlight.Manner("automatic", "rtl", 1.0));
+        MissionRunFlight run = MissionRunFlight.begins(lab, chief, drones, waypoints, new MissionRunFlight.Manner("automatic", "rtl", 1.0));
         lab.untilSeen("they fly", Duration.ofMinutes(2), () -> run.allAre("flying"));
         for (LabDrone drone : drones) {
             // Now and then a vehicle says nothing for some seconds, and hears all the same.

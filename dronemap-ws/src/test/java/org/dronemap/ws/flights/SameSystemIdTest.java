@@ -6,7 +6,7 @@ import java.time.Duration;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
@@ -77,7 +77,7 @@ class SameSystemIdTest {
     }
 
     private void gives(DroneId drone, SigningPeer peer, boolean arm) {
-        ada.does(drone, arm ? Commands.arm() : Commands.disarm());
+        ada.does(drone, arm ? CommandRequests.arm() : CommandRequests.disarm());
         assertThat(peer.isArmed()).isEqualTo(arm);
     }
 }

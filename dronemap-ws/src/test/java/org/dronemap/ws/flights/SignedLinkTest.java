@@ -14,14 +14,14 @@ import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.signing.SigningClock;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.PeerSigning;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.SigningPeer;
-import org.dronemap.ws.lab.VehicleKit;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.link.LinkSecurityView.Messages;
 import org.dronemap.ws.link.LinkSecurityView;
 import org.dronemap.ws.problem.Rejection;
@@ -32,7 +32,7 @@ import org.junit.jupiter.api.Test;
 class SignedLinkTest {
     private static final long SECOND = SigningClock.TICKS_PER_SECOND;
     private static final Duration SOON = Duration.ofSeconds(2);
-    private static final CommandRequest ARM = Commands.arm();
+    private static final CommandRequest ARM = CommandRequests.arm();
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ada = lab.pilot("ada", Role.ADMINISTRATOR);
@@ -168,7 +168,7 @@ class SignedLinkTest {
         CommandView[] disarm = new CommandView[1];
         peer.goesOn(Duration.ofMillis(5), () -> {
             if (disarm[0] == null && peer.signing().keys().size() == 2) {
-                disarm[0] = ada.give(drone, Commands.disarm());
+                disarm[0] = ada.give(drone, CommandRequests.disarm());
             }
         });
         LinkSecurityView rotated = keys.rotate();
@@ -241,7 +241,7 @@ class SignedLinkTest {
 
     @Test
     void aCopterTakesAKeyFliesAndRefusesANewOneWhenArmed() {
-        LabDrone copter = lab.ready(lab.add(VehicleKit.COPTER.insisting()));
+        LabDrone copter = lab.ready(lab.add(VehicleSpec.COPTER.insisting()));
         LinkKeys own = new LinkKeys(lab, ada, copter.id());
         own.install();
         own.policy("required");
@@ -253,7 +253,7 @@ class SignedLinkTest {
                         Rejection.class,
                         refused -> assertThat(refused.sentence()).contains("armed"));
 
-        ada.does(copter, Commands.land());
+        ada.does(copter, CommandRequests.land());
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
         Messages counts = own.counts();
         assertThat(counts.valid()).isGreaterThan(30);
@@ -264,7 +264,7 @@ class SignedLinkTest {
 
     @Test
     void theKeyAndItsTimeOutliveACrash() {
-        LabDrone px4 = lab.ready(lab.add(VehicleKit.PX4.insisting()));
+        LabDrone px4 = lab.ready(lab.add(VehicleSpec.PX4.insisting()));
         LinkKeys own = new LinkKeys(lab, ada, px4.id());
         own.install();
         own.policy("required");

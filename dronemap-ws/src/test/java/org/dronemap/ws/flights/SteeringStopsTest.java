@@ -8,8 +8,8 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.time.Worker;
 import org.dronemap.ws.control.SteeringRequest;
 import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.MemoryLinkRobot;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.Robot;
 import org.dronemap.ws.organisation.GrantService;
 import org.dronemap.ws.problem.Rejection;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,13 +32,13 @@ class SteeringStopsTest {
     }
 
     /** Steers as the page does, ten times a second, until its hands are taken off. */
-    private static final class Helm {
+    private static final class SteeringClient {
         private final Laboratory lab;
         private final Pilot pilot;
         private final String drone;
         private boolean on;
 
-        Helm(Laboratory lab, Pilot pilot, String drone) {
+        SteeringClient(Laboratory lab, Pilot pilot, String drone) {
             this.lab = lab;
             this.pilot = pilot;
             this.drone = drone;
@@ -76,7 +76,7 @@ class SteeringStopsTest {
     @EnumSource(End.class)
     void itStandsWithinASecond(End end) {
         try (Laboratory lab = new Laboratory(1)) {
-            Robot robot = lab.robot();
+            MemoryLinkRobot robot = lab.robot();
             robot.loses(TENTH_LOST);
             Pilot root = lab.pilot("root", Role.ADMINISTRATOR);
             Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
@@ -92,7 +92,7 @@ class SteeringStopsTest {
                     .grants()
                     .setUserOnlyGranted(root.principal(), "ann", new GrantService.OnlyGrantedRequest(true));
             grant(lab, root, robot);
-            Helm helm = new Helm(lab, pilot, robot.id());
+            SteeringClient helm = new SteeringClient(lab, pilot, robot.id());
             for (int time = 0; time < TIMES; time++) {
                 helm.grasp();
                 lab.until("it moves", Duration.ofSeconds(10), () -> robot.speed() > 0.3);
@@ -105,7 +105,7 @@ class SteeringStopsTest {
         }
     }
 
-    private static void comes(End end, Laboratory lab, Helm helm, Pilot chief, Pilot root) {
+    private static void comes(End end, Laboratory lab, SteeringClient helm, Pilot chief, Pilot root) {
         switch (end) {
             case PAGE_KILLED -> helm.letGo();
             case NETWORK_CUT -> helm.cut();
@@ -119,7 +119,7 @@ class SteeringStopsTest {
         }
     }
 
-    private static void recovers(End end, Laboratory lab, Robot robot, Pilot chief, Pilot root) {
+    private static void recovers(End end, Laboratory lab, MemoryLinkRobot robot, Pilot chief, Pilot root) {
         if (end == End.LEASE_TAKEN) {
             chief.releases(robot.id());
         } else if (end == End.GRANT_REVOKED) {
@@ -128,7 +128,7 @@ class SteeringStopsTest {
         assertThat(chief.control(robot.id()).holder()).isIn("ann", null);
     }
 
-    private static void grant(Laboratory lab, Pilot root, Robot robot) {
+    private static void grant(Laboratory lab, Pilot root, MemoryLinkRobot robot) {
         GrantService.GrantRequest wanted = new GrantService.GrantRequest(
                 "ann", null, null, null, List.of(robot.id()), null, List.of("view", "command"), null, null);
         assertThat(lab.server()

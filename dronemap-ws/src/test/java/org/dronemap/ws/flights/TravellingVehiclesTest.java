@@ -15,12 +15,12 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.Timesync;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.SigningPeer;
-import org.dronemap.ws.lab.Wire;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -67,7 +67,7 @@ class TravellingVehiclesTest {
         lab.close();
     }
 
-    private Traveller traveller(Wire.Kind kind) {
+    private Traveller traveller(LabVehicleLink.Kind kind) {
         int number = all.size() + 1;
         SigningPeer peer =
                 lab.signingPeer(number, kind).withHardware(board(number)).begin();
@@ -85,7 +85,7 @@ class TravellingVehiclesTest {
     }
 
     private Traveller signing(String policy) {
-        Traveller traveller = traveller(Wire.Kind.UDP);
+        Traveller traveller = traveller(LabVehicleLink.Kind.UDP);
         LinkKeys keys = new LinkKeys(lab, ada, traveller.drone);
         keys.install();
         keys.policy(policy);
@@ -119,11 +119,11 @@ class TravellingVehiclesTest {
     void keepTheirDrones() {
         Traveller required = signing("required");
         Traveller optional = signing("optional");
-        Traveller encrypted = traveller(Wire.Kind.dtls("travelling copter"));
-        Traveller unproved = traveller(Wire.Kind.UDP);
-        Traveller another = traveller(Wire.Kind.UDP);
+        Traveller encrypted = traveller(LabVehicleLink.Kind.dtls("travelling copter"));
+        Traveller unproved = traveller(LabVehicleLink.Kind.UDP);
+        Traveller another = traveller(LabVehicleLink.Kind.UDP);
         // Nobody commands this one, which changes its address all the same.
-        Traveller bystander = traveller(Wire.Kind.UDP);
+        Traveller bystander = traveller(LabVehicleLink.Kind.UDP);
         // The forger of an unproved vehicle stays where it is; against one that moves too, only proof helps.
         List<SigningPeer> forgers = List.of(forger(unproved), forger(required), forger(encrypted));
         forgers.stream().skip(1).forEach(forger -> forger.goesOn(Duration.ofMillis(1_700), forger.wire()::move));
@@ -164,7 +164,7 @@ class TravellingVehiclesTest {
             traveller.commanded++;
         }
         boolean arm = !traveller.peer.isArmed();
-        traveller.underWay = ada.give(traveller.drone, arm ? Commands.arm() : Commands.disarm());
+        traveller.underWay = ada.give(traveller.drone, arm ? CommandRequests.arm() : CommandRequests.disarm());
     }
 
     /** Nobody is lost, doubled or moved by a forger. */
@@ -188,7 +188,7 @@ class TravellingVehiclesTest {
     }
 
     /** What tells it to do something and came to an address so long after it was left. */
-    private static List<Wire.Stray> orders(Traveller traveller, Duration latest) {
+    private static List<LabVehicleLink.Stray> orders(Traveller traveller, Duration latest) {
         return traveller.peer.wire().strays().stream()
                 .filter(stray -> stray.after().compareTo(latest) > 0)
                 .filter(stray -> !HARMLESS.contains(stray.frame().messageId()))

@@ -7,21 +7,21 @@ import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkKeys;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.Wire;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.link.DtlsKeyService.DtlsKeyRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** One vehicle on two links at once: one drone, spoken to over the better link, whichever of them breaks. */
 class TwoLinksTest {
-    private static final Wire.Quality WORSE = new Wire.Quality(0.2, Duration.ofMillis(150), Duration.ofMillis(50));
-    private static final Wire.Quality FAR = new Wire.Quality(0, Duration.ofMillis(100), Duration.ZERO);
+    private static final LabVehicleLink.Quality WORSE = new LabVehicleLink.Quality(0.2, Duration.ofMillis(150), Duration.ofMillis(50));
+    private static final LabVehicleLink.Quality FAR = new LabVehicleLink.Quality(0, Duration.ofMillis(100), Duration.ZERO);
     /** The share of lost messages is looked at over some seconds before the way is changed. */
     private static final Duration LONGEST_CHOICE = Duration.ofSeconds(30);
 
@@ -29,7 +29,7 @@ class TwoLinksTest {
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ada = lab.pilot("ada", Role.ADMINISTRATOR);
-    private final LabDrone copter = lab.add(VehicleKit.COPTER.insisting());
+    private final LabDrone copter = lab.add(VehicleSpec.COPTER.insisting());
 
     @AfterEach
     void close() {
@@ -39,8 +39,8 @@ class TwoLinksTest {
     @Test
     void aDtlsVehicleIsOneDroneOnTheBetterLink() {
         String identity = copterKey();
-        copter.wire().is(Wire.Kind.dtls(identity));
-        Wire other = copter.addWire(Wire.Kind.dtls(identity));
+        copter.wire().is(LabVehicleLink.Kind.dtls(identity));
+        LabVehicleLink other = copter.addWire(LabVehicleLink.Kind.dtls(identity));
         lab.ready(copter);
         lab.until("both links are known", Duration.ofSeconds(10), this::isOnBoth);
 
@@ -64,9 +64,9 @@ class TwoLinksTest {
         keys.policy("required");
         // The first to bring a signed message has shown something; copies that come later have not.
         copter.wire().is(FAR);
-        Wire other = copter.addWire(Wire.Kind.UDP);
+        LabVehicleLink other = copter.addWire(LabVehicleLink.Kind.UDP);
         lab.until("both links are known", Duration.ofSeconds(30), this::isOnBoth);
-        copter.wire().is(Wire.Quality.GOOD);
+        copter.wire().is(LabVehicleLink.Quality.GOOD);
 
         fliesOnWhicheverLinkIsLeft(copter.wire(), other);
         assertThat(keys.counts().badSignature()).isZero();
@@ -77,7 +77,7 @@ class TwoLinksTest {
         return copter.state().link().others().size() == 1;
     }
 
-    private boolean uses(Wire wire) {
+    private boolean uses(LabVehicleLink wire) {
         return copter.state().link().key().port() == wire.port();
     }
 
@@ -88,11 +88,11 @@ class TwoLinksTest {
         });
     }
 
-    private void fliesOnWhicheverLinkIsLeft(Wire one, Wire other) {
+    private void fliesOnWhicheverLinkIsLeft(LabVehicleLink one, LabVehicleLink other) {
         ada.takesOff(copter, 8);
         lab.until("it hovers", Duration.ofSeconds(30), () -> copter.height() > 7);
-        Wire used = uses(one) ? one : other;
-        Wire spare = used == one ? other : one;
+        LabVehicleLink used = uses(one) ? one : other;
+        LabVehicleLink spare = used == one ? other : one;
 
         // The way in use becomes the worse one: the other is taken.
         used.is(WORSE);
@@ -100,7 +100,7 @@ class TwoLinksTest {
 
         // The worse one is cut: nothing changes for anybody.
         used.cut();
-        ada.does(copter, Commands.hold());
+        ada.does(copter, CommandRequests.hold());
         staysTheOnlyOne();
         assertThat(uses(spare)).isTrue();
 
@@ -108,13 +108,13 @@ class TwoLinksTest {
         used.mend();
         lab.until("the worse link is heard again", Duration.ofSeconds(30), this::isOnBoth);
         spare.cut();
-        ada.does(copter, Commands.setMode("GUIDED"));
+        ada.does(copter, CommandRequests.setMode("GUIDED"));
         staysTheOnlyOne();
         assertThat(uses(used)).isTrue();
 
         ada.fliesTo(copter, copter.place(22, 0), 8);
         lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(22, 0)) < 2);
-        ada.does(copter, Commands.land());
+        ada.does(copter, CommandRequests.land());
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
         lab.until(
                 "the server knows",

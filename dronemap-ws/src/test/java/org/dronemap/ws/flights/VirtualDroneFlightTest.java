@@ -127,7 +127,7 @@ class VirtualDroneFlightTest {
         String virtual = waitingFor(WATCH_SECONDS);
         lab.server().virtuals().start(chief.principal(), virtual, new VirtualDroneRequest.StartRequest("rtl"));
         lab.untilSeen("its mission begins", Duration.ofMinutes(3), () -> taken.mode() == AUTO);
-        SocketJudge socket = new SocketJudge();
+        OrderCapture socket = new OrderCapture();
         taken.wire().capturedBy(socket);
 
         taken.switchedTo(LOITER);

@@ -14,11 +14,11 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.Zones;
+import org.dronemap.ws.lab.ZoneFixtures;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.zone.ZoneFeature;
 import org.junit.jupiter.api.AfterEach;
@@ -45,12 +45,12 @@ class ZoneFlightTest {
         for (Geodetic place : places) {
             items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(10), 0));
         }
-        return Commands.uploadMission(MissionItemRequest.of(items));
+        return CommandRequests.uploadMission(MissionItemRequest.of(items));
     }
 
     private CommandRequest goTo(double north, double east) {
         Geodetic place = copter.place(north, east);
-        return Commands.goTo(place.latitudeDegrees(), place.longitudeDegrees(), 10.0);
+        return CommandRequests.goTo(place.latitudeDegrees(), place.longitudeDegrees(), 10.0);
     }
 
     private double north() {
@@ -66,7 +66,7 @@ class ZoneFlightTest {
 
     @Test
     void aMissionThroughAZoneIsRefusedAndOneRoundItFlies() {
-        put(Zones.box(copter, 30, 60, 20, null, null));
+        put(ZoneFixtures.box(copter, 30, 60, 20, null, null));
 
         // The take-off, put in front by the server, is item 1.
         assertThat(chief.refusalByGate(copter, mission(copter.place(90, 0), copter.place(90, 40))))
@@ -77,7 +77,7 @@ class ZoneFlightTest {
 
         chief.does(copter, mission(copter.place(0, 50), copter.place(90, 50), copter.place(90, 0)))
                 .takesOff(copter, 10)
-                .does(copter, Commands.startMission(null));
+                .does(copter, CommandRequests.startMission(null));
         int last = Objects.requireNonNull(copter.state().mission().items()).size() - 1;
         lab.until(
                 "it is round",
@@ -86,7 +86,7 @@ class ZoneFlightTest {
         assertThat(copter.distanceTo(copter.place(90, 0))).isLessThan(3);
 
         assertThat(chief.refusalByGate(copter, goTo(0, 0))).contains("enters the no-fly zone “School” after 30 m");
-        chief.does(copter, Commands.returnToLaunch());
+        chief.does(copter, CommandRequests.returnToLaunch());
         lab.until(
                 "who returns through it is warned",
                 Duration.ofSeconds(5),
@@ -104,7 +104,7 @@ class ZoneFlightTest {
         chief.does(copter, goTo(400, 0));
         // Put in its way while it flies: nothing but the watch in flight can stop it now.
         lab.until("it is on its way", Duration.ofSeconds(20), () -> north() > 5);
-        put(Zones.box(copter, 150, 300, 50, "hold", null));
+        put(ZoneFixtures.box(copter, 150, 300, 50, "hold", null));
 
         lab.until("it is warned", Duration.ofSeconds(60), () -> copter.isTold("If it goes on like this it enters"));
         assertThat(north()).as("the warning came with the breach").isLessThan(150);
@@ -119,7 +119,7 @@ class ZoneFlightTest {
                 "it stands", Duration.ofSeconds(10), () -> copter.craft().body().groundSpeed() < 0.5);
         assertThat(north()).isBetween(150.0, 175.0);
         assertThat(chief.refusalByGate(copter, goTo(400, 0))).contains("begins inside the no-fly zone “School”");
-        chief.does(copter, Commands.returnToLaunch());
+        chief.does(copter, CommandRequests.returnToLaunch());
         lab.until("it landed", Duration.ofMinutes(3), copter::isDown);
     }
 
@@ -128,7 +128,7 @@ class ZoneFlightTest {
         chief.takesOff(copter, 10);
         lab.until("it is up", Duration.ofSeconds(30), () -> copter.height() > 9);
 
-        put(Zones.box(copter, -40, 40, 40, "returnToLaunch", 5.0));
+        put(ZoneFixtures.box(copter, -40, 40, 40, "returnToLaunch", 5.0));
 
         CommandView sent = lab.until("it is sent home", Duration.ofSeconds(5), this::bySafety);
         assertThat(sent.type()).isEqualTo("returnToLaunch");

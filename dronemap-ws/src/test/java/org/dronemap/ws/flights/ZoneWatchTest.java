@@ -12,14 +12,14 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.SetMode;
-import org.dronemap.sim.physics.Position;
-import org.dronemap.ws.lab.Commands;
+import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.Track;
-import org.dronemap.ws.lab.VehicleKit;
-import org.dronemap.ws.lab.Zones;
+import org.dronemap.ws.lab.VehicleSpec;
+import org.dronemap.ws.lab.VehicleTrack;
+import org.dronemap.ws.lab.ZoneFixtures;
 import org.junit.jupiter.api.Test;
 
 /** The watch over zones in flight, in wind and for some drones at once: judged by where they are and what they are told. */
@@ -38,7 +38,7 @@ class ZoneWatchTest {
         try (Laboratory lab = new Laboratory(1)) {
             Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
             List<LabDrone> drones = IntStream.range(0, DRONES)
-                    .mapToObj(n -> lab.add(VehicleKit.COPTER.inWind(6)))
+                    .mapToObj(n -> lab.add(VehicleSpec.COPTER.inWind(6)))
                     .toList();
             drones.forEach(lab::ready);
             SplittableRandom chance = new SplittableRandom(7);
@@ -65,22 +65,22 @@ class ZoneWatchTest {
     }
 
     private static Breach sentOff(Laboratory lab, Pilot chief, LabDrone drone, double bearing) {
-        Position start = drone.craft().body().position();
+        NeuPosition start = drone.craft().body().position();
         Geodetic target = drone.place(start.north() + 500 * Math.cos(bearing), start.east() + 500 * Math.sin(bearing));
-        chief.does(drone, Commands.goTo(target.latitudeDegrees(), target.longitudeDegrees(), 10.0));
+        chief.does(drone, CommandRequests.goTo(target.latitudeDegrees(), target.longitudeDegrees(), 10.0));
         lab.until(
                 "it flies there",
                 Duration.ofMinutes(1),
                 () -> drone.craft().body().position().horizontalDistanceTo(start) > 5);
         Geodetic middle =
                 drone.place(start.north() + AHEAD * Math.cos(bearing), start.east() + AHEAD * Math.sin(bearing));
-        lab.server().zones().add(chief.principal(), Zones.circle("Sudden", middle, RADIUS, drone, "hold"));
+        lab.server().zones().add(chief.principal(), ZoneFixtures.circle("Sudden", middle, RADIUS, drone, "hold"));
         return new Breach(drone, middle, lab.time().nanos());
     }
 
     /** When it was inside first, in s. */
     private static double inside(Breach breach) {
-        for (Track.Fix fix : breach.drone().track().since(breach.putNanos())) {
+        for (VehicleTrack.Fix fix : breach.drone().track().since(breach.putNanos())) {
             if (fix.metersTo(breach.middle(), fix.amsl()) < RADIUS) {
                 return fix.atNanos() / NANOS;
             }

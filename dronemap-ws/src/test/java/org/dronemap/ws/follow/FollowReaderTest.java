@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.tuple;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.operation.TargetReport;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -18,14 +18,14 @@ class FollowReaderTest {
         return new FollowRequest.PositionRequest(null, at, 47.0, 8.0, 5.0, speed, null);
     }
 
-    private static List<Sighting> read(FollowRequest.PositionRequest... positions) {
+    private static List<TargetReport> read(FollowRequest.PositionRequest... positions) {
         return FollowReader.sightings(new FollowRequest.PositionsRequest(SENT, null, List.of(positions)), SENT);
     }
 
     @Test
     void takesAReceiverThatIsAheadOfItsPhoneForSimultaneous() {
         assertThat(read(position(SENT.plus(Duration.ofSeconds(60)), null)))
-                .extracting(Sighting::at, Sighting::number)
+                .extracting(TargetReport::at, TargetReport::number)
                 .as("what comes next has a higher number")
                 .containsExactly(tuple(SENT, SENT.toEpochMilli()));
     }

@@ -19,17 +19,17 @@ public final class FollowStages {
 
     private static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
 
-    private final Tenant tenant;
-    private final Http supervisor;
+    private final TestTenant tenant;
+    private final TestHttpClient supervisor;
     private final List<Staged> all = new ArrayList<>();
 
-    public FollowStages(Tenant tenant, Http supervisor) {
+    public FollowStages(TestTenant tenant, TestHttpClient supervisor) {
         this.tenant = tenant;
         this.supervisor = supervisor;
     }
 
     /** A follow for which a stage is wanted, and who asked for it. */
-    public record Staged(String stage, String id, WillingCopter copter, Http owner) {
+    public record Staged(String stage, String id, ImmediateCopter copter, TestHttpClient owner) {
         public String path() {
             return PATH + "/" + id;
         }
@@ -57,13 +57,13 @@ public final class FollowStages {
     }
 
     /** It is brought to its stage with all others. */
-    public Staged open(String stage, Http owner) {
-        WillingCopter copter = tenant.copter(tenant.unique("Copter"), HOME)
+    public Staged open(String stage, TestHttpClient owner) {
+        ImmediateCopter copter = tenant.copter(tenant.unique("Copter"), HOME)
                 .wellHeard(tenant.server().cloud());
         if (stage.equals("starting")) {
             copter.staysDown();
         }
-        Http.Answer opened =
+        TestHttpClient.Answer opened =
                 owner.post(PATH, "{\"latitude\":47.398,\"longitude\":8.5456,\"drone\":\"" + copter.id() + "\"}");
         assertThat(opened.status()).as(opened.raw().body()).isEqualTo(201);
         Staged staged = new Staged(stage, opened.text("id"), copter, owner);
@@ -84,7 +84,7 @@ public final class FollowStages {
         all.forEach(one -> await(one, one.stage()));
         started.stream()
                 .filter(one -> one.stage().equals("starting"))
-                .forEach(one -> Waiting.until(
+                .forEach(one -> ConditionWait.until(
                         "it is armed",
                         () -> one.copter().performed().stream()
                                 .filter(Command.TakeOff.class::isInstance)
@@ -101,14 +101,14 @@ public final class FollowStages {
         }
     }
 
-    private static void ask(Http who, String path) {
-        Http.Answer answer = who.post(path, "");
+    private static void ask(TestHttpClient who, String path) {
+        TestHttpClient.Answer answer = who.post(path, "");
         assertThat(answer.status()).as(answer.raw().body()).isEqualTo(200);
     }
 
     /** By the supervisor. */
     public void takeOver(Staged one) {
-        Http.Answer taken = supervisor.post(
+        TestHttpClient.Answer taken = supervisor.post(
                 "/api/v1/drones/" + one.copter().id() + "/control/take-over", "{\"reason\":\"a look\"}");
         assertThat(taken.status()).as(taken.raw().body()).isEqualTo(200);
     }
@@ -119,7 +119,7 @@ public final class FollowStages {
     }
 
     public void await(Staged one, String... states) {
-        Waiting.until(
+        ConditionWait.until(
                 one + ": the follow is " + String.join(" or ", states),
                 () -> Optional.of(state(one)).filter(List.of(states)::contains));
     }

@@ -84,7 +84,7 @@ public final class RightsTable {
         ADMINISTRATOR;
 
         /** A key of such a user; empty for nobody. */
-        public String key(TestHouse house) {
+        public String key(TestServer house) {
             return Arrays.stream(Role.values())
                     .filter(role -> role.name().equals(name()))
                     .findFirst()

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
-import org.dronemap.core.cloud.Admission;
 import org.dronemap.core.cloud.Claim;
+import org.dronemap.core.cloud.ClaimResult;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.DroneLink;
 import org.dronemap.core.cloud.LinkSession;
-import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -47,7 +47,7 @@ public final class ScriptedVehicle implements VehicleChannel {
         this.key = key;
         this.name = name;
         LinkSession session = new LinkSession(key, "udp", false, name, this);
-        if (!(cloud.admit(new Claim(session, identification, null, true, 0)) instanceof Admission.Bound bound)) {
+        if (!(cloud.admit(new Claim(session, identification, null, true, 0)) instanceof ClaimResult.Bound bound)) {
             throw new AssertionError("it was not let in");
         }
         link = bound.link();
@@ -58,10 +58,10 @@ public final class ScriptedVehicle implements VehicleChannel {
         ScriptedVehicle vehicle =
                 new ScriptedVehicle(cloud, new DroneKey("127.0.0.1", port, 1), "Copter " + port, COPTER);
         vehicle.says(new DroneEvent.Identified(COPTER, ALL));
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
-        vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3977, 8.5456), 488.0, 0.0)));
+        vehicle.says(new DroneEvent.ModeReported("GUIDED", false));
+        vehicle.says(new DroneEvent.PositionReported(new Position(new Geodetic(47.3977, 8.5456), 488.0, 0.0)));
         // News go by the drone's lane: a test must not overtake them.
-        Waiting.until(
+        ConditionWait.until(
                 "the vehicle is known", () -> cloud.drone(vehicle.link.id()).filter(state -> state.position() != null));
         return vehicle;
     }
@@ -74,7 +74,7 @@ public final class ScriptedVehicle implements VehicleChannel {
     /** A drone of a recording that is played; its id. */
     public static String played(CloudManager cloud, int port) {
         Claim claim = new Claim(session(port, true), COPTER, null, true, 0);
-        if (!(cloud.admit(claim) instanceof Admission.Bound bound)) {
+        if (!(cloud.admit(claim) instanceof ClaimResult.Bound bound)) {
             throw new AssertionError("it was not let in");
         }
         return bound.link().id().value();
@@ -83,29 +83,29 @@ public final class ScriptedVehicle implements VehicleChannel {
     /** Comes from where nobody is trusted, and waits to be let in; the id that it waits under. */
     public static String stranger(CloudManager cloud, int port) {
         LinkSession session = session(port, false);
-        if (!(cloud.admit(new Claim(session, COPTER, null, false, 0)) instanceof Admission.Outside)) {
+        if (!(cloud.admit(new Claim(session, COPTER, null, false, 0)) instanceof ClaimResult.NotAdmitted)) {
             throw new AssertionError("it was let in");
         }
         return cloud.waiting().stream()
                 .filter(waiting -> waiting.key().equals(session.key()))
-                .map(org.dronemap.core.cloud.Waiting::id)
+                .map(org.dronemap.core.cloud.WaitingVehicle::id)
                 .findFirst()
                 .orElseThrow();
     }
 
     private static LinkSession session(int port, boolean replay) {
-        return new LinkSession(new DroneKey("127.0.0.1", port, 1), "udp", replay, "Copter " + port, new Deaf());
+        return new LinkSession(new DroneKey("127.0.0.1", port, 1), "udp", replay, "Copter " + port, new UnresponsiveChannel());
     }
 
     /** Takes no command. */
-    private static final class Deaf implements VehicleChannel {
+    private static final class UnresponsiveChannel implements VehicleChannel {
         @Override
-        public void steer(Mandate mandate, Setpoint setpoint) {
+        public void steer(SendAuthority mandate, Setpoint setpoint) {
             throw new AssertionError("nobody steers here");
         }
 
         @Override
-        public void perform(Mandate mandate, Command command, Report report) {
+        public void perform(SendAuthority mandate, Command command, Report report) {
             report.ended(new Outcome.Failed("It hears nothing."));
         }
 
@@ -162,12 +162,12 @@ public final class ScriptedVehicle implements VehicleChannel {
     }
 
     @Override
-    public void steer(Mandate mandate, Setpoint setpoint) {
+    public void steer(SendAuthority mandate, Setpoint setpoint) {
         mandate.fence().pass(() -> setpoints.add(setpoint));
     }
 
     @Override
-    public void perform(Mandate mandate, Command command, Report report) {
+    public void perform(SendAuthority mandate, Command command, Report report) {
         // As at a real link: what was admitted before somebody else took control must not act after theirs.
         mandate.fence().pass(() -> {
             performed.add(command);

@@ -12,15 +12,15 @@ import org.jspecify.annotations.Nullable;
  * uses it leaves its settings alone, puts back what concerns everybody, and looks for nothing but their own users and drones.
  */
 public final class SharedServer {
-    private static @Nullable TestHouse server;
-    private static @Nullable Http administrator;
+    private static @Nullable TestServer server;
+    private static @Nullable TestHttpClient administrator;
 
     private SharedServer() {}
 
-    public static synchronized TestHouse get() {
-        TestHouse running = server;
+    public static synchronized TestServer get() {
+        TestServer running = server;
         if (running == null) {
-            running = new TestHouse(directory(), false);
+            running = new TestServer(directory(), false);
             Runtime.getRuntime().addShutdownHook(new Thread(running::close, "close the shared server"));
             server = running;
         }
@@ -28,10 +28,10 @@ public final class SharedServer {
     }
 
     /** Of the organisation that runs the server. */
-    static synchronized Http administrator() {
-        Http known = administrator;
+    static synchronized TestHttpClient administrator() {
+        TestHttpClient known = administrator;
         if (known == null) {
-            known = new Http(get(), get().key(Role.ADMINISTRATOR));
+            known = new TestHttpClient(get(), get().key(Role.ADMINISTRATOR));
             administrator = known;
         }
         return known;

@@ -16,20 +16,20 @@ public final class SoapClient {
     private static final String NAMESPACE = "http://cloud.dronemap.org/wsdl";
 
     private final SoapOperations operations;
-    private final Http http;
+    private final TestHttpClient http;
     private final String authorization;
 
-    private SoapClient(TestHouse house, String authorization) {
+    private SoapClient(TestServer house, String authorization) {
         this.operations = new SoapOperations(house);
-        this.http = new Http(house, "");
+        this.http = new TestHttpClient(house, "");
         this.authorization = authorization;
     }
 
-    public static SoapClient withKey(TestHouse house, String key) {
+    public static SoapClient withKey(TestServer house, String key) {
         return withHeader(house, "Bearer " + key);
     }
 
-    public static SoapClient withHeader(TestHouse house, String authorization) {
+    public static SoapClient withHeader(TestServer house, String authorization) {
         return new SoapClient(house, authorization);
     }
 
@@ -45,7 +45,7 @@ public final class SoapClient {
             elements.append(element(String.valueOf(namesAndValues[i]), namesAndValues[i + 1]));
         }
         String service = operations.get(operation).service();
-        Http.Answer answer = http.send(
+        TestHttpClient.Answer answer = http.send(
                 service,
                 request -> request.header("Content-Type", "text/xml")
                         .header("Authorization", authorization)

@@ -44,7 +44,7 @@ public final class SoapOperations {
      * @param members the elements of a call, in the order of the schema: first those that stand in REST's address
      * @param declaration the element of a call, in its schema
      */
-    public record Operation(String name, String service, List<Member> members, Element declaration) {
+    public record Operation(String name, String service, List<OrganisationMember> members, Element declaration) {
         /** The members of an object as the elements of a call. */
         public String written(JsonNode object) {
             return new SoapElements(declaration.getOwnerDocument().getDocumentElement()).members(declaration, object);
@@ -52,10 +52,10 @@ public final class SoapOperations {
     }
 
     /** {@code type}: the local name of its type, such as {@code string}; empty where the type has no name. */
-    public record Member(String name, String type, boolean required) {}
+    public record OrganisationMember(String name, String type, boolean required) {}
 
-    public SoapOperations(TestHouse house) {
-        Http http = new Http(house, "");
+    public SoapOperations(TestServer house) {
+        TestHttpClient http = new TestHttpClient(house, "");
         Matcher found = SERVICE.matcher(http.get("/services").raw().body());
         while (found.find()) {
             services.add(found.group());
@@ -85,12 +85,12 @@ public final class SoapOperations {
         }
     }
 
-    private static List<Member> members(Element wrapper) {
-        List<Member> all = new ArrayList<>();
+    private static List<OrganisationMember> members(Element wrapper) {
+        List<OrganisationMember> all = new ArrayList<>();
         for (Element type : children(wrapper)) {
             for (Element sequence : children(type)) {
                 for (Element member : children(sequence)) {
-                    all.add(new Member(
+                    all.add(new OrganisationMember(
                             member.getAttribute("name"),
                             member.getAttribute("type").replaceFirst(".*:", ""),
                             !member.getAttribute("minOccurs").equals("0")));

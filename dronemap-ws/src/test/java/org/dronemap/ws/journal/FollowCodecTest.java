@@ -10,16 +10,16 @@ import org.junit.jupiter.api.Test;
 class FollowCodecTest {
     private final FollowCodec codec = new FollowCodec();
 
-    private static FollowInput seen(FollowInput.Modes modes) {
-        FollowInput.Look look =
-                new FollowInput.Look(null, 0, true, true, false, true, "SMART_RTL", 90, 300.0, null, modes);
-        return new FollowInput.Looked(Instant.EPOCH, look, null, null, null, List.of());
+    private static FollowInput seen(FollowInput.ModeMeaning modes) {
+        FollowInput.Observation look =
+                new FollowInput.Observation(null, 0, true, true, false, true, "SMART_RTL", 90, 300.0, null, modes);
+        return new FollowInput.Observed(Instant.EPOCH, look, null, null, null, List.of());
     }
 
     /** So that an entry of then is written again as it was. */
     @Test
     void writesModesOnlyWhereTheyCannotBeToldWithoutThem() {
-        FollowInput usual = seen(new FollowInput.Modes("GUIDED", true));
+        FollowInput usual = seen(new FollowInput.ModeMeaning("GUIDED", true));
 
         String text = codec.input(usual);
 
@@ -29,8 +29,8 @@ class FollowCodecTest {
 
     @Test
     void writesOtherModesAsTheyAre() {
-        FollowInput other = seen(new FollowInput.Modes("OFFBOARD", true));
-        FollowInput none = seen(new FollowInput.Modes(null, false));
+        FollowInput other = seen(new FollowInput.ModeMeaning("OFFBOARD", true));
+        FollowInput none = seen(new FollowInput.ModeMeaning(null, false));
 
         assertThat(codec.input(other)).contains(",\"modes\":{\"orders\":\"OFFBOARD\",\"home\":true}");
         assertThat(codec.input(codec.input(other))).isEqualTo(other);

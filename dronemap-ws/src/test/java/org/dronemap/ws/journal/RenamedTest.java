@@ -16,8 +16,8 @@ class RenamedTest {
     private static final After AFTER =
             new After.Shifted(Instant.EPOCH, new After.Spot(1.5, -2), List.of(After.Phase.RISEN, After.Phase.LANDED));
 
-    private final RecordCodec<Before, Before> before = new RecordCodec<>(Before.class, Before.class, List.of()) {};
-    private final RecordCodec<After, After> after = new RecordCodec<>(After.class, After.class, List.of()) {};
+    private final JsonOperationCodec<Before, Before> before = new JsonOperationCodec<>(Before.class, Before.class, List.of()) {};
+    private final JsonOperationCodec<After, After> after = new JsonOperationCodec<>(After.class, After.class, List.of()) {};
 
     private sealed interface Before {
         @Stored(as = "Moved", names = "at place states")
@@ -75,8 +75,8 @@ class RenamedTest {
 
     @Test
     void writesWhatLacksALaterComponentAsItWas() {
-        RecordCodec<Later, Later> later = new RecordCodec<>(Later.class, Later.class, List.of()) {};
-        RecordCodec<Sooner, Sooner> sooner = new RecordCodec<>(Sooner.class, Sooner.class, List.of()) {};
+        JsonOperationCodec<Later, Later> later = new JsonOperationCodec<>(Later.class, Later.class, List.of()) {};
+        JsonOperationCodec<Sooner, Sooner> sooner = new JsonOperationCodec<>(Sooner.class, Sooner.class, List.of()) {};
         Later nothing = new Later(Instant.EPOCH, null, List.of());
 
         String text = sooner.state(new Sooner(Instant.EPOCH));
@@ -89,10 +89,10 @@ class RenamedTest {
 
     @Test
     void doesNotStartWithWhatHasNoStoredName() {
-        assertThatThrownBy(() -> new RecordCodec<>(Before.class, Nameless.class, List.of()) {})
+        assertThatThrownBy(() -> new JsonOperationCodec<>(Before.class, Nameless.class, List.of()) {})
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("Nameless is stored and needs @Stored");
-        assertThatThrownBy(() -> new RecordCodec<>(Before.class, Kinds.class, List.of()) {})
+        assertThatThrownBy(() -> new JsonOperationCodec<>(Before.class, Kinds.class, List.of()) {})
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("OfNoName needs @Stored(as");
     }

@@ -8,22 +8,22 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
-import org.dronemap.cognitive.operation.run.MissionRun;
-import org.dronemap.cognitive.operation.run.Replan;
+import org.dronemap.cognitive.operation.run.MissionRunOperation;
+import org.dronemap.cognitive.operation.run.ReplanComputation;
 import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunState;
-import org.dronemap.cognitive.operation.run.Target;
-import org.dronemap.core.command.CloudLoss;
+import org.dronemap.cognitive.operation.run.RunWaypoint;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandKind;
-import org.dronemap.core.command.PutBack;
+import org.dronemap.core.command.MissionCloudLossPolicy;
+import org.dronemap.core.command.RestoreParameters;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.core.operation.Action;
-import org.dronemap.core.operation.Decision;
+import org.dronemap.core.operation.OperationAction;
+import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.stored.StoredNames;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.json.JsonMapper;
@@ -33,7 +33,7 @@ class RunCodecTest {
     private static final int ROUNDS = 300;
 
     private final RunCodec codec = new RunCodec();
-    private final Made made = new Made(new Random(7));
+    private final RandomValues made = new RandomValues(new Random(7));
 
     private static Set<Class<?>> records(Class<?> sealed) {
         Set<Class<?>> all = new TreeSet<>((one, other) -> one.getName().compareTo(other.getName()));
@@ -73,12 +73,12 @@ class RunCodecTest {
 
     @Test
     void writesWhatRunsAskForSoThatItCanBeReadAgain() {
-        Replan replan = made.of(Replan.class);
-        List<Action<RunInput>> actions = List.of(
-                new Action.Compute<>(replan),
+        ReplanComputation replan = made.of(ReplanComputation.class);
+        List<OperationAction<RunInput>> actions = List.of(
+                new OperationAction.Compute<>(replan),
                 give(new Command.UploadMission(
                         new Mission(List.of(new MissionItem.TakeOff(20), new MissionItem.Land())))),
-                give(new Command.StartMission(CloudLoss.RETURN_TO_LAUNCH)),
+                give(new Command.StartMission(MissionCloudLossPolicy.RETURN_TO_LAUNCH)),
                 give(new Command.SetMode("GUIDED")),
                 give(new Command.Arm()),
                 give(new Command.Disarm(false)),
@@ -88,30 +88,30 @@ class RunCodecTest {
                 give(new Command.ClearMission()),
                 give(new Command.PauseMission()),
                 give(new Command.TakePicture()));
-        for (Action<RunInput> action : actions) {
-            String text = codec.write(Action.class, action);
-            Object again = codec.read(Action.class, text);
+        for (OperationAction<RunInput> action : actions) {
+            String text = codec.write(OperationAction.class, action);
+            Object again = codec.read(OperationAction.class, text);
             assertThat(again).isEqualTo(action);
-            assertThat(codec.write(Action.class, again)).isEqualTo(text);
+            assertThat(codec.write(OperationAction.class, again)).isEqualTo(text);
         }
     }
 
-    private static Action<RunInput> give(Command command) {
-        return new Action.Give<>(new DroneId("d1"), new CommandId("r1-command-1"), command);
+    private static OperationAction<RunInput> give(Command command) {
+        return new OperationAction.SendCommand<>(new DroneId("d1"), new CommandId("r1-command-1"), command);
     }
 
     @Test
     void vouchesForTheStateThatADecisionLeadsTo() {
         RunState state = made.of(RunState.class);
         RunState other = made.of(RunState.class);
-        Decision<RunState, RunInput> decision = new Decision<>(state, List.of(), "Because.");
+        OperationDecision<RunState, RunInput> decision = new OperationDecision<>(state, List.of(), "Because.");
 
         String text = codec.decision(decision);
 
         assertThat(text)
                 .startsWith("{\"actions\":[],\"why\":\"Because.\",\"next\":\"")
-                .isEqualTo(codec.decision(new Decision<>(codec.state(codec.state(state)), List.of(), "Because.")))
-                .isNotEqualTo(codec.decision(new Decision<>(other, List.of(), "Because.")));
+                .isEqualTo(codec.decision(new OperationDecision<>(codec.state(codec.state(state)), List.of(), "Because.")))
+                .isNotEqualTo(codec.decision(new OperationDecision<>(other, List.of(), "Because.")));
     }
 
     /** The log of commands has the same names; the sink of a log that is downloaded is no value. */
@@ -122,7 +122,7 @@ class RunCodecTest {
         // With what only lives in a process.
         kinds.remove(Command.DownloadLog.class);
         kinds.remove(SetCloudLoss.class);
-        kinds.remove(PutBack.class);
+        kinds.remove(RestoreParameters.class);
 
         assertThat(kinds)
                 .allSatisfy(kind -> assertThat(StoredNames.of(kind))
@@ -131,19 +131,19 @@ class RunCodecTest {
 
     @Test
     void readsWhatWasWrittenBeforeAListWasThere() {
-        Target target = made.of(Target.class);
-        ObjectNode older = (ObjectNode) new JsonMapper().readTree(codec.write(Target.class, target));
+        RunWaypoint target = made.of(RunWaypoint.class);
+        ObjectNode older = (ObjectNode) new JsonMapper().readTree(codec.write(RunWaypoint.class, target));
         older.remove("reports");
 
-        Object again = codec.read(Target.class, older.toString());
+        Object again = codec.read(RunWaypoint.class, older.toString());
 
         older.putArray("reports");
-        assertThat(codec.write(Target.class, again)).isEqualTo(older.toString());
+        assertThat(codec.write(RunWaypoint.class, again)).isEqualTo(older.toString());
     }
 
     @Test
     void takesNothingThatItWouldNotHaveWritten() {
-        String text = codec.input(new MissionRun().resumed(Instant.EPOCH));
+        String text = codec.input(new MissionRunOperation().resumed(Instant.EPOCH));
         assertThat(text).isEqualTo("{\"type\":\"Resumed\",\"at\":\"1970-01-01T00:00:00Z\"}");
 
         for (String wrong : List.of(

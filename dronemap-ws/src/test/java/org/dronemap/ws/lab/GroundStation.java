@@ -17,7 +17,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.ScheduledTask;
 import org.dronemap.core.time.Worker;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
@@ -50,7 +50,7 @@ public final class GroundStation {
 
     private final Laboratory lab;
     private final String name;
-    private final Line line;
+    private final LabPeerLink line;
     private final FrameWriter writer;
     private final Worker hands;
     private final FrameReader reader = new FrameReader();
@@ -67,12 +67,12 @@ public final class GroundStation {
     /** A frame and when it came. */
     public record Heard(Frame frame, Instant at) {}
 
-    GroundStation(Laboratory lab, int number, Line.Kind kind, @Nullable String passphrase, int systemId) {
+    GroundStation(Laboratory lab, int number, LabPeerLink.Kind kind, @Nullable String passphrase, int systemId) {
         this.lab = lab;
         this.name = "station " + number;
         this.linkId = number;
         this.latest = lab.now();
-        line = new Line(lab, 40_000 + number, kind, SteppedServer::stations, this::hear);
+        line = new LabPeerLink(lab, 40_000 + number, kind, SteppedServer::stations, this::hear);
         writer = new FrameWriter(systemId, COMPONENT, 2);
         signsWith(passphrase);
         hands = lab.time().worker(name, 100);
@@ -109,7 +109,7 @@ public final class GroundStation {
         silent = true;
     }
 
-    public Line line() {
+    public LabPeerLink line() {
         return line;
     }
 
@@ -141,7 +141,7 @@ public final class GroundStation {
     }
 
     /** Says the same ten times a second until that is called off, as programs that steer do. */
-    public Repetition saysOn(Message message) {
+    public ScheduledTask saysOn(Message message) {
         return hands.every(Duration.ZERO, OFTEN, () -> says(message));
     }
 

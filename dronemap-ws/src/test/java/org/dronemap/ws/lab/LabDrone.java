@@ -8,13 +8,13 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.proxy.endpoint.PeerHandler;
-import org.dronemap.sim.flight.Craft;
-import org.dronemap.sim.flight.Navigation;
+import org.dronemap.sim.flight.NavigationEstimator;
+import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.personality.SimulatedVehicle;
-import org.dronemap.sim.physics.Battery;
+import org.dronemap.sim.physics.BatteryModel;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Wind;
+import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.WindModel;
 import org.jspecify.annotations.Nullable;
 
 /** One vehicle of the laboratory: what it truly does, its wire, and the drone that the server takes it for. */
@@ -35,17 +35,17 @@ public final class LabDrone implements LabVehicle {
     /** It says only when it is not ready. */
     private final boolean isPx4;
 
-    private final List<Wire> wires = new ArrayList<>();
+    private final List<LabVehicleLink> wires = new ArrayList<>();
     private final SimulatedVehicle vehicle;
     private final LocalFrame start;
     private final long seed;
-    private final FlightRecord record;
-    private final Track track = new Track();
+    private final FlightFingerprint record;
+    private final VehicleTrack track = new VehicleTrack();
 
     /** Which one it is, what it calls itself, and what comes by chance to it. */
     record Numbers(int number, int systemId, long seed) {}
 
-    LabDrone(Laboratory lab, VehicleKit kit, LocalFrame start, Numbers numbers, FlightRecord record) {
+    LabDrone(Laboratory lab, VehicleSpec kit, LocalFrame start, Numbers numbers, FlightFingerprint record) {
         this.lab = lab;
         this.systemId = numbers.systemId();
         this.isPx4 = kit.kind().name().equals("px4");
@@ -54,8 +54,8 @@ public final class LabDrone implements LabVehicle {
         this.seed = numbers.seed();
         this.record = record;
         wires.add(newWire(name, FIRST_PORT + numbers.number()));
-        Craft craft =
-                new Craft(start, new Battery(MILLIAMP_HOURS), new Wind(kit.windSpeed(), 0, seed), new Navigation((long)
+        SimulatedCraft craft =
+                new SimulatedCraft(start, new BatteryModel(MILLIAMP_HOURS), new WindModel(kit.windSpeed(), 0, seed), new NavigationEstimator((long)
                         (kit.readySeconds() * MILLIS)));
         this.vehicle = new SimulatedVehicle(
                 kit.settings(systemId, numbers.number(), lab.now().toEpochMilli() * 1_000),
@@ -64,8 +64,8 @@ public final class LabDrone implements LabVehicle {
                 this::say);
     }
 
-    private Wire newWire(String label, int port) {
-        return new Wire(
+    private LabVehicleLink newWire(String label, int port) {
+        return new LabVehicleLink(
                 label,
                 port,
                 lab.time(),
@@ -75,9 +75,9 @@ public final class LabDrone implements LabVehicle {
     }
 
     /** It speaks over one more from now on, always the same on all, and hears on each. */
-    public Wire addWire(Wire.Kind kind) {
+    public LabVehicleLink addWire(LabVehicleLink.Kind kind) {
         int number = wires.size();
-        Wire added = newWire(name + " by wire " + number, FIRST_PORT + number * PORTS_APART + systemId);
+        LabVehicleLink added = newWire(name + " by wire " + number, FIRST_PORT + number * PORTS_APART + systemId);
         added.is(kind);
         wires.add(added);
         added.attach(lab.server().links());
@@ -95,10 +95,10 @@ public final class LabDrone implements LabVehicle {
     void beat() {
         vehicle.advance(lab.time().nanos() / Duration.ofMillis(1).toNanos());
         if (vehicle.takeNewAddress()) {
-            wires.forEach(Wire::move);
+            wires.forEach(LabVehicleLink::move);
         }
         if (lab.time().nanos() % FIX_NANOS == 0) {
-            track.add(new Track.Fix(lab.time().nanos(), where(), amsl(), height(), craft().armed()));
+            track.add(new VehicleTrack.Fix(lab.time().nanos(), where(), amsl(), height(), craft().armed()));
         }
     }
 
@@ -112,7 +112,7 @@ public final class LabDrone implements LabVehicle {
 
     /** The first one, or the only one. */
     @Override
-    public Wire wire() {
+    public LabVehicleLink wire() {
         return wires.get(0);
     }
 
@@ -121,7 +121,7 @@ public final class LabDrone implements LabVehicle {
         return vehicle;
     }
 
-    public Craft craft() {
+    public SimulatedCraft craft() {
         return vehicle.craft();
     }
 
@@ -132,12 +132,12 @@ public final class LabDrone implements LabVehicle {
 
     /** Metres from there on the ground, in truth. */
     public double away() {
-        return craft().body().position().horizontalDistanceTo(new Position(0, 0, 0));
+        return craft().body().position().horizontalDistanceTo(new NeuPosition(0, 0, 0));
     }
 
     /** Where it is, in truth. */
     public Geodetic where() {
-        Position here = craft().body().position();
+        NeuPosition here = craft().body().position();
         return new Geodetic(start.latitudeOf(here), start.longitudeOf(here));
     }
 
@@ -162,7 +162,7 @@ public final class LabDrone implements LabVehicle {
     }
 
     /** Where it truly was all along. */
-    public Track track() {
+    public VehicleTrack track() {
         return track;
     }
 
@@ -186,7 +186,7 @@ public final class LabDrone implements LabVehicle {
 
     /** That many metres north and east of where it was put down. */
     public Geodetic place(double north, double east) {
-        Position offset = new Position(north, east, 0);
+        NeuPosition offset = new NeuPosition(north, east, 0);
         return new Geodetic(start.latitudeOf(offset), start.longitudeOf(offset));
     }
 

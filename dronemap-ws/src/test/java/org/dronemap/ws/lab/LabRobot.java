@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.sim.robot.Quirk;
+import org.dronemap.sim.robot.BridgeQuirk;
 import org.dronemap.sim.robot.RobotFleet;
 import org.dronemap.sim.robot.SimulatedRobot;
 import org.dronemap.ws.command.CommandRequest;
@@ -32,22 +32,22 @@ public final class LabRobot {
     private static final double TURN_SECONDS = 0.05;
 
     private final Laboratory lab;
-    private final RobotKit kit;
+    private final RobotSpec kit;
     private final SimulatedRobot robot;
-    private final Line udp;
-    private final @Nullable Line web;
+    private final LabPeerLink udp;
+    private final @Nullable LabPeerLink web;
     private final List<Integer> orders = new ArrayList<>();
     private int heartbeats;
     private int wrong;
 
-    LabRobot(Laboratory lab, RobotKit kit, int number) {
+    LabRobot(Laboratory lab, RobotSpec kit, int number) {
         this.lab = lab;
         this.kit = kit;
-        udp = new Line(lab, 50_000 + 2 * number, Line.Kind.UDP, SteppedServer::robots, this::told);
+        udp = new LabPeerLink(lab, 50_000 + 2 * number, LabPeerLink.Kind.UDP, SteppedServer::robots, this::told);
         String path = kit.path();
         web = path == null
                 ? null
-                : new Line(lab, 50_001 + 2 * number, Line.Kind.webSocket(path), SteppedServer::robots, this::told);
+                : new LabPeerLink(lab, 50_001 + 2 * number, LabPeerLink.Kind.webSocket(path), SteppedServer::robots, this::told);
         robot = new SimulatedRobot(kit.options(), 0, new Ways());
         var unused = lab.time()
                 .worker("robot " + kit.systemId(), 1)
@@ -70,7 +70,7 @@ public final class LabRobot {
             say(udp, text);
         }
 
-        private void say(Line line, String text) {
+        private void say(LabPeerLink line, String text) {
             line.up(text.getBytes(StandardCharsets.UTF_8));
         }
     }
@@ -78,8 +78,8 @@ public final class LabRobot {
     private void told(byte[] bytes) {
         String text = new String(bytes, StandardCharsets.UTF_8);
         JsonNode message = JsonMapper.shared().readTree(text);
-        JsonNode header = kit.quirks().contains(Quirk.PAYLOAD_SHAPE) ? message : message.path("header");
-        boolean number = kit.quirks().contains(Quirk.NUMBER_KEY);
+        JsonNode header = kit.quirks().contains(BridgeQuirk.PAYLOAD_SHAPE) ? message : message.path("header");
+        boolean number = kit.quirks().contains(BridgeQuirk.NUMBER_KEY);
         if (header.path("system_id").asInt(-1) != kit.systemId()
                 || header.path("key").isNumber() != number
                 || !header.path("key").asString("").equals(kit.key())) {
@@ -99,7 +99,7 @@ public final class LabRobot {
         ObjectNode twist = JsonMapper.shared().createObjectNode();
         ObjectNode header = twist.putObject("header");
         header.put("system_id", kit.systemId()).put("message_id", TWIST);
-        if (kit.quirks().contains(Quirk.NUMBER_KEY)) {
+        if (kit.quirks().contains(BridgeQuirk.NUMBER_KEY)) {
             header.put("key", Long.parseLong(kit.key()));
         } else {
             header.put("key", kit.key());
@@ -112,7 +112,7 @@ public final class LabRobot {
     }
 
     /** What is true of it. */
-    public RobotFleet.Truth truth() {
+    public RobotFleet.GroundTruth truth() {
         return robot.truth();
     }
 

@@ -9,7 +9,7 @@ public interface LabVehicle {
     /** As the server has it; empty: it knows no such drone. */
     Optional<DroneState> known();
 
-    Wire wire();
+    LabVehicleLink wire();
 
     /** What it does in truth, and what the server says of it. */
     String words();

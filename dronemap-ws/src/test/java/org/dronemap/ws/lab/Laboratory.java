@@ -12,19 +12,19 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.EffectivePermissions;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.core.process.Beginning;
+import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.NeuPosition;
 import org.dronemap.store.memory.MemoryStores;
 import org.dronemap.ws.wiring.SteppedServer;
 import org.jspecify.annotations.Nullable;
@@ -52,30 +52,30 @@ public final class Laboratory implements AutoCloseable {
     private final long seed;
     private final DataFolder data = new DataFolder();
     private final MemoryStores stores = new MemoryStores();
-    private final FlightRecord record;
+    private final FlightFingerprint record;
     private final List<LabDrone> drones = new ArrayList<>();
-    private final List<Line> lines = new ArrayList<>();
+    private final List<LabPeerLink> lines = new ArrayList<>();
     private final List<ScriptedPeer> peers = new ArrayList<>();
     private final List<SigningPeer> signingPeers = new ArrayList<>();
-    private final List<Hoverer> hoverers = new ArrayList<>();
-    private final List<Robot> robots = new ArrayList<>();
+    private final List<HoveringVehicle> hoverers = new ArrayList<>();
+    private final List<MemoryLinkRobot> robots = new ArrayList<>();
     private SteppedTime.@Nullable Killable process;
     private @Nullable SteppedServer server;
 
     public Laboratory(long seed) {
         this.seed = seed;
         time = new SteppedTime(BEGAN, seed);
-        record = new FlightRecord(time::nanos);
+        record = new FlightFingerprint(time::nanos);
         var unused = time.worker("vehicles", 1).every(BEAT, BEAT, () -> drones.forEach(LabDrone::beat));
         startServer();
     }
 
     /** Over what an earlier one has kept. */
     public void startServer() {
-        startServer(Beginning.ORDINARY);
+        startServer(ProcessStart.ORDINARY);
     }
 
-    public void startServer(Beginning beginning) {
+    public void startServer(ProcessStart beginning) {
         process = time.killable();
         server = new SteppedServer(data.path(), process, stores, beginning);
         drones.forEach(drone -> drone.attach(server().links()));
@@ -113,8 +113,8 @@ public final class Laboratory implements AutoCloseable {
     }
 
     /** In the place of a server that has crashed, until there is one again. */
-    public OtherStation otherStation(LabDrone drone, List<Geodetic> places, double meters) {
-        OtherStation station = new OtherStation(places, meters);
+    public SecondGroundStation otherStation(LabDrone drone, List<Geodetic> places, double meters) {
+        SecondGroundStation station = new SecondGroundStation(places, meters);
         drone.attach(station);
         return station;
     }
@@ -137,34 +137,34 @@ public final class Laboratory implements AutoCloseable {
 
     /** A copter on the ground, ready to arm, sixty metres from the one before. */
     public LabDrone copter() {
-        return ready(add(VehicleKit.COPTER));
+        return ready(add(VehicleSpec.COPTER));
     }
 
     /** So many of them, in a row. */
     public List<LabDrone> copters(int count) {
         List<LabDrone> made = IntStream.range(0, count)
-                .mapToObj(number -> add(VehicleKit.COPTER))
+                .mapToObj(number -> add(VehicleSpec.COPTER))
                 .toList();
         made.forEach(this::ready);
         return made;
     }
 
     /** Such a vehicle, of which nothing is expected yet. */
-    public LabDrone add(VehicleKit kit) {
-        return add(kit, LabDrone.FIELD.shifted(new Position(0, drones.size() * SPACING_METERS, 0)));
+    public LabDrone add(VehicleSpec kit) {
+        return add(kit, LabDrone.FIELD.shifted(new NeuPosition(0, drones.size() * SPACING_METERS, 0)));
     }
 
     /** The same with the place where it is put down. */
-    public LabDrone add(VehicleKit kit, LocalFrame start) {
+    public LabDrone add(VehicleSpec kit, LocalFrame start) {
         return add(kit, start, drones.size() + 1);
     }
 
     /** The same, by the name of that system id, which others may have, too. */
-    public LabDrone add(VehicleKit kit, int systemId) {
-        return add(kit, LabDrone.FIELD.shifted(new Position(0, drones.size() * SPACING_METERS, 0)), systemId);
+    public LabDrone add(VehicleSpec kit, int systemId) {
+        return add(kit, LabDrone.FIELD.shifted(new NeuPosition(0, drones.size() * SPACING_METERS, 0)), systemId);
     }
 
-    private LabDrone add(VehicleKit kit, LocalFrame start, int systemId) {
+    private LabDrone add(VehicleSpec kit, LocalFrame start, int systemId) {
         int number = drones.size() + 1;
         LabDrone drone = new LabDrone(
                 this, kit, start, new LabDrone.Numbers(number, systemId, seed * 1_000_003 + number), record);
@@ -186,18 +186,18 @@ public final class Laboratory implements AutoCloseable {
         return peer;
     }
 
-    Wire wire(String name, int port, Consumer<Frame> vehicle) {
-        return new Wire(name, port, time, seed * 1_000_003 + port, record, vehicle);
+    LabVehicleLink wire(String name, int port, Consumer<Frame> vehicle) {
+        return new LabVehicleLink(name, port, time, seed * 1_000_003 + port, record, vehicle);
     }
 
     /** What the test speaks for, over such a wire; it says nothing before {@link SigningPeer#begin}. */
-    public SigningPeer signingPeer(int systemId, Wire.Kind kind) {
+    public SigningPeer signingPeer(int systemId, LabVehicleLink.Kind kind) {
         int number = signingPeers.size() + 1;
         long chance = seed * 1_000_003 + FIRST_PEER_PORT + number;
         SigningPeer peer = new SigningPeer(
                 this,
                 systemId,
-                hear -> new Wire("peer " + number, FIRST_PEER_PORT + number, time, chance, record, hear));
+                hear -> new LabVehicleLink("peer " + number, FIRST_PEER_PORT + number, time, chance, record, hear));
         peer.wire().is(kind);
         peer.wire().attach(server().links());
         signingPeers.add(peer);
@@ -206,7 +206,7 @@ public final class Laboratory implements AutoCloseable {
 
     /** The same over datagrams of this machine. */
     public SigningPeer signingPeer(int systemId) {
-        return signingPeer(systemId, Wire.Kind.UDP);
+        return signingPeer(systemId, LabVehicleLink.Kind.UDP);
     }
 
     /** Waits until the server knows it with its home, and it says that it may be armed. */
@@ -216,26 +216,26 @@ public final class Laboratory implements AutoCloseable {
     }
 
     /** A vehicle that does what its script says, and nothing else. */
-    public Hoverer hoverer(Hoverer.Script script) {
+    public HoveringVehicle hoverer(HoveringVehicle.Script script) {
         int number = FIRST_PEER + hoverers.size();
-        Hoverer peer = new Hoverer(this, number, seed * 1_000_003 + number, record, script);
+        HoveringVehicle peer = new HoveringVehicle(this, number, seed * 1_000_003 + number, record, script);
         hoverers.add(peer);
         peer.wire().attach(server().links());
         return peer;
     }
 
     /** A robot on wheels that goes on with the last speeds that it heard, as many bridges do. */
-    public Robot robot() {
+    public MemoryLinkRobot robot() {
         int number = FIRST_ROBOT + robots.size();
-        Robot robot = new Robot(this, number, seed * 1_000_003 + number);
+        MemoryLinkRobot robot = new MemoryLinkRobot(this, number, seed * 1_000_003 + number);
         robots.add(robot);
         robot.attach(server().robots());
         return robot;
     }
 
     /** A phone so many metres north and east of where that drone was put down. */
-    public Phone phone(Pilot owner, LabDrone beside, double north, double east) {
-        return new Phone(this, owner, beside, north, east);
+    public SimulatedPhone phone(Pilot owner, LabDrone beside, double north, double east) {
+        return new SimulatedPhone(this, owner, beside, north, east);
     }
 
     /** A new user with that role, who owns what is there. */
@@ -253,25 +253,25 @@ public final class Laboratory implements AutoCloseable {
 
     /** A ground station of that user's, by UDP. */
     public GroundStation station(Pilot user, int systemId) {
-        return station(Line.Kind.UDP, user.passphrase(), systemId);
+        return station(LabPeerLink.Kind.UDP, user.passphrase(), systemId);
     }
 
     /** One that signs with that passphrase; null: with none. */
-    public GroundStation station(Line.Kind kind, @Nullable String passphrase, int systemId) {
+    public GroundStation station(LabPeerLink.Kind kind, @Nullable String passphrase, int systemId) {
         return new GroundStation(this, lines.size() + 1, kind, passphrase, systemId);
     }
 
     /** A robot that calls in. */
-    public LabRobot robot(RobotKit kit) {
+    public LabRobot robot(RobotSpec kit) {
         return new LabRobot(this, kit, lines.size() + 1);
     }
 
-    void add(Line line) {
+    void add(LabPeerLink line) {
         lines.add(line);
         line.attach(server);
     }
 
-    FlightRecord record() {
+    FlightFingerprint record() {
         return record;
     }
 
@@ -293,7 +293,7 @@ public final class Laboratory implements AutoCloseable {
     }
 
     private Principal principal(String name, Role role, KeyScope scope, @Nullable String key) {
-        Reach reach = server().house().grantBook().reach(OrganisationId.HOME, name);
+        EffectivePermissions reach = server().house().grantBook().reach(OrganisationId.HOME, name);
         return Principal.of(stores.access().user(name).orElseThrow(), role, scope, key, reach);
     }
 

@@ -16,7 +16,7 @@ import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.control.ControlRequest;
 import org.dronemap.ws.drone.ControlView;
-import org.dronemap.ws.key.KeyRequest;
+import org.dronemap.ws.key.AccessKeyRequest;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.outlet.OutletService;
 import org.dronemap.ws.problem.Rejection;
@@ -75,7 +75,7 @@ public final class Pilot {
     }
 
     /** The same user with an access key that is made by this one. */
-    public Pilot withKey(KeyRequest wanted) {
+    public Pilot withKey(AccessKeyRequest wanted) {
         return new Pilot(
                 lab,
                 name,
@@ -218,13 +218,13 @@ public final class Pilot {
     }
 
     public Pilot takesOff(LabDrone drone, double meters) {
-        return does(drone, Commands.setMode("GUIDED"))
-                .does(drone, Commands.arm())
-                .does(drone, Commands.takeOff(meters));
+        return does(drone, CommandRequests.setMode("GUIDED"))
+                .does(drone, CommandRequests.arm())
+                .does(drone, CommandRequests.takeOff(meters));
     }
 
     public Pilot fliesTo(LabDrone drone, Geodetic place, double meters) {
-        return does(drone, Commands.goTo(place.latitudeDegrees(), place.longitudeDegrees(), meters));
+        return does(drone, CommandRequests.goTo(place.latitudeDegrees(), place.longitudeDegrees(), meters));
     }
 
     /** Uploads a take-off, those places at one height, and the way home. */
@@ -235,6 +235,6 @@ public final class Pilot {
             items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(meters), 0));
         }
         items.add(new MissionItem.ReturnToLaunch());
-        return does(drone, Commands.uploadMission(MissionItemRequest.of(items)));
+        return does(drone, CommandRequests.uploadMission(MissionItemRequest.of(items)));
     }
 }

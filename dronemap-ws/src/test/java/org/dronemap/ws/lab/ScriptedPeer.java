@@ -58,7 +58,7 @@ public final class ScriptedPeer implements LabVehicle {
     private final int port;
     private final Kind kind;
     private final Answers answers;
-    private final Wire wire;
+    private final LabVehicleLink wire;
     private final FrameWriter writer;
     private final List<Frame> received = new ArrayList<>();
     private boolean armed;
@@ -183,7 +183,7 @@ public final class ScriptedPeer implements LabVehicle {
     }
 
     @Override
-    public Wire wire() {
+    public LabVehicleLink wire() {
         return wire;
     }
 

@@ -49,7 +49,7 @@ public final class SigningPeer {
 
     private final Laboratory lab;
     private final int systemId;
-    private final Wire wire;
+    private final LabVehicleLink wire;
     private final FrameWriter writer;
     private final Worker worker;
     private final PeerSigning signing;
@@ -66,7 +66,7 @@ public final class SigningPeer {
     private int losesEvery;
     private byte[] last = {};
 
-    SigningPeer(Laboratory lab, int systemId, Function<Consumer<Frame>, Wire> wires) {
+    SigningPeer(Laboratory lab, int systemId, Function<Consumer<Frame>, LabVehicleLink> wires) {
         this.lab = lab;
         this.systemId = systemId;
         this.wire = wires.apply(this::hear);
@@ -226,7 +226,7 @@ public final class SigningPeer {
         return systemId;
     }
 
-    public Wire wire() {
+    public LabVehicleLink wire() {
         return wire;
     }
 

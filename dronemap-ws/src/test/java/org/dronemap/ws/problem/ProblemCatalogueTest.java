@@ -170,7 +170,7 @@ class ProblemCatalogueTest {
 
     @Test
     void tellsCodeAndParametersInTheProblem() {
-        Problem problem = Problem.of(InvalidInput.outside(
+        ProblemView problem = ProblemView.of(InvalidInput.outside(
                 ValueProblem.VALUE_OUT_OF_RANGE,
                 "rate",
                 "1 to 10",
@@ -204,7 +204,7 @@ class ProblemCatalogueTest {
         Map<String, List<? extends ProblemCode>> subjects = new LinkedHashMap<>();
         subjects.put("Requests as such", List.of(RequestProblem.values()));
         subjects.put("Values", List.of(ValueProblem.values()));
-        subjects.put("What there is none of", List.of(UnknownProblem.values()));
+        subjects.put("What there is none of", List.of(NotFoundProblem.values()));
         subjects.put("Accounts and rights", List.of(AccessProblem.values()));
         subjects.put(OUTCOMES, CommandProblem.values());
         subjects.put("Control of drones", List.of(ControlProblem.values()));
@@ -220,7 +220,7 @@ class ProblemCatalogueTest {
     }
 
     private static String row(ProblemCode code) {
-        ProblemEntry entry = code.entry();
+        ProblemCatalogueEntry entry = code.entry();
         boolean isProblem = !(code instanceof UnfitProblem)
                 && (!(code instanceof CommandProblem told) || told.outcome().isOfTheGate());
         return "| `" + code.word() + "` | "
@@ -232,7 +232,7 @@ class ProblemCatalogueTest {
                 + entry.example().replace("|", "\\|") + "* |\n";
     }
 
-    private static String parameters(ProblemEntry entry) {
+    private static String parameters(ProblemCatalogueEntry entry) {
         return Stream.concat(
                         entry.parameters().stream().map(one -> "`" + one.word() + "`"),
                         entry.optional().stream().map(one -> "`" + one.word() + "`?"))

@@ -37,7 +37,7 @@ class StreamClientTest {
 
         client.probe();
         client.pump(1, new WriteReminder(socket -> {}));
-        client.expel(new StreamClient.Farewell(CloseFrame.NORMAL, "over", "{}"));
+        client.expel(new StreamClient.ClosingMessage(CloseFrame.NORMAL, "over", "{}"));
         client.pump(2, new WriteReminder(socket -> {}));
 
         assertThat(called).contains(call, "closeConnection");

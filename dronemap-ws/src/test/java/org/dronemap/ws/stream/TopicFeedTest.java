@@ -11,7 +11,7 @@ import java.util.Set;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.reading.JsonReader;
-import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.security.AuthenticatedCaller;
 import org.java_websocket.WebSocket;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -33,19 +33,19 @@ class TopicFeedTest {
                     throw new UnsupportedOperationException(m.getName());
                 });
         StreamClient client = new StreamClient(socket, 0);
-        client.admit(new SignedIn(new Principal(user, Role.VIEWER), SignedIn.Proof.KEY, null, null, false));
+        client.admit(new AuthenticatedCaller(new Principal(user, Role.VIEWER), AuthenticatedCaller.Proof.KEY, null, null, false));
         return client;
     }
 
-    private TopicFeed<String> feed(Rate rate) {
+    private TopicFeed<String> feed(TopicRate rate) {
         return feed(rate, new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new));
     }
 
-    private TopicFeed<String> feed(Rate rate, Topic.@Nullable Removal removal) {
+    private TopicFeed<String> feed(TopicRate rate, Topic.@Nullable Removal removal) {
         Topic<String> topic = new Topic<>(
                 StreamMessage.Hello.class,
                 rate,
-                new Topic.About<>("name", name -> name.substring(0, 1)),
+                new Topic.SubjectMapping<>("name", name -> name.substring(0, 1)),
                 Topic.Audience.of("all but some", (who, name) -> !hidden.contains(who.name() + name)),
                 (name, who) -> new StreamMessage.Hello(name, "shown"),
                 () -> things,
@@ -62,7 +62,7 @@ class TopicFeedTest {
 
     @Test
     void tellsTheNewestStateAloneAndNotTooOften() {
-        TopicFeed<String> feed = feed(new Rate.Newest(4));
+        TopicFeed<String> feed = feed(new TopicRate.Newest(4));
         feed.changed(A, () -> Optional.of("a1"));
         feed.changed(A, () -> Optional.of("a2"));
         feed.publish(0);
@@ -77,7 +77,7 @@ class TopicFeedTest {
 
     @Test
     void tellsAtOnceWhatCannotWait() {
-        TopicFeed<String> feed = feed(new Rate.Newest(4));
+        TopicFeed<String> feed = feed(new TopicRate.Newest(4));
         feed.changed(A, () -> Optional.of("a1"));
         feed.publish(0);
         feed.changedAtOnce(A, () -> Optional.of("a2"));
@@ -88,7 +88,7 @@ class TopicFeedTest {
 
     @Test
     void tellsOnlyThoseOfARemovalWhoWereShownWhatIsGone() {
-        TopicFeed<String> feed = feed(new Rate.Newest(4));
+        TopicFeed<String> feed = feed(new TopicRate.Newest(4));
         hidden.add("berta1");
         feed.changed(A, () -> Optional.of("a1"));
         feed.publish(0);
@@ -103,7 +103,7 @@ class TopicFeedTest {
 
     @Test
     void takesBackWhatIsOutOfSightAndShowsWhatHasComeIntoIt() {
-        TopicFeed<String> feed = feed(new Rate.Newest(4));
+        TopicFeed<String> feed = feed(new TopicRate.Newest(4));
         hidden.add("berta1");
         feed.settle(clients);
         hidden.clear();
@@ -117,7 +117,7 @@ class TopicFeedTest {
 
     @Test
     void tellsEachChangeInOrderAndWhoSeesTheNewFormNoMoreThatItIsGone() {
-        TopicFeed<String> feed = feed(new Rate.EveryChange());
+        TopicFeed<String> feed = feed(new TopicRate.EveryChange());
         hidden.add("berta2");
         feed.tell("a1");
         feed.tell("a1", "a2");
@@ -129,7 +129,7 @@ class TopicFeedTest {
 
     @Test
     void saysNothingOfWhatIsGoneWhereATopicHasNothingToSay() {
-        TopicFeed<String> feed = feed(new Rate.EveryChange(), null);
+        TopicFeed<String> feed = feed(new TopicRate.EveryChange(), null);
         feed.tell("a1");
         feed.tell("a1", null);
         feed.removed(A);

@@ -13,27 +13,27 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.StoreWriter;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.process.Beginning;
-import org.dronemap.core.process.PastEnd;
-import org.dronemap.core.process.PeerName;
-import org.dronemap.core.process.PeerWatch;
-import org.dronemap.core.process.PeersAtWork;
-import org.dronemap.core.process.Precautions;
+import org.dronemap.core.process.ActivePeers;
+import org.dronemap.core.process.PeerCrashGuard;
+import org.dronemap.core.process.PeerPattern;
+import org.dronemap.core.process.ProcessCrash;
+import org.dronemap.core.process.ProcessStart;
+import org.dronemap.core.process.SafeMode;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
 import org.dronemap.store.memory.MemoryLeaseStore;
-import org.dronemap.store.memory.MemoryOwnersStore;
+import org.dronemap.store.memory.MemoryParameterOverrideStore;
 import org.dronemap.ws.problem.Rejection;
 import org.junit.jupiter.api.Test;
 
 class SystemServiceTest {
     private static final Principal ADMINISTRATOR = new Principal("ann", Role.ADMINISTRATOR);
-    private static final PeerName BAD = PeerName.at("10.0.0.7", 14550);
+    private static final PeerPattern BAD = PeerPattern.at("10.0.0.7", 14550);
 
     private final AtomicReference<String> down = new AtomicReference<>("");
     private final SteppedTime time = new SteppedTime(Instant.EPOCH);
@@ -41,15 +41,15 @@ class SystemServiceTest {
             new Lanes(time, 1),
             Watchdog.DEFAULT,
             time,
-            new CloudManager.Keeping(
+            new CloudManager.Persistence(
                     new MemoryDroneStore(),
                     new MemoryCommandStore(),
                     new MemoryLeaseStore(),
-                    new MemoryOwnersStore(),
-                    new Journal(time)),
+                    new MemoryParameterOverrideStore(),
+                    new StoreWriter(time)),
             () -> new DroneId("drone-1"));
 
-    private SystemService service(Beginning beginning) {
+    private SystemService service(ProcessStart beginning) {
         List<ServerPart> parts = new ArrayList<>();
         for (String name : List.of("lane-0", "conductor", "journal", "endpoints")) {
             parts.add(new ServerPart(
@@ -69,7 +69,7 @@ class SystemServiceTest {
 
     @Test
     void isNeverUpWhenAPartIsNot() {
-        SystemService service = service(Beginning.ORDINARY);
+        SystemService service = service(ProcessStart.ORDINARY);
         assertThat(service.health().status()).isEqualTo("up");
         assertThat(service.health().parts().values()).containsOnly("up");
 
@@ -96,9 +96,9 @@ class SystemServiceTest {
 
     @Test
     void tellsEverybodyThatItWasStartedAnewAndAdministratorsWhy() {
-        PastEnd end = new PastEnd(Instant.ofEpochMilli(5), "lane-0", "It ended with ThreadDeath.", List.of(BAD));
-        Precautions careful = new Precautions(List.of(end, end, end), Set.of(BAD));
-        SystemService service = service(new Beginning(end, new PeerWatch(PeersAtWork.UNKNOWN, careful)));
+        ProcessCrash end = new ProcessCrash(Instant.ofEpochMilli(5), "lane-0", "It ended with ThreadDeath.", List.of(BAD));
+        SafeMode careful = new SafeMode(List.of(end, end, end), Set.of(BAD));
+        SystemService service = service(new ProcessStart(end, new PeerCrashGuard(ActivePeers.UNKNOWN, careful)));
 
         HealthView health = service.health();
 

@@ -19,12 +19,12 @@ import org.apache.cxf.message.Message;
 import org.apache.cxf.service.model.BindingOperationInfo;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
-import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.SoapOperations;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
@@ -43,9 +43,9 @@ class CxfClientsTest {
             "http://docs.oasis-open.org/wss/2004/01/oasis-200401-wss-wssecurity-secext-1.0.xsd";
 
     @AutoClose
-    private final Tenant tenant = new Tenant();
+    private final TestTenant tenant = new TestTenant();
 
-    private final TestHouse house = tenant.server();
+    private final TestServer house = tenant.server();
     private final SoapOperations operations = new SoapOperations(house);
     private final ScriptedVehicle vehicle = tenant.vehicle();
     private final Map<String, Client> clients = new TreeMap<>();
@@ -100,7 +100,7 @@ class CxfClientsTest {
             if (!rest.startsWith("GET ") || !needsNothing) {
                 continue;
             }
-            Http.Answer byRest = new Http(house, key).get(rest.substring("GET ".length()));
+            TestHttpClient.Answer byRest = new TestHttpClient(house, key).get(rest.substring("GET ".length()));
             try {
                 Client client = clients.get(one.service());
                 Object answer = call(client, operation, new Object[parts(client, operation)]);
@@ -162,7 +162,7 @@ class CxfClientsTest {
         String first = "first password";
         String own = "a word of my own";
         SoapClient.withKey(house, key).call("addUser", "name", name, "role", "operator", "password", first);
-        SoapClient.withHeader(house, Http.basic(name, first)).call("changePassword", "current", first, "next", own);
+        SoapClient.withHeader(house, TestHttpClient.basic(name, first)).call("changePassword", "current", first, "next", own);
         Client client = clients.get(CONTROLLER);
         Map<String, Object> context = client.getRequestContext();
         context.remove(Message.PROTOCOL_HEADERS);
@@ -209,7 +209,7 @@ class CxfClientsTest {
         return new BeanWrapperImpl(answer).getPropertyValue(path);
     }
 
-    private static boolean isSame(Exception refused, Http.Answer byRest) {
+    private static boolean isSame(Exception refused, TestHttpClient.Answer byRest) {
         BeanWrapperImpl problem = new BeanWrapperImpl(refused);
         return problem.isReadableProperty("faultInfo.code")
                 && byRest.text("code").equals(problem.getPropertyValue("faultInfo.code"))

@@ -15,12 +15,12 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dronemap.ws.house.Gate;
-import org.dronemap.ws.house.GatedPlans;
-import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.ObedientCopter;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.ConditionWait;
+import org.dronemap.ws.house.LatchedCopter;
+import org.dronemap.ws.house.LatchedPlanListener;
+import org.dronemap.ws.house.ResponseLatch;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.dronemap.ws.wiring.StreamPort;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,19 +36,19 @@ class ExchangesTest {
     /** For all looks together that wait for what a server does beside its answers. */
     private static final Duration PATIENCE = Duration.ofSeconds(6);
 
-    private final List<ObedientCopter> copters = new ArrayList<>();
-    private final Gate acting = new Gate();
-    private final Gate planning = new Gate();
+    private final List<LatchedCopter> copters = new ArrayList<>();
+    private final ResponseLatch acting = new ResponseLatch();
+    private final ResponseLatch planning = new ResponseLatch();
     private final Placeholders names = new Placeholders();
     private Duration patience = PATIENCE;
 
     @Test
     void areAnsweredAsApproved(@TempDir Path data) throws IOException {
-        List<Exchange> exchanges = recorded();
-        try (TestHouse house = new TestHouse(data, false)) {
-            GatedPlans.of(house, planning);
-            copters.add(new ObedientCopter(house.cloud(), 14_551, "ArduCopter 1", acting));
-            copters.add(new ObedientCopter(house.cloud(), 14_552, "ArduCopter 2", acting));
+        List<RecordedHttpExchange> exchanges = recorded();
+        try (TestServer house = new TestServer(data, false)) {
+            LatchedPlanListener.of(house, planning);
+            copters.add(new LatchedCopter(house.cloud(), 14_551, "ArduCopter 1", acting));
+            copters.add(new LatchedCopter(house.cloud(), 14_552, "ArduCopter 2", acting));
             names.bind(
                     "<local-key>", Files.readString(data.resolve("local-key")).strip());
             names.bind(
@@ -58,23 +58,23 @@ class ExchangesTest {
                     "<stream-port>", String.valueOf(house.bean(StreamPort.class).number()));
             names.bind("<port>", String.valueOf(house.httpPort()));
 
-            replay(exchanges, new Http(house, ""));
+            replay(exchanges, new TestHttpClient(house, ""));
         }
     }
 
-    private void replay(List<Exchange> exchanges, Http nobody) {
+    private void replay(List<RecordedHttpExchange> exchanges, TestHttpClient nobody) {
         List<String> different = new ArrayList<>();
         int highest = Placeholders.highest(exchanges);
-        String chosen = exchanges.stream().map(Exchange::asked).collect(Collectors.joining());
-        for (Exchange exchange : exchanges) {
+        String chosen = exchanges.stream().map(RecordedHttpExchange::asked).collect(Collectors.joining());
+        for (RecordedHttpExchange exchange : exchanges) {
             String actual = asked(exchange, nobody);
             names.learn(exchange.answer(), actual);
-            if (Approved.isApproving()) {
+            if (ApprovalFiles.isApproving()) {
                 highest = names.name(actual, chosen, highest);
             }
             String shown = names.shown(actual);
-            if (Approved.isApproving()) {
-                Approved.write(Approved.folder(FOLDER).resolve(exchange.name()), exchange.saying(shown));
+            if (ApprovalFiles.isApproving()) {
+                ApprovalFiles.write(ApprovalFiles.folder(FOLDER).resolve(exchange.name()), exchange.saying(shown));
             } else if (!shown.equals(exchange.answer())) {
                 different.add(exchange.name() + difference(exchange.answer(), shown));
             }
@@ -84,25 +84,25 @@ class ExchangesTest {
                 .isEmpty();
     }
 
-    private String asked(Exchange exchange, Http nobody) {
+    private String asked(RecordedHttpExchange exchange, TestHttpClient nobody) {
         if (exchange.isLook()) {
             return looked(exchange, nobody);
         }
-        Gate held = exchange.asksForAPlan() ? planning : exchange.waitsForNothing() ? acting : new Gate();
+        ResponseLatch held = exchange.asksForAPlan() ? planning : exchange.waitsForNothing() ? acting : new ResponseLatch();
         held.shut();
         try {
             return answer(exchange, nobody);
         } finally {
             held.open();
             awaitOutcomes(nobody);
-            copters.forEach(ObedientCopter::comesDown);
+            copters.forEach(LatchedCopter::comesDown);
         }
     }
 
     /** Before anything else is asked, all orders have their outcome. */
-    private void awaitOutcomes(Http nobody) {
-        for (ObedientCopter copter : copters) {
-            Waiting.until(
+    private void awaitOutcomes(TestHttpClient nobody) {
+        for (LatchedCopter copter : copters) {
+            ConditionWait.until(
                     "all orders are carried out",
                     () -> Optional.of(nobody.send(
                                     "/api/v1/drones/" + copter.id() + "/commands?limit=10",
@@ -113,33 +113,33 @@ class ExchangesTest {
     }
 
     /** Taken again until it shows what is expected; when something else is to be written, until nothing changes any more. */
-    private String looked(Exchange exchange, Http nobody) {
+    private String looked(RecordedHttpExchange exchange, TestHttpClient nobody) {
         long began = System.nanoTime();
         AtomicReference<String> before = new AtomicReference<>("");
-        String actual = Waiting.until("an answer to " + exchange.address(), () -> {
+        String actual = ConditionWait.until("an answer to " + exchange.address(), () -> {
             String now = answer(exchange, nobody);
             Duration waited = Duration.ofNanos(System.nanoTime() - began);
             if (isExpected(exchange, now) || isOver(exchange, before.getAndSet(now), now, waited)) {
                 return Optional.of(now);
             }
-            copters.forEach(ObedientCopter::comesDown);
+            copters.forEach(LatchedCopter::comesDown);
             return Optional.empty();
         });
         patience = patience.minusNanos(System.nanoTime() - began);
         return actual;
     }
 
-    private boolean isOver(Exchange exchange, String before, String actual, Duration waited) {
-        return Approved.isApproving() ? isSettled(exchange, before, actual, waited) : waited.compareTo(patience) > 0;
+    private boolean isOver(RecordedHttpExchange exchange, String before, String actual, Duration waited) {
+        return ApprovalFiles.isApproving() ? isSettled(exchange, before, actual, waited) : waited.compareTo(patience) > 0;
     }
 
-    private boolean isExpected(Exchange exchange, String actual) {
+    private boolean isExpected(RecordedHttpExchange exchange, String actual) {
         Placeholders tried = names.copy();
         tried.learn(exchange.answer(), actual);
         return tried.shown(actual).equals(exchange.answer());
     }
 
-    private boolean isSettled(Exchange exchange, String before, String actual, Duration waited) {
+    private boolean isSettled(RecordedHttpExchange exchange, String before, String actual, Duration waited) {
         boolean far = stateOf(names.shown(actual)).equals(stateOf(exchange.answer()));
         boolean still = names.shown(before).equals(names.shown(actual));
         return waited.compareTo(Duration.ofMillis(far && still ? 700 : 3_000)) > 0;
@@ -153,9 +153,9 @@ class ExchangesTest {
                 .orElse("");
     }
 
-    private String answer(Exchange exchange, Http nobody) {
+    private String answer(RecordedHttpExchange exchange, TestHttpClient nobody) {
         String body = names.filled(exchange.body());
-        Http.Answer answer = nobody.send(names.filled(exchange.address()), request -> {
+        TestHttpClient.Answer answer = nobody.send(names.filled(exchange.address()), request -> {
             exchange.headers().forEach(header -> {
                 String[] parts = names.filled(header).split(": ?", 2);
                 request.header(parts[0], parts[1]);
@@ -196,9 +196,9 @@ class ExchangesTest {
         return at < lines.size() ? lines.get(at) : "(nothing)";
     }
 
-    private static List<Exchange> recorded() {
-        try (Stream<Path> files = Files.list(Approved.folder(FOLDER))) {
-            return files.sorted().map(Exchange::read).toList();
+    private static List<RecordedHttpExchange> recorded() {
+        try (Stream<Path> files = Files.list(ApprovalFiles.folder(FOLDER))) {
+            return files.sorted().map(RecordedHttpExchange::read).toList();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

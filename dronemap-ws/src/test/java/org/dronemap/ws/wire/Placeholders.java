@@ -59,7 +59,7 @@ final class Placeholders {
     }
 
     /** The names in these files; what is bound later gets higher numbers. */
-    static int highest(List<Exchange> exchanges) {
+    static int highest(List<RecordedHttpExchange> exchanges) {
         return exchanges.stream()
                 .flatMap(exchange -> NAME.matcher(exchange.answer()).results())
                 .mapToInt(found -> Integer.parseInt(found.group(1)))

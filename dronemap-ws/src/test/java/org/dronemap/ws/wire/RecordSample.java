@@ -12,7 +12,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dronemap.ws.reading.Alternatives;
+import org.dronemap.ws.reading.RecordAlternatives;
 import org.jspecify.annotations.Nullable;
 
 /** Makes records whose members are always the same. */
@@ -65,7 +65,7 @@ final class RecordSample {
         if (raw.isRecord()) {
             return within.contains(raw) ? null : made(canonical(raw));
         }
-        Class<?> alternative = Alternatives.of(raw)
+        Class<?> alternative = RecordAlternatives.of(raw)
                 .map(all -> all.records().values().iterator().next())
                 .orElse(null);
         if (alternative != null) {

@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.dronemap.ws.reading.Alternatives;
+import org.dronemap.ws.reading.RecordAlternatives;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -48,7 +48,7 @@ final class RecordShape {
     /** A record writes the member of the innermost choice alone, where it is of several. */
     private JsonNode told(Class<?> record, JsonNode full) {
         ObjectNode all = mapper.createObjectNode();
-        Alternatives.toldBy(record).forEach(all::put);
+        RecordAlternatives.toldBy(record).forEach(all::put);
         full.forEachEntry(all::set);
         return all;
     }
@@ -60,7 +60,7 @@ final class RecordShape {
         }
         within.push(record);
         List<String> known = new ArrayList<>();
-        Alternatives.toldBy(record).forEach((member, value) -> {
+        RecordAlternatives.toldBy(record).forEach((member, value) -> {
             known.add(member);
             lines.add(path + member + ": always \"" + value + "\"");
         });
@@ -102,7 +102,7 @@ final class RecordShape {
         } else if (raw.isRecord()) {
             members(path + ".", raw, full, below);
         } else {
-            Alternatives.of(raw).ifPresent(all -> all.records().forEach((name, one) -> alternative(path, name, one)));
+            RecordAlternatives.of(raw).ifPresent(all -> all.records().forEach((name, one) -> alternative(path, name, one)));
         }
     }
 
@@ -128,7 +128,7 @@ final class RecordShape {
         }
         if (raw.isRecord()
                 || Map.class.isAssignableFrom(raw)
-                || Alternatives.of(raw).isPresent()) {
+                || RecordAlternatives.of(raw).isPresent()) {
             return "object";
         }
         if (Collection.class.isAssignableFrom(raw)) {

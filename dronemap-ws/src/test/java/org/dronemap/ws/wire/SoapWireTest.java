@@ -8,10 +8,10 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.dronemap.ws.house.Faces;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ExposedOperations;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
 import org.junit.jupiter.api.Test;
 
 /** The descriptions of SOAP that clients are made from, with all that they import, to the letter. */
@@ -20,15 +20,15 @@ class SoapWireTest {
 
     @Test
     void isDescribedAsApproved() {
-        TestHouse house = SharedServer.get();
+        TestServer house = SharedServer.get();
         String here = "http://127.0.0.1:" + house.httpPort();
-        Http http = new Http(house, "");
+        TestHttpClient http = new TestHttpClient(house, "");
         Map<String, String> described = new TreeMap<>();
         Deque<String> open = new ArrayDeque<>();
-        new Faces(house).services().forEach(service -> open.add(service + "?wsdl"));
+        new ExposedOperations(house).services().forEach(service -> open.add(service + "?wsdl"));
         while (!open.isEmpty()) {
             String path = open.remove();
-            Http.Answer answer = http.get(path);
+            TestHttpClient.Answer answer = http.get(path);
             assertThat(answer.status()).as(path).isEqualTo(200);
             String text = answer.raw().body();
             if (described.put(fileOf(path), text.replace(here, "http://dronemap.example") + "\n") == null) {
@@ -40,7 +40,7 @@ class SoapWireTest {
         }
 
         assertThat(described).isNotEmpty();
-        Approved.checkFolder("wsdl", described);
+        ApprovalFiles.checkFolder("wsdl", described);
     }
 
     /** {@code /services/X?wsdl} is {@code X.wsdl}; what it imports has its own name behind. */

@@ -8,13 +8,13 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RecordingStreamClient;
 import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.StreamListener;
-import org.dronemap.ws.house.Tenant;
-import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.reading.Alternatives;
+import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.house.TestTenant;
 import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.stream.StreamFace;
 import org.dronemap.ws.stream.StreamMessage;
 import org.dronemap.ws.stream.Topic;
@@ -33,38 +33,38 @@ class StreamWireTest {
         Map<String, String> kinds = shapes(said());
 
         assertThat(kinds).hasSizeGreaterThan(20);
-        Approved.checkFolder("stream/says", kinds);
+        ApprovalFiles.checkFolder("stream/says", kinds);
     }
 
     @Test
     void hearsWhatIsApproved() throws ClassNotFoundException {
-        Approved.checkFolder("stream/hears", shapes(closed("StreamRequest")));
+        ApprovalFiles.checkFolder("stream/hears", shapes(closed("StreamRequest")));
     }
 
     /** The description that programs are written from, to the letter. */
     @Test
     void isDescribedAsApproved() {
-        TestHouse house = SharedServer.get();
-        Http.Answer answer = new Http(house, "").get("/api/asyncapi.json");
+        TestServer house = SharedServer.get();
+        TestHttpClient.Answer answer = new TestHttpClient(house, "").get("/api/asyncapi.json");
         assertThat(answer.status()).isEqualTo(200);
         String served = answer.raw()
                 .body()
                 .replace("127.0.0.1:" + house.bean(StreamPort.class).number(), "dronemap.example:8081");
 
-        Approved.check("asyncapi.json", PrettyJson.of(PrettyJson.sorted(PrettyJson.tree(served))));
+        ApprovalFiles.check("asyncapi.json", PrettyJson.of(PrettyJson.sorted(PrettyJson.tree(served))));
     }
 
     /** Those of the cloud itself, and those that topics of use cases have of their own. */
     private static Map<String, Class<?>> said() {
         Map<String, Class<?>> records =
-                new TreeMap<>(Alternatives.of(StreamMessage.class).orElseThrow().records());
+                new TreeMap<>(RecordAlternatives.of(StreamMessage.class).orElseThrow().records());
         assertThat(StreamMessage.class.getPermittedSubclasses())
                 .containsExactlyInAnyOrderElementsOf(
                         Stream.concat(records.values().stream(), Stream.of(StreamMessage.OfUseCase.class))
                                 .toList());
         for (Topic<?> topic : SharedServer.get().bean(StreamFace.class).topics()) {
             for (Class<?> message : topic.messages()) {
-                records.put(Alternatives.with(message).orElseThrow().nameOf(message), message);
+                records.put(RecordAlternatives.with(message).orElseThrow().nameOf(message), message);
             }
         }
         return records;
@@ -72,14 +72,14 @@ class StreamWireTest {
 
     private static Map<String, Class<?>> closed(String sealed) throws ClassNotFoundException {
         Class<?> type = Class.forName(PACKAGE + sealed);
-        Map<String, Class<?>> records = Alternatives.of(type).orElseThrow().records();
+        Map<String, Class<?>> records = RecordAlternatives.of(type).orElseThrow().records();
         assertThat(records.values()).containsExactlyInAnyOrder(type.getPermittedSubclasses());
         return records;
     }
 
     private Map<String, String> shapes(Map<String, Class<?>> records) {
         Map<String, String> shapes = new TreeMap<>();
-        records.forEach((kind, form) -> Alternatives.of(form)
+        records.forEach((kind, form) -> RecordAlternatives.of(form)
                 .ifPresentOrElse(
                         more -> more.records()
                                 .forEach((name, record) ->
@@ -90,12 +90,12 @@ class StreamWireTest {
 
     @Test
     void hearsEachKindThatIsDescribedAndNamesAllOfThemToWhoSaysAnother() throws ClassNotFoundException {
-        Set<String> kinds = Alternatives.of(Class.forName(PACKAGE + "StreamRequest"))
+        Set<String> kinds = RecordAlternatives.of(Class.forName(PACKAGE + "StreamRequest"))
                 .orElseThrow()
                 .records()
                 .keySet();
-        try (Tenant tenant = new Tenant();
-                StreamListener stream = StreamListener.withKey(tenant.server(), tenant.key(Role.OPERATOR))) {
+        try (TestTenant tenant = new TestTenant();
+                RecordingStreamClient stream = RecordingStreamClient.withKey(tenant.server(), tenant.key(Role.OPERATOR))) {
             stream.await(message -> message.path("type").asString("").equals("hello"));
             for (String kind : kinds) {
                 stream.send(asked(kind, kind));
@@ -127,9 +127,9 @@ class StreamWireTest {
     @Test
     void speaksToRobotsAsApproved() throws IOException {
         TreeMap<String, String> spoken = new TreeMap<>();
-        spoken.put("says.json", RobotWords.said());
-        spoken.put("hears.txt", RobotWords.heard());
+        spoken.put("says.json", RobotProtocolDescription.said());
+        spoken.put("hears.txt", RobotProtocolDescription.heard());
 
-        Approved.checkFolder("stream/robots", spoken);
+        ApprovalFiles.checkFolder("stream/robots", spoken);
     }
 }

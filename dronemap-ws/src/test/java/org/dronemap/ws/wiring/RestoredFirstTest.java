@@ -22,18 +22,18 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
 import org.dronemap.core.link.SavedLink;
-import org.dronemap.core.process.Beginning;
-import org.dronemap.core.process.PastEnd;
-import org.dronemap.core.process.PeerWatch;
-import org.dronemap.core.process.PeersAtWork;
-import org.dronemap.core.process.Precautions;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.process.ActivePeers;
+import org.dronemap.core.process.PeerCrashGuard;
+import org.dronemap.core.process.ProcessCrash;
+import org.dronemap.core.process.ProcessStart;
+import org.dronemap.core.process.SafeMode;
+import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.store.memory.MemoryStores;
-import org.dronemap.ws.server.Closing;
-import org.dronemap.ws.server.HouseBuilder;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.server.ServerBuilder;
+import org.dronemap.ws.server.ShutdownSequence;
+import org.dronemap.ws.settings.ServerSettings;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
@@ -56,7 +56,7 @@ class RestoredFirstTest {
     @TempDir
     private Path folder;
 
-    private final Closing closing = new Closing();
+    private final ShutdownSequence closing = new ShutdownSequence();
     private final MemoryStores kept = new MemoryStores();
     private final List<Caller> callers = new ArrayList<>();
     private int tcp;
@@ -164,9 +164,9 @@ class RestoredFirstTest {
         "OperationStore.underWay, true"
     })
     void nobodyHearsAnythingBeforeThatIsRead(String read, boolean careful) throws Exception {
-        HeldStores held = new HeldStores(kept, read);
-        HouseBuilder builder =
-                new HouseBuilder(settings(), closing, new SystemTime(), careful ? careful() : Beginning.ORDINARY);
+        BlockingStores held = new BlockingStores(kept, read);
+        ServerBuilder builder =
+                new ServerBuilder(settings(), closing, new RealTime(), careful ? careful() : ProcessStart.ORDINARY);
         CompletableFuture<Void> start = CompletableFuture.runAsync(() -> {
             builder.open(held.stores());
             builder.hear();
@@ -227,14 +227,14 @@ class RestoredFirstTest {
     }
 
     /** As after three ends within two minutes. */
-    private static Beginning careful() {
-        PastEnd end = new PastEnd(Instant.EPOCH, "lane-0", "It ended with ThreadDeath.", List.of());
-        return new Beginning(
-                end, new PeerWatch(PeersAtWork.UNKNOWN, new Precautions(List.of(end, end, end), Set.of())));
+    private static ProcessStart careful() {
+        ProcessCrash end = new ProcessCrash(Instant.EPOCH, "lane-0", "It ended with ThreadDeath.", List.of());
+        return new ProcessStart(
+                end, new PeerCrashGuard(ActivePeers.UNKNOWN, new SafeMode(List.of(end, end, end), Set.of())));
     }
 
-    private Settings settings() {
-        return Settings.fromEnvironment(Map.of(
+    private ServerSettings settings() {
+        return ServerSettings.fromEnvironment(Map.of(
                 "DRONEMAP_DATA_DIR",
                 folder.toString(),
                 "DRONEMAP_ENDPOINTS",

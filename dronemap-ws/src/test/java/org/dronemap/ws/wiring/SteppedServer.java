@@ -2,59 +2,59 @@ package org.dronemap.ws.wiring;
 
 import java.nio.file.Path;
 import java.util.List;
-import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
-import org.dronemap.core.process.Beginning;
+import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.virtual.RunMachine;
+import org.dronemap.core.virtual.VirtualRunMachine;
 import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.outlet.PortRange;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.Stores;
+import org.dronemap.ws.budget.BudgetRates;
 import org.dronemap.ws.budget.Budgets;
-import org.dronemap.ws.budget.Rates;
 import org.dronemap.ws.command.BroadcastService;
 import org.dronemap.ws.command.CommandService;
 import org.dronemap.ws.control.SteeringService;
-import org.dronemap.ws.drone.DronePlaces;
+import org.dronemap.ws.drone.DronePlaceNames;
 import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.drone.DroneViews;
+import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.fence.FenceService;
-import org.dronemap.ws.follow.FollowReliefs;
+import org.dronemap.ws.follow.FollowReliefScheduler;
 import org.dronemap.ws.follow.FollowService;
 import org.dronemap.ws.guard.ClientLimits;
-import org.dronemap.ws.log.LogService;
-import org.dronemap.ws.log.LogShelf;
+import org.dronemap.ws.log.OnboardLogArchive;
+import org.dronemap.ws.log.OnboardLogService;
 import org.dronemap.ws.parameter.ParameterService;
-import org.dronemap.ws.plan.PlanDesk;
+import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.plan.PlanService;
 import org.dronemap.ws.run.RunJournalService;
 import org.dronemap.ws.run.RunService;
-import org.dronemap.ws.server.Closing;
-import org.dronemap.ws.server.House;
-import org.dronemap.ws.server.HouseBuilder;
+import org.dronemap.ws.server.ServerBuilder;
+import org.dronemap.ws.server.ServerComponents;
+import org.dronemap.ws.server.ShutdownSequence;
 import org.dronemap.ws.settings.OutletSettings;
 import org.dronemap.ws.settings.RobotSettings;
-import org.dronemap.ws.settings.Settings;
-import org.dronemap.ws.user.Registration;
+import org.dronemap.ws.settings.ServerSettings;
+import org.dronemap.ws.user.RegistrationPolicy;
 import org.dronemap.ws.virtual.VirtualDroneService;
-import org.dronemap.ws.virtual.VirtualDroneViews;
+import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.dronemap.ws.virtual.WarehouseService;
 import org.dronemap.ws.zone.ZoneService;
 import org.jspecify.annotations.Nullable;
 
 /** A server as {@link Dronemap} builds it, with the use cases that lead drones, and without faces and sockets. */
 public final class SteppedServer implements AutoCloseable {
-    private static final Settings.Hidden GIVEN_LINK_SECRET = new Settings.Hidden("0123456789abcdef".repeat(4));
-    private static final Settings.Hidden GIVEN_AUDIT_KEY = new Settings.Hidden("fedcba9876543210".repeat(4));
+    private static final ServerSettings.Hidden GIVEN_LINK_SECRET = new ServerSettings.Hidden("0123456789abcdef".repeat(4));
+    private static final ServerSettings.Hidden GIVEN_AUDIT_KEY = new ServerSettings.Hidden("fedcba9876543210".repeat(4));
 
-    private final Closing closing = new Closing();
-    private final HouseBuilder builder;
-    private final House house;
+    private final ShutdownSequence closing = new ShutdownSequence();
+    private final ServerBuilder builder;
+    private final ServerComponents house;
     private final DroneService drones;
     private final CommandService commands;
     private final SteeringService steering;
@@ -64,37 +64,37 @@ public final class SteppedServer implements AutoCloseable {
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
-    private final SteppedAccounts accounts;
+    private final SteppedAccountServices accounts;
     private final BroadcastService broadcasts;
     private final ParameterService parameters;
     private final FenceService fences;
-    private final LogService logs;
-    private final SteppedOffice office;
+    private final OnboardLogService logs;
+    private final SteppedLinkServices office;
     private final RunJournalService journals;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
-    public SteppedServer(Path data, Time time, Stores stores, Beginning beginning) {
+    public SteppedServer(Path data, Time time, Stores stores, ProcessStart beginning) {
         this(settings(data, GIVEN_LINK_SECRET, GIVEN_AUDIT_KEY), time, stores, beginning);
     }
 
-    SteppedServer(Settings settings, Time time, Stores stores) {
-        this(settings, time, stores, Beginning.ORDINARY);
+    SteppedServer(ServerSettings settings, Time time, Stores stores) {
+        this(settings, time, stores, ProcessStart.ORDINARY);
     }
 
-    private SteppedServer(Settings settings, Time time, Stores stores, Beginning beginning) {
+    private SteppedServer(ServerSettings settings, Time time, Stores stores, ProcessStart beginning) {
         Path data = settings.dataDirectory();
-        builder = new HouseBuilder(settings, closing, time, beginning);
+        builder = new ServerBuilder(settings, closing, time, beginning);
         house = builder.open(stores);
-        Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
-        DronePlaces places = new DronePlaces(point -> null);
-        DroneViews shown =
-                new DroneViews(places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
+        Budgets budgets = new Budgets(BudgetRates.UNBOUNDED, time::nanos);
+        DronePlaceNames places = new DronePlaceNames(point -> null);
+        DroneViewMapper shown =
+                new DroneViewMapper(places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
         drones = new DroneService(house.cloud(), shown);
         commands = new ServiceConfiguration().commandService(house, drones, budgets);
         steering = new ServiceConfiguration().steeringService(house, drones, budgets);
         zones = new ServiceConfiguration().zoneService(house, drones, time.clock());
         PlanConfiguration planning = new PlanConfiguration();
-        PlanDesk desk = planning.planDesk(time);
+        PlanJobExecutor desk = planning.planDesk(time);
         closing.add("the plans", desk);
         plans = planning.planService(house, desk, drones, commands, time);
         RunConfiguration running = new RunConfiguration();
@@ -102,28 +102,28 @@ public final class SteppedServer implements AutoCloseable {
         closing.add("the zones of runs", running.runZoneRounds(house, time));
         FollowConfiguration following = new FollowConfiguration();
         follows = following.followService(house, time);
-        FollowReliefs reliefs = following.followReliefs(house, time);
+        FollowReliefScheduler reliefs = following.followReliefs(house, time);
         closing.add("the reliefs of follows", reliefs);
         VirtualConfiguration virtual = new VirtualConfiguration();
-        VirtualDroneViews views = virtual.virtualDroneViews(house);
+        VirtualDroneViewMapper views = virtual.virtualDroneViews(house);
         virtuals = virtual.virtualDroneService(house, views, time);
         warehouse = virtual.warehouseService(house, drones);
-        accounts = new SteppedAccounts(house, drones, time, closing);
+        accounts = new SteppedAccountServices(house, drones, time, closing);
         broadcasts = new ServiceConfiguration().broadcastService(house, commands);
         parameters = new ServiceConfiguration().parameterService(house, drones, commands);
         fences = new ServiceConfiguration().fenceService(house, drones, commands);
-        LogShelf shelf = new LogShelf(data.resolve("vehicle-logs"), time);
+        OnboardLogArchive shelf = new OnboardLogArchive(data.resolve("vehicle-logs"), time);
         closing.add("the logs of vehicles", shelf);
         logs = new ServiceConfiguration().logService(house, drones, commands, shelf);
-        office = SteppedOffice.of(house, settings, drones, shown, zones);
+        office = SteppedLinkServices.of(house, settings, drones, shown, zones);
         journals = running.runJournalService(house, runs);
         builder.hear();
         builder.serve();
     }
 
     /** Without secrets: those in the folder. */
-    static Settings settings(Path data, Settings.@Nullable Hidden linkSecret, Settings.@Nullable Hidden auditKey) {
-        return new Settings(
+    static ServerSettings settings(Path data, ServerSettings.@Nullable Hidden linkSecret, ServerSettings.@Nullable Hidden auditKey) {
+        return new ServerSettings(
                 data,
                 "127.0.0.1",
                 0,
@@ -145,11 +145,11 @@ public final class SteppedServer implements AutoCloseable {
                 null,
                 linkSecret,
                 auditKey,
-                Registration.APPROVAL,
-                new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED),
+                RegistrationPolicy.APPROVAL,
+                new ServerSettings.Protection(ClientLimits.DEFAULT, BudgetRates.UNBOUNDED),
                 null,
-                RunMachine.USUAL_SILENCE,
-                Apart.USUAL,
+                VirtualRunMachine.USUAL_SILENCE,
+                FollowSeparation.USUAL,
                 false);
     }
 
@@ -169,11 +169,11 @@ public final class SteppedServer implements AutoCloseable {
     }
 
     /** What users may do, and what they attach. */
-    public SteppedAccounts accounts() {
+    public SteppedAccountServices accounts() {
         return accounts;
     }
 
-    public House house() {
+    public ServerComponents house() {
         return house;
     }
 
@@ -225,11 +225,11 @@ public final class SteppedServer implements AutoCloseable {
         return fences;
     }
 
-    public LogService logs() {
+    public OnboardLogService logs() {
         return logs;
     }
 
-    public SteppedOffice office() {
+    public SteppedLinkServices office() {
         return office;
     }
 

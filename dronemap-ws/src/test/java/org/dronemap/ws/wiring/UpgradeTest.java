@@ -11,32 +11,32 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.dronemap.core.access.AccessKey;
-import org.dronemap.core.access.Holdings;
+import org.dronemap.core.access.OrganisationDirectory;
 import org.dronemap.core.access.User;
 import org.dronemap.core.audit.SignedHead;
 import org.dronemap.core.history.FlightQuery;
+import org.dronemap.core.operation.JournalReplay;
 import org.dronemap.core.operation.OperationKind;
-import org.dronemap.core.operation.Replay;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.recording.Recording;
-import org.dronemap.core.virtual.Run;
-import org.dronemap.core.virtual.Stage;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
-import org.dronemap.core.zone.Binding;
+import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunStage;
 import org.dronemap.core.zone.Zone;
-import org.dronemap.store.postgres.Database;
+import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.store.postgres.PostgresStores;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
-import org.dronemap.ws.audit.ReceiptView;
+import org.dronemap.ws.audit.AuditReceiptView;
 import org.dronemap.ws.reading.JsonReader;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.SecretGenerator;
+import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.security.Authentication;
-import org.dronemap.ws.security.SignedIn;
-import org.dronemap.ws.server.House;
-import org.dronemap.ws.server.RunSide;
-import org.dronemap.ws.settings.Settings;
+import org.dronemap.ws.server.OperationComponents;
+import org.dronemap.ws.server.ServerComponents;
+import org.dronemap.ws.settings.ServerSettings;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
@@ -47,22 +47,22 @@ import org.junit.jupiter.params.provider.MethodSource;
 class UpgradeTest {
     private static final int MOST = 1_000;
     private static final Duration LONG = Duration.ofHours(1);
-    private static final Map<String, Upgraded> VERSIONS = new LinkedHashMap<>();
+    private static final Map<String, UpgradedServer> VERSIONS = new LinkedHashMap<>();
 
     @TempDir
     private static Path folder;
 
     @BeforeAll
     static void start() {
-        Upgraded.versions().forEach(version -> {
+        UpgradedServer.versions().forEach(version -> {
             String name = version.getFileName().toString();
-            VERSIONS.put(name, new Upgraded(version, folder.resolve(name)));
+            VERSIONS.put(name, new UpgradedServer(version, folder.resolve(name)));
         });
     }
 
     @AfterAll
     static void stop() {
-        VERSIONS.values().forEach(Upgraded::close);
+        VERSIONS.values().forEach(UpgradedServer::close);
     }
 
     static Stream<String> versions() {
@@ -72,9 +72,9 @@ class UpgradeTest {
     @ParameterizedTest
     @MethodSource("versions")
     void nothingIsLost(String version) {
-        Upgraded now = VERSIONS.get(version);
-        Database kept = now.database();
-        Holdings holdings = kept.grants().holdings();
+        UpgradedServer now = VERSIONS.get(version);
+        PostgresStores kept = now.database();
+        OrganisationDirectory holdings = kept.grants().holdings();
         List<User> users = kept.access().users();
 
         assertThat(users).hasSize(rows(now, "account"));
@@ -112,7 +112,7 @@ class UpgradeTest {
     @ParameterizedTest
     @MethodSource("versionsWithOwnersValues")
     void whatOwnersHadSetAndHowTheirDronesFlewIsRead(String version) {
-        Upgraded now = VERSIONS.get(version);
+        UpgradedServer now = VERSIONS.get(version);
         String held = now.facts().required("held").stringValue();
 
         assertThat(now.database().leases().leases())
@@ -129,14 +129,14 @@ class UpgradeTest {
     @ParameterizedTest
     @MethodSource("versions")
     void whatStandsInTextsIsRead(String version) {
-        Upgraded now = VERSIONS.get(version);
-        Database kept = now.database();
+        UpgradedServer now = VERSIONS.get(version);
+        PostgresStores kept = now.database();
 
         assertThat(kept.zones().zones())
                 .extracting(Zone::binding)
-                .hasAtLeastOneElementOfType(Binding.OfUser.class)
-                .hasAtLeastOneElementOfType(Binding.OfDrone.class)
-                .hasAtLeastOneElementOfType(Binding.Everybody.class);
+                .hasAtLeastOneElementOfType(ZoneBinding.OfUser.class)
+                .hasAtLeastOneElementOfType(ZoneBinding.OfDrone.class)
+                .hasAtLeastOneElementOfType(ZoneBinding.Everybody.class);
         assertThat(kept.zones().zones()).anyMatch(zone -> zone.validity().until() != null);
         assertThat(keys(now))
                 .anyMatch(key -> key.rights().scope().bounds().stream().anyMatch(bounds -> bounds.area() != null));
@@ -150,11 +150,11 @@ class UpgradeTest {
     @ParameterizedTest
     @MethodSource("versions")
     void usersSignInAsBefore(String version) {
-        Upgraded now = VERSIONS.get(version);
+        UpgradedServer now = VERSIONS.get(version);
         ServiceConfiguration services = new ServiceConfiguration();
-        Secrets secrets = services.secrets();
-        House house = now.house();
-        Settings settings = now.settings();
+        SecretGenerator secrets = services.secrets();
+        ServerComponents house = now.house();
+        ServerSettings settings = now.settings();
         Authentication door = services.authentication(
                 house,
                 house.passwords(),
@@ -164,10 +164,10 @@ class UpgradeTest {
                 now.time().clock());
         String password = now.facts().required("account").required("password").stringValue();
 
-        SignedIn byPassword = door.byPassword(pilot(now), password, "127.0.0.1");
-        SignedIn byKey = door.byKey(shown(now, "accessKey"));
-        SignedIn byLocalKey =
-                door.byKey(Upgraded.read(now.data().resolve("local-key")).strip());
+        AuthenticatedCaller byPassword = door.byPassword(pilot(now), password, "127.0.0.1");
+        AuthenticatedCaller byKey = door.byKey(shown(now, "accessKey"));
+        AuthenticatedCaller byLocalKey =
+                door.byKey(UpgradedServer.read(now.data().resolve("local-key")).strip());
 
         assertThat(byPassword.principal().name()).isEqualTo(pilot(now));
         assertThat(byKey.principal().name()).isEqualTo(pilot(now));
@@ -178,7 +178,7 @@ class UpgradeTest {
     @ParameterizedTest
     @MethodSource("versions")
     void whatWasSealedOpens(String version) {
-        Upgraded now = VERSIONS.get(version);
+        UpgradedServer now = VERSIONS.get(version);
         SecretBox box = ServerSecret.box(null, now.data().resolve("link-secret"));
 
         assertThat(now.database().outlet(box).keys()).hasSize(rows(now, "outlet_key"));
@@ -191,9 +191,9 @@ class UpgradeTest {
     @ParameterizedTest
     @MethodSource("versions")
     void theRecordsOfWhatWasDoneAreAsTheyWereWritten(String version) {
-        Upgraded now = VERSIONS.get(version);
+        UpgradedServer now = VERSIONS.get(version);
         SignedHead receipt = new JsonReader()
-                .read(Upgraded.read(now.receipt()), ReceiptView.class)
+                .read(UpgradedServer.read(now.receipt()), AuditReceiptView.class)
                 .signedHead();
 
         assertThat(now.house().audit().verify(receipt).sentence()).contains("records are as they were written");
@@ -202,8 +202,8 @@ class UpgradeTest {
     @ParameterizedTest
     @MethodSource("versions")
     void whatWasUnderWayGoesOnOrEndsWithAReason(String version) {
-        Upgraded now = VERSIONS.get(version);
-        RunSide side = now.house().runs();
+        UpgradedServer now = VERSIONS.get(version);
+        OperationComponents side = now.house().runs();
         assertThat(now.underWay())
                 .extracting(one -> one.id().value())
                 .containsExactlyInAnyOrder(underWay(now, "run"), underWay(now, "follow"));
@@ -227,25 +227,25 @@ class UpgradeTest {
     @ParameterizedTest
     @MethodSource("versions")
     void virtualDronesGoOn(String version) {
-        Upgraded now = VERSIONS.get(version);
-        Run flew = run(now.virtuals(), underWay(now, "virtualDrone"));
-        Run waited = run(now.virtuals(), underWay(now, "waitingVirtualDrone"));
-        assertThat(flew.stage()).isEqualTo(Stage.FLYING);
+        UpgradedServer now = VERSIONS.get(version);
+        VirtualRun flew = run(now.virtuals(), underWay(now, "virtualDrone"));
+        VirtualRun waited = run(now.virtuals(), underWay(now, "waitingVirtualDrone"));
+        assertThat(flew.stage()).isEqualTo(VirtualRunStage.FLYING);
         assertThat(flew.assignment()).isNotNull();
-        assertThat(waited.stage()).isEqualTo(Stage.QUEUED);
+        assertThat(waited.stage()).isEqualTo(VirtualRunStage.QUEUED);
         now.time().advance(LONG);
 
-        Run flies = run(now.house().virtuals().all(), underWay(now, "virtualDrone"));
+        VirtualRun flies = run(now.house().virtuals().all(), underWay(now, "virtualDrone"));
         assertThat(flies.flown()).isGreaterThanOrEqualTo(flew.flown());
-        assertThat(flies.stage()).isEqualTo(Stage.QUEUED);
+        assertThat(flies.stage()).isEqualTo(VirtualRunStage.QUEUED);
         assertThat(flies.note()).isNotEmpty();
         assertThat(run(now.house().virtuals().all(), underWay(now, "waitingVirtualDrone"))
                         .stage())
-                .isEqualTo(Stage.QUEUED);
+                .isEqualTo(VirtualRunStage.QUEUED);
         assertThat(now.house().virtuals().failedCount()).isZero();
     }
 
-    private static Run run(List<VirtualDrone> all, String id) {
+    private static VirtualRun run(List<VirtualDrone> all, String id) {
         return all.stream()
                 .filter(one -> one.id().equals(new VirtualDroneId(id)))
                 .flatMap(one -> Optional.ofNullable(one.run()).stream())
@@ -253,51 +253,51 @@ class UpgradeTest {
                 .orElseThrow();
     }
 
-    private static Optional<Replay.Difference> differenceIn(Upgraded now, SavedOperation operation) {
-        RunSide side = now.house().runs();
+    private static Optional<JournalReplay.Difference> differenceIn(UpgradedServer now, SavedOperation operation) {
+        OperationComponents side = now.house().runs();
         return operation.kind().equals(side.kind().name())
                 ? differenceIn(now, operation, side.kind())
                 : differenceIn(now, operation, side.follows());
     }
 
-    private static <S, I> Optional<Replay.Difference> differenceIn(
-            Upgraded now, SavedOperation operation, OperationKind<S, I> kind) {
-        Replay<S, I> replay = new Replay<>(kind);
+    private static <S, I> Optional<JournalReplay.Difference> differenceIn(
+            UpgradedServer now, SavedOperation operation, OperationKind<S, I> kind) {
+        JournalReplay<S, I> replay = new JournalReplay<>(kind);
         replay.take(now.database().operations().journal(operation.id(), 0, Integer.MAX_VALUE));
         assertThat(replay.difference().isPresent() || replay.count() == operation.last() + 1)
                 .isTrue();
         return replay.difference();
     }
 
-    private static List<SavedOperation> operations(Upgraded now) {
-        RunSide side = now.house().runs();
+    private static List<SavedOperation> operations(UpgradedServer now) {
+        OperationComponents side = now.house().runs();
         return Stream.of(side.kind(), side.follows())
                 .flatMap(kind -> side.operations().latest(OrganisationId.HOME, kind, MOST).stream())
                 .toList();
     }
 
-    private static List<AccessKey> keys(Upgraded now) {
+    private static List<AccessKey> keys(UpgradedServer now) {
         return now.database().access().accessKeys(pilot(now));
     }
 
-    private static String pilot(Upgraded now) {
+    private static String pilot(UpgradedServer now) {
         return now.facts().required("account").required("name").stringValue();
     }
 
-    private static String shown(Upgraded now, String what) {
+    private static String shown(UpgradedServer now, String what) {
         return now.facts().required("shown").required(what).stringValue();
     }
 
-    private static String underWay(Upgraded now, String what) {
+    private static String underWay(UpgradedServer now, String what) {
         return now.facts().required("underWay").required(what).stringValue();
     }
 
     /** That version need not have had that table. */
-    private static int rowsOrNone(Upgraded now, String table) {
+    private static int rowsOrNone(UpgradedServer now, String table) {
         return now.hasTable(table) ? rows(now, table) : 0;
     }
 
-    private static int rows(Upgraded now, String table) {
+    private static int rows(UpgradedServer now, String table) {
         return Math.toIntExact(now.rows(table));
     }
 }

@@ -7,12 +7,12 @@ import java.util.function.Consumer;
 /** Notes when the best tours so far were found. Safe for several threads. */
 final class Convergence implements Consumer<int[][]> {
     private final TourProblem problem;
-    private final Allowance allowance;
+    private final CpuBudget allowance;
     private final List<Point> points = new ArrayList<>();
     private int[][] orders = new int[0][];
     private double best = Double.POSITIVE_INFINITY;
 
-    Convergence(TourProblem problem, Allowance allowance) {
+    Convergence(TourProblem problem, CpuBudget allowance) {
         this.problem = problem;
         this.allowance = allowance;
     }

@@ -19,7 +19,7 @@ public enum Metric {
 
     abstract double between(double dx, double dy);
 
-    public double between(Spot one, Spot other) {
+    public double between(TourPoint one, TourPoint other) {
         return between(one.x() - other.x(), one.y() - other.y());
     }
 }

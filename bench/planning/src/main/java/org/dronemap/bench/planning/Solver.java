@@ -13,12 +13,12 @@ public interface Solver {
      * @param improved hears of better tours, on any thread
      * @return for each drone its waypoints in order
      */
-    int[][] solve(TourProblem problem, Order order, Consumer<int[][]> improved);
+    int[][] solve(TourProblem problem, SearchOptions order, Consumer<int[][]> improved);
 
     /**
      * Options of a search: seed, threads and CPU budget.
      *
      * @param threads how many may search; a solver that knows one only uses one
      */
-    record Order(long seed, int threads, Allowance allowance) {}
+    record SearchOptions(long seed, int threads, CpuBudget allowance) {}
 }

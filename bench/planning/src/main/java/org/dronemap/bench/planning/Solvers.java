@@ -13,13 +13,13 @@ import org.dronemap.cognitive.allocate.NearestNeighbour;
 /** A registry of the solvers by name; loads only the one that is asked for. */
 final class Solvers {
     private static final Map<String, Supplier<Solver>> KNOWN = new TreeMap<>(Map.of(
-            "dronemap", Engine::new,
+            "dronemap", DronemapSolver::new,
             "ortools", OrToolsSolver::new,
             "timefold", TimefoldSolver::new,
             "jsprit", JspritSolver::new,
-            "given-order", () -> new PlainWay("waypoints as they come, cut into equal stretches", new GivenOrder()),
-            "nearest-neighbour", () -> new PlainWay("the shortest tour goes on to the nearest", new NearestNeighbour()),
-            "move-and-improve", () -> new PlainWay("market of drones after Koubaa et al.", new MoveAndImprove())));
+            "given-order", () -> new BaselineSolver("waypoints as they come, cut into equal stretches", new GivenOrder()),
+            "nearest-neighbour", () -> new BaselineSolver("the shortest tour goes on to the nearest", new NearestNeighbour()),
+            "move-and-improve", () -> new BaselineSolver("market of drones after Koubaa et al.", new MoveAndImprove())));
 
     private Solvers() {}
 

@@ -11,14 +11,14 @@ final class StraightLegs implements Legs {
 
     StraightLegs(TourProblem problem) {
         metric = problem.metric();
-        Spot[] spots = IntStream.range(0, problem.waypoints().size() + 2 * problem.drones())
+        TourPoint[] spots = IntStream.range(0, problem.waypoints().size() + 2 * problem.drones())
                 .mapToObj(place -> spot(problem, place))
-                .toArray(Spot[]::new);
+                .toArray(TourPoint[]::new);
         x = IntStream.range(0, spots.length).mapToDouble(i -> spots[i].x()).toArray();
         y = IntStream.range(0, spots.length).mapToDouble(i -> spots[i].y()).toArray();
     }
 
-    private static Spot spot(TourProblem problem, int place) {
+    private static TourPoint spot(TourProblem problem, int place) {
         int waypoints = problem.waypoints().size();
         return place < waypoints
                 ? problem.waypoints().get(place)

@@ -9,7 +9,7 @@ import java.util.List;
  * @param longest whether the longest tour shall be short, else the sum of all
  * @param depots of each drone; several may share one
  */
-public record TourProblem(Metric metric, boolean longest, List<Spot> depots, List<Spot> waypoints) {
+public record TourProblem(Metric metric, boolean longest, List<TourPoint> depots, List<TourPoint> waypoints) {
     public TourProblem {
         depots = List.copyOf(depots);
         waypoints = List.copyOf(waypoints);
@@ -34,7 +34,7 @@ public record TourProblem(Metric metric, boolean longest, List<Spot> depots, Lis
         return metric.between(spot(from), spot(to));
     }
 
-    private Spot spot(int place) {
+    private TourPoint spot(int place) {
         return place < waypoints.size() ? waypoints.get(place) : depots.get(place - waypoints.size());
     }
 

@@ -10,13 +10,13 @@ class ConvergenceTest {
         return new TourProblem(
                 Metric.EUCLIDEAN,
                 longest,
-                List.of(new Spot(0, 0), new Spot(0, 0)),
-                List.of(new Spot(1, 0), new Spot(2, 0), new Spot(-2, 0)));
+                List.of(new TourPoint(0, 0), new TourPoint(0, 0)),
+                List.of(new TourPoint(1, 0), new TourPoint(2, 0), new TourPoint(-2, 0)));
     }
 
     @Test
     void onlyBetterToursAreNoted() {
-        Convergence convergence = new Convergence(problem(true), Allowance.fromNow(1));
+        Convergence convergence = new Convergence(problem(true), CpuBudget.fromNow(1));
 
         convergence.accept(new int[][] {{0, 1, 2}, {}});
         convergence.accept(new int[][] {{2, 0, 1}, {}});
@@ -27,7 +27,7 @@ class ConvergenceTest {
 
     @Test
     void toursThatLeaveADroneIdleOrAWaypointOutAreNoAnswerWhereTheSumCounts() {
-        Convergence convergence = new Convergence(problem(false), Allowance.fromNow(1));
+        Convergence convergence = new Convergence(problem(false), CpuBudget.fromNow(1));
 
         convergence.accept(new int[][] {{0, 1, 2}, {}});
         convergence.accept(new int[][] {{0}, {1}});

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class SolversTest {
-    private final TourProblem problem = new RandomProblems(11).next(true, 60);
+    private final TourProblem problem = new RandomTourProblems(11).next(true, 60);
 
     private static void visitsEachOnce(TourProblem problem, int[][] orders) {
         assertThat(orders).hasNumberOfRows(problem.drones());
@@ -30,11 +30,11 @@ class SolversTest {
     @ParameterizedTest
     @ValueSource(strings = {"dronemap", "ortools", "timefold", "jsprit"})
     void searchesVisitEveryWaypointOnceAndBeatThePlainWays(String name) {
-        Allowance allowance = Allowance.fromNow(4);
+        CpuBudget allowance = CpuBudget.fromNow(4);
         Convergence convergence = new Convergence(problem, allowance);
-        int[][] orders = Solvers.named(name).solve(problem, new Solver.Order(1, 1, allowance), convergence);
+        int[][] orders = Solvers.named(name).solve(problem, new Solver.SearchOptions(1, 1, allowance), convergence);
         int[][] plain = Solvers.named("nearest-neighbour")
-                .solve(problem, new Solver.Order(1, 1, Allowance.fromNow(1)), better -> {});
+                .solve(problem, new Solver.SearchOptions(1, 1, CpuBudget.fromNow(1)), better -> {});
 
         visitsEachOnce(problem, orders);
         assertThat(problem.value(orders)).isLessThan(problem.value(plain));
@@ -44,16 +44,16 @@ class SolversTest {
     @ParameterizedTest
     @ValueSource(strings = {"given-order", "nearest-neighbour", "move-and-improve"})
     void plainWaysVisitEveryWaypointOnce(String name) {
-        Solver.Order order = new Solver.Order(1, 1, Allowance.fromNow(1));
+        Solver.SearchOptions order = new Solver.SearchOptions(1, 1, CpuBudget.fromNow(1));
 
         visitsEachOnce(problem, Solvers.named(name).solve(problem, order, better -> {}));
     }
 
     @Test
     void ourSearchUsesSeveralThreadsAndNoDroneStaysIdleWhereTheSumCounts() {
-        TourProblem sum = new RandomProblems(12).next(false, 60);
+        TourProblem sum = new RandomTourProblems(12).next(false, 60);
         int[][] orders =
-                Solvers.named("dronemap").solve(sum, new Solver.Order(1, 2, Allowance.fromNow(1)), better -> {});
+                Solvers.named("dronemap").solve(sum, new Solver.SearchOptions(1, 2, CpuBudget.fromNow(1)), better -> {});
 
         visitsEachOnce(sum, orders);
         assertThat(List.of(orders)).allSatisfy(order -> assertThat(order).isNotEmpty());
@@ -72,7 +72,7 @@ class SolversTest {
         Files.write(file, List.of("metric euclidean", "aim longest", "depot 0 0", "waypoint 1 0", "waypoint 2 0"));
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 
-        Main.run(
+        SolverMain.run(
                 new String[] {"dronemap", file.toString(), "1", "0.2", "1", "0.1"},
                 new PrintStream(bytes, true, StandardCharsets.UTF_8));
 

@@ -12,26 +12,26 @@ class TourProblemTest {
 
     @Test
     void aProblemIsReadAsItStands() {
-        TourProblem problem = ProblemFile.of(LINES);
+        TourProblem problem = TourProblemFile.of(LINES);
 
         assertThat(problem)
                 .isEqualTo(new TourProblem(
                         Metric.EUCLIDEAN,
                         true,
-                        List.of(new Spot(0, 0), new Spot(10, 0)),
-                        List.of(new Spot(3, 4), new Spot(10, 2.5))));
+                        List.of(new TourPoint(0, 0), new TourPoint(10, 0)),
+                        List.of(new TourPoint(3, 4), new TourPoint(10, 2.5))));
     }
 
     @Test
     void aLineThatSaysNothingKnownIsRefused() {
-        assertThatThrownBy(() -> ProblemFile.of(List.of("name att532")))
+        assertThatThrownBy(() -> TourProblemFile.of(List.of("name att532")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("'name'");
     }
 
     @Test
     void toursBeginAndEndAtTheirDepots() {
-        TourProblem problem = ProblemFile.of(LINES);
+        TourProblem problem = TourProblemFile.of(LINES);
 
         assertThat(problem.length(0, new int[] {0})).isEqualTo(10);
         assertThat(problem.length(1, new int[] {1})).isEqualTo(5);
@@ -41,7 +41,7 @@ class TourProblemTest {
     @Test
     void theLongestTourOrTheSumCounts() {
         int[][] orders = {{0}, {1}};
-        TourProblem longest = ProblemFile.of(LINES);
+        TourProblem longest = TourProblemFile.of(LINES);
         TourProblem sum = new TourProblem(longest.metric(), false, longest.depots(), longest.waypoints());
 
         assertThat(longest.value(orders)).isEqualTo(10);
@@ -50,13 +50,13 @@ class TourProblemTest {
 
     @Test
     void attDistancesAreATenthOfTheSquareRoundedUp() {
-        assertThat(Metric.ATT.between(new Spot(0, 0), new Spot(30, 40))).isEqualTo(16);
-        assertThat(Metric.EUCLIDEAN.between(new Spot(0, 0), new Spot(30, 40))).isEqualTo(50);
+        assertThat(Metric.ATT.between(new TourPoint(0, 0), new TourPoint(30, 40))).isEqualTo(16);
+        assertThat(Metric.EUCLIDEAN.between(new TourPoint(0, 0), new TourPoint(30, 40))).isEqualTo(50);
     }
 
     @Test
     void ourLegsAreTheProblemsDistances() {
-        TourProblem problem = new RandomProblems(3).next(true, 30);
+        TourProblem problem = new RandomTourProblems(3).next(true, 30);
         StraightLegs legs = new StraightLegs(problem);
         int waypoints = problem.waypoints().size();
 

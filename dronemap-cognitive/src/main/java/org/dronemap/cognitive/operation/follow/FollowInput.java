@@ -5,7 +5,7 @@ import java.util.List;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.operation.Reach;
+import org.dronemap.core.operation.ReporterState;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
@@ -23,35 +23,35 @@ public sealed interface FollowInput {
      * @param others the follow's other drones
      */
     @Stored(as = "Looked", names = "at drone sighted reach unsteered others")
-    record Looked(
+    record Observed(
             Instant at,
-            @Nullable Look drone,
+            @Nullable Observation drone,
             @Nullable Instant sighted,
-            @Nullable Reach reach,
+            @Nullable ReporterState reach,
             @Nullable String unsteered,
-            List<Other> others)
+            List<OtherDrone> others)
             implements FollowInput {
-        public Looked {
+        public Observed {
             others = List.copyOf(others);
         }
 
-        public Looked(
+        public Observed(
                 Instant at,
-                @Nullable Look drone,
+                @Nullable Observation drone,
                 @Nullable Instant sighted,
-                @Nullable Reach reach,
+                @Nullable ReporterState reach,
                 @Nullable String unsteered) {
             this(at, drone, sighted, reach, unsteered, List.of());
         }
 
         /** The same for that one of the others. */
-        Looked of(DroneId drone) {
-            Look look = others.stream()
+        Observed of(DroneId drone) {
+            Observation look = others.stream()
                     .filter(other -> other.drone().equals(drone))
                     .findFirst()
-                    .map(Other::look)
+                    .map(OtherDrone::look)
                     .orElse(null);
-            return new Looked(at, look, sighted, reach, null);
+            return new Observed(at, look, sighted, reach, null);
         }
     }
 
@@ -62,8 +62,8 @@ public sealed interface FollowInput {
      * @param apartMeters on the ground from the one that leads; null: not known, or it still rises
      */
     @Stored(names = "drone look apartMeters")
-    record Other(
-            DroneId drone, @Nullable Look look, @Nullable Double apartMeters) {}
+    record OtherDrone(
+            DroneId drone, @Nullable Observation look, @Nullable Double apartMeters) {}
 
     /**
      * The drone.
@@ -80,7 +80,7 @@ public sealed interface FollowInput {
     @Stored(
             names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes",
             later = "modes")
-    record Look(
+    record Observation(
             @Nullable String takenBy,
             int silentSeconds,
             boolean armed,
@@ -90,11 +90,11 @@ public sealed interface FollowInput {
             @Nullable String mode,
             @Nullable Integer batteryPercent,
             @Nullable Double homeMeters,
-            @Nullable Grip grip,
-            @Nullable Modes modes) {
+            @Nullable ControlRestriction grip,
+            @Nullable ModeMeaning modes) {
         /** The same, with what its modes are for. */
-        public Look with(@Nullable Modes told) {
-            return new Look(
+        public Observation with(@Nullable ModeMeaning told) {
+            return new Observation(
                     takenBy,
                     silentSeconds,
                     armed,
@@ -117,7 +117,7 @@ public sealed interface FollowInput {
      * @param steered it is in a mode for a pilot's sticks
      */
     @Stored(names = "barred adrift steered")
-    record Grip(@Nullable String barred, boolean adrift, boolean steered) {}
+    record ControlRestriction(@Nullable String barred, boolean adrift, boolean steered) {}
 
     /**
      * The meaning of the drone's flight mode for the follow.
@@ -126,50 +126,50 @@ public sealed interface FollowInput {
      * @param home it is in one in which it comes home
      */
     @Stored(names = "orders home")
-    record Modes(@Nullable String orders, boolean home) {}
+    record ModeMeaning(@Nullable String orders, boolean home) {}
 
     @Stored(as = "CommandEnded", names = "at drone command outcome")
     record CommandEnded(Instant at, DroneId drone, CommandId command, Outcome outcome) implements FollowInput {}
 
     /** The process was started again. */
     @Stored(as = "Resumed", names = "at")
-    record Resumed(Instant at) implements FollowInput {}
+    record Restarted(Instant at) implements FollowInput {}
 
     /** That drone is sent to replace the one that leads. */
     @Stored(as = "Relieve", names = "at chosen")
-    record Relieve(Instant at, FollowOrder.Chosen chosen) implements FollowInput {}
+    record SendRelief(Instant at, FollowOrder.ChosenDrone chosen) implements FollowInput {}
 
     /** No drone can be sent for that; {@code why} as one or more sentences. */
     @Stored(as = "Unrelieved", names = "at why")
-    record Unrelieved(Instant at, String why) implements FollowInput {}
+    record NoReliefAvailable(Instant at, String why) implements FollowInput {}
 
     /** A request of a user. */
-    sealed interface Wish extends FollowInput {
+    sealed interface UserRequest extends FollowInput {
         /** The user's name. */
         String by();
     }
 
     /** The drone takes off and comes. */
     @Stored(as = "Start", names = "at by")
-    record Start(Instant at, String by) implements Wish {}
+    record Start(Instant at, String by) implements UserRequest {}
 
     /** It is called off before it follows. */
     @Stored(as = "Cancel", names = "at by")
-    record Cancel(Instant at, String by) implements Wish {}
+    record Cancel(Instant at, String by) implements UserRequest {}
 
     /** The drone stays where it is. */
     @Stored(as = "Pause", names = "at by")
-    record Pause(Instant at, String by) implements Wish {}
+    record Pause(Instant at, String by) implements UserRequest {}
 
     /** The drone follows again; the only way back for one that somebody took. */
     @Stored(as = "GoOn", names = "at by")
-    record GoOn(Instant at, String by) implements Wish {}
+    record Resume(Instant at, String by) implements UserRequest {}
 
     /** The drone flies home. */
     @Stored(as = "Stop", names = "at by")
-    record Stop(Instant at, String by) implements Wish {}
+    record Stop(Instant at, String by) implements UserRequest {}
 
     /** The drone stays elsewhere beside the phone. */
     @Stored(as = "Change", names = "at by place")
-    record Change(Instant at, String by, FollowOrder.Place place) implements Wish {}
+    record ChangePlace(Instant at, String by, FollowOrder.RelativePlace place) implements UserRequest {}
 }

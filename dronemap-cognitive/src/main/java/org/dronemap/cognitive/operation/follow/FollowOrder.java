@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.operation.follow;
 
-import org.dronemap.cognitive.follow.Side;
+import org.dronemap.cognitive.follow.StandOffSide;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
@@ -12,7 +12,7 @@ import org.dronemap.core.stored.Stored;
  * @param patienceSeconds without positions, before it flies home
  */
 @Stored(names = "chosen near place speed patienceSeconds")
-public record FollowOrder(Chosen chosen, Geodetic near, Place place, double speed, int patienceSeconds) {
+public record FollowOrder(ChosenDrone chosen, Geodetic near, RelativePlace place, double speed, int patienceSeconds) {
     /** Lower than this nobody is followed: metres above the drone's home. */
     public static final double LOWEST_METERS = 5;
 
@@ -26,7 +26,7 @@ public record FollowOrder(Chosen chosen, Geodetic near, Place place, double spee
      * @param why it was chosen, as one or more sentences
      */
     @Stored(names = "drone name home homeAmslMeters why")
-    public record Chosen(DroneId drone, String name, Geodetic home, double homeAmslMeters, String why) {}
+    public record ChosenDrone(DroneId drone, String name, Geodetic home, double homeAmslMeters, String why) {}
 
     /**
      * The place of the drone relative to the phone.
@@ -34,13 +34,13 @@ public record FollowOrder(Chosen chosen, Geodetic near, Place place, double spee
      * @param heightMeters above its home
      */
     @Stored(names = "side distanceMeters heightMeters")
-    public record Place(Side side, double distanceMeters, double heightMeters) {}
+    public record RelativePlace(StandOffSide side, double distanceMeters, double heightMeters) {}
 
-    FollowOrder by(Chosen other) {
+    FollowOrder by(ChosenDrone other) {
         return new FollowOrder(other, near, place, speed, patienceSeconds);
     }
 
-    FollowOrder at(Place other) {
+    FollowOrder at(RelativePlace other) {
         return new FollowOrder(chosen, near, other, speed, patienceSeconds);
     }
 }

@@ -26,16 +26,16 @@ import org.jspecify.annotations.Nullable;
 public record FollowState(
         OperationId id,
         FollowOrder order,
-        Stage stage,
+        FollowStage stage,
         Instant since,
         Instant waits,
-        @Nullable Errand errand,
-        Tries tries,
-        @Nullable Missing missing,
+        @Nullable IssuedCommand errand,
+        Attempts tries,
+        @Nullable MissingFixReason missing,
         @Nullable String note,
-        List<Told> told,
+        List<Notice> told,
         @Nullable String end,
-        @Nullable Relay relay) {
+        @Nullable ReliefState relay) {
     public static final int MOST_TOLD = 30;
 
     public FollowState {
@@ -44,14 +44,14 @@ public record FollowState(
 
     /** A text that users were shown, with its time. */
     @Stored(names = "at words")
-    public record Told(Instant at, String words) {}
+    public record Notice(Instant at, String words) {}
 
     /** A command that the drone was given. */
     @Stored(names = "command kind")
-    public record Errand(CommandId command, Kind kind) {
+    public record IssuedCommand(CommandId command, Purpose kind) {
         /** The purpose of the command. */
         @Stored(names = "CLOUD_LOSS MODE ARM TAKE_OFF HOME DISARM")
-        public enum Kind {
+        public enum Purpose {
             CLOUD_LOSS,
             MODE,
             ARM,
@@ -69,31 +69,31 @@ public record FollowState(
      * @param notBefore nothing is tried before; null: it may be at once
      */
     @Stored(names = "given failed notBefore")
-    public record Tries(int given, int failed, @Nullable Instant notBefore) {
-        static final Tries NONE = new Tries(0, 0, null);
+    public record Attempts(int given, int failed, @Nullable Instant notBefore) {
+        static final Attempts NONE = new Attempts(0, 0, null);
     }
 
     /** A drone is there for it. */
     public static FollowState begin(OperationId id, FollowOrder order, Instant at) {
-        List<Told> why = List.of(new Told(at, order.chosen().why()));
-        return new FollowState(id, order, Stage.ALLOCATED, at, at, null, Tries.NONE, null, null, why, null, null);
+        List<Notice> why = List.of(new Notice(at, order.chosen().why()));
+        return new FollowState(id, order, FollowStage.ALLOCATED, at, at, null, Attempts.NONE, null, null, why, null, null);
     }
 
     /** One that comes to replace the drone of this follow. */
-    FollowState relief(FollowOrder.Chosen chosen, Instant at) {
+    FollowState relief(FollowOrder.ChosenDrone chosen, Instant at) {
         return new FollowState(
                 id,
                 order.by(chosen),
-                Stage.STARTING,
+                FollowStage.STARTING,
                 at,
                 at,
                 null,
-                Tries.NONE,
+                Attempts.NONE,
                 null,
                 null,
                 List.of(),
                 null,
-                Relay.ofNumber(crew().sent() + 1));
+                ReliefState.ofNumber(crew().sent() + 1));
     }
 
     public DroneId drone() {
@@ -106,16 +106,16 @@ public record FollowState(
     }
 
     public boolean isOver() {
-        return stage == Stage.OVER;
+        return stage == FollowStage.OVER;
     }
 
-    public Relay crew() {
-        return relay == null ? Relay.NONE : relay;
+    public ReliefState crew() {
+        return relay == null ? ReliefState.NONE : relay;
     }
 
     /** On its way to take over from the drone that leads. */
     public boolean comes(FollowState leader) {
-        return crew().number() > leader.crew().number() && (stage == Stage.STARTING || stage == Stage.TRACKING);
+        return crew().number() > leader.crew().number() && (stage == FollowStage.STARTING || stage == FollowStage.TRACKING);
     }
 
     /** That one took over from it. */
@@ -130,12 +130,12 @@ public record FollowState(
 
     /** Another drone could take over, if there were one. */
     public boolean isRelievable() {
-        boolean leads = stage == Stage.TRACKING && missing == null;
-        return (leads || (stage == Stage.RETURNING && crew().vacant())) && !isRelieved();
+        boolean leads = stage == FollowStage.TRACKING && missing == null;
+        return (leads || (stage == FollowStage.RETURNING && crew().vacant())) && !isRelieved();
     }
 
-    FollowState to(Stage next, Instant at, String words) {
-        List<Told> all = telling(at, words);
+    FollowState to(FollowStage next, Instant at, String words) {
+        List<Notice> all = telling(at, words);
         return new FollowState(
                 id,
                 order,
@@ -143,21 +143,21 @@ public record FollowState(
                 at,
                 at,
                 null,
-                new Tries(tries.given(), 0, null),
+                new Attempts(tries.given(), 0, null),
                 null,
                 null,
                 all,
-                next == Stage.OVER ? words : null,
+                next == FollowStage.OVER ? words : null,
                 relay == null ? null : relay.vacant(false));
     }
 
     /** It leads from then on, in the place of the one that led before. */
-    FollowState leads(FollowState before, Instant at, Relay crew) {
+    FollowState leads(FollowState before, Instant at, ReliefState crew) {
         return new FollowState(id, order, stage, at, at, errand, tries, missing, note, before.told(), null, crew);
     }
 
     /** It says so, and is reached or not from then on. */
-    FollowState missing(@Nullable Missing why, Instant at, String words, @Nullable String noted) {
+    FollowState missing(@Nullable MissingFixReason why, Instant at, String words, @Nullable String noted) {
         return new FollowState(
                 id, order, stage, since, waits, errand, tries, why, noted, telling(at, words), end, relay);
     }
@@ -167,9 +167,9 @@ public record FollowState(
                 id, order, stage, since, waits, errand, tries, missing, note, telling(at, words), end, relay);
     }
 
-    private List<Told> telling(Instant at, String words) {
-        List<Told> all = new ArrayList<>(told);
-        all.add(new Told(at, words));
+    private List<Notice> telling(Instant at, String words) {
+        List<Notice> all = new ArrayList<>(told);
+        all.add(new Notice(at, words));
         return all.subList(Math.max(0, all.size() - MOST_TOLD), all.size());
     }
 
@@ -182,7 +182,7 @@ public record FollowState(
         return new FollowState(id, other, stage, since, waits, errand, tries, missing, note, told, end, relay);
     }
 
-    FollowState with(@Nullable Relay other) {
+    FollowState with(@Nullable ReliefState other) {
         return new FollowState(id, order, stage, since, waits, errand, tries, missing, note, told, end, other);
     }
 
@@ -194,7 +194,7 @@ public record FollowState(
         return new FollowState(id, order, stage, since, from, errand, tries, missing, note, told, end, relay);
     }
 
-    FollowState on(@Nullable Errand what, Tries now) {
+    FollowState on(@Nullable IssuedCommand what, Attempts now) {
         return new FollowState(id, order, stage, since, waits, what, now, missing, note, told, end, relay);
     }
 }

@@ -2,8 +2,8 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Instant;
 import java.util.List;
-import org.dronemap.cognitive.replan.Figures;
-import org.dronemap.cognitive.replan.Moved;
+import org.dronemap.cognitive.replan.PlanFigures;
+import org.dronemap.cognitive.replan.ReassignedWaypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
@@ -21,11 +21,11 @@ import org.jspecify.annotations.Nullable;
 public record Explanation(
         int number,
         Instant at,
-        Trigger trigger,
+        RunTrigger trigger,
         @Nullable DroneId drone,
-        List<Moved> moved,
-        @Nullable Figures before,
-        @Nullable Figures after,
+        List<ReassignedWaypoint> moved,
+        @Nullable PlanFigures before,
+        @Nullable PlanFigures after,
         String words) {
     public Explanation {
         moved = List.copyOf(moved);

@@ -26,17 +26,17 @@ import org.jspecify.annotations.Nullable;
  */
 @Stored(names = "kin stage since orders sortie passed next errand tries note signs")
 public record RunDrone(
-        Kin kin,
-        DroneStage stage,
+        Profile kin,
+        RunDroneStage stage,
         Instant since,
         List<String> orders,
         @Nullable Sortie sortie,
         int passed,
         @Nullable Sortie next,
-        @Nullable Errand errand,
-        Tries tries,
+        @Nullable IssuedCommand errand,
+        Attempts tries,
         @Nullable String note,
-        Signs signs) {
+        Flags signs) {
     /**
      * The profile of a drone, which does not change during the run.
      *
@@ -44,17 +44,17 @@ public record RunDrone(
      * @param returnMeters how high over its home it flies home, in a layer of its own; null: as the vehicle is set
      */
     @Stored(names = "craft name kind returnMeters")
-    public record Kin(
+    public record Profile(
             Craft craft,
             String name,
             VehicleKind kind,
             @Nullable Double returnMeters) {
-        Kin with(Craft other) {
-            return new Kin(other, name, kind, returnMeters);
+        Profile with(Craft other) {
+            return new Profile(other, name, kind, returnMeters);
         }
 
-        Kin withoutLayer() {
-            return new Kin(craft, name, kind, null);
+        Profile withoutLayer() {
+            return new Profile(craft, name, kind, null);
         }
     }
 
@@ -64,10 +64,10 @@ public record RunDrone(
      * @param sortie the number of the one that it brings; 0: none
      */
     @Stored(names = "command kind sortie at")
-    public record Errand(CommandId command, Kind kind, int sortie, Instant at) {
+    public record IssuedCommand(CommandId command, Purpose kind, int sortie, Instant at) {
         /** The purpose of the command. */
         @Stored(names = "UPLOAD MODE ARM START HOLD HEIGHT DODGE HOME DISARM")
-        public enum Kind {
+        public enum Purpose {
             UPLOAD,
             MODE,
             ARM,
@@ -84,8 +84,8 @@ public record RunDrone(
 
     /** The number of failed attempts in a row, and the time before which there is none again. */
     @Stored(names = "failed notBefore")
-    public record Tries(int failed, @Nullable Instant notBefore) {
-        static final Tries NONE = new Tries(0, null);
+    public record Attempts(int failed, @Nullable Instant notBefore) {
+        static final Attempts NONE = new Attempts(0, null);
     }
 
     /**
@@ -102,56 +102,56 @@ public record RunDrone(
      * @param homeward how high it flies home for the run, and what has to be put back; null: as it is set
      */
     @Stored(names = "held begun falling astray silence yields told joulesPerPercent homeward")
-    public record Signs(
+    public record Flags(
             boolean held,
             boolean begun,
             @Nullable Instant falling,
             @Nullable Instant astray,
-            @Nullable Silence silence,
+            @Nullable LinkLoss silence,
             @Nullable DroneId yields,
-            List<Trigger> told,
+            List<RunTrigger> told,
             @Nullable Double joulesPerPercent,
             @Nullable ReturnHeight homeward) {
-        static final Signs NONE = new Signs(false, false, null, null, null, null, List.of(), null, null);
+        static final Flags NONE = new Flags(false, false, null, null, null, null, List.of(), null, null);
 
-        public Signs {
+        public Flags {
             told = List.copyOf(told);
         }
 
-        Signs held(boolean now) {
-            return new Signs(now, begun, falling, astray, silence, yields, told, joulesPerPercent, homeward);
+        Flags held(boolean now) {
+            return new Flags(now, begun, falling, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
-        Signs begun(boolean now) {
-            return new Signs(held, now, falling, astray, silence, yields, told, joulesPerPercent, homeward);
+        Flags begun(boolean now) {
+            return new Flags(held, now, falling, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
-        Signs falling(@Nullable Instant from) {
-            return new Signs(held, begun, from, astray, silence, yields, told, joulesPerPercent, homeward);
+        Flags falling(@Nullable Instant from) {
+            return new Flags(held, begun, from, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
-        Signs astray(@Nullable Instant from) {
-            return new Signs(held, begun, falling, from, silence, yields, told, joulesPerPercent, homeward);
+        Flags astray(@Nullable Instant from) {
+            return new Flags(held, begun, falling, from, silence, yields, told, joulesPerPercent, homeward);
         }
 
-        Signs silent(@Nullable Silence what) {
-            return new Signs(held, begun, falling, astray, what, yields, told, joulesPerPercent, homeward);
+        Flags silent(@Nullable LinkLoss what) {
+            return new Flags(held, begun, falling, astray, what, yields, told, joulesPerPercent, homeward);
         }
 
-        Signs yields(@Nullable DroneId other) {
-            return new Signs(held, begun, falling, astray, silence, other, told, joulesPerPercent, homeward);
+        Flags yields(@Nullable DroneId other) {
+            return new Flags(held, begun, falling, astray, silence, other, told, joulesPerPercent, homeward);
         }
 
-        Signs told(List<Trigger> all) {
-            return new Signs(held, begun, falling, astray, silence, yields, all, joulesPerPercent, homeward);
+        Flags told(List<RunTrigger> all) {
+            return new Flags(held, begun, falling, astray, silence, yields, all, joulesPerPercent, homeward);
         }
 
-        Signs joulesPerPercent(double joules) {
-            return new Signs(held, begun, falling, astray, silence, yields, told, joules, homeward);
+        Flags joulesPerPercent(double joules) {
+            return new Flags(held, begun, falling, astray, silence, yields, told, joules, homeward);
         }
 
-        Signs homeward(@Nullable ReturnHeight now) {
-            return new Signs(held, begun, falling, astray, silence, yields, told, joulesPerPercent, now);
+        Flags homeward(@Nullable ReturnHeight now) {
+            return new Flags(held, begun, falling, astray, silence, yields, told, joulesPerPercent, now);
         }
     }
 
@@ -165,15 +165,15 @@ public record RunDrone(
      * @param flyingUntil till then it may be in the air
      */
     @Stored(names = "heard place flew reservedUntil flyingUntil")
-    public record Silence(
+    public record LinkLoss(
             Instant heard, @Nullable Place place, boolean flew, Instant reservedUntil, Instant flyingUntil) {}
 
     public RunDrone {
         orders = List.copyOf(orders);
     }
 
-    static RunDrone joining(Kin kin, Instant now) {
-        return new RunDrone(kin, DroneStage.LANDED, now, List.of(), null, 0, null, null, Tries.NONE, null, Signs.NONE);
+    static RunDrone joining(Profile kin, Instant now) {
+        return new RunDrone(kin, RunDroneStage.LANDED, now, List.of(), null, 0, null, null, Attempts.NONE, null, Flags.NONE);
     }
 
     public DroneId id() {
@@ -195,12 +195,12 @@ public record RunDrone(
     }
 
     /** A new step begins. */
-    RunDrone to(DroneStage step, Instant now) {
-        Signs seen = step == DroneStage.FLYING ? signs.begun(true) : signs;
-        return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Tries.NONE, note, seen);
+    RunDrone to(RunDroneStage step, Instant now) {
+        Flags seen = step == RunDroneStage.FLYING ? signs.begun(true) : signs;
+        return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Attempts.NONE, note, seen);
     }
 
-    RunDrone with(Kin other) {
+    RunDrone with(Profile other) {
         return new RunDrone(other, stage, since, orders, sortie, passed, next, errand, tries, note, signs);
     }
 
@@ -220,21 +220,21 @@ public record RunDrone(
         return new RunDrone(kin, stage, since, orders, sortie, passed, later, errand, tries, note, signs);
     }
 
-    RunDrone on(@Nullable Errand what) {
+    RunDrone on(@Nullable IssuedCommand what) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, next, what, tries, note, signs);
     }
 
-    RunDrone tried(Tries now) {
+    RunDrone tried(Attempts now) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, next, null, now, note, signs);
     }
 
     /** It does nothing else until then. */
     RunDrone busy(Instant until) {
         return new RunDrone(
-                kin, stage, since, orders, sortie, passed, next, errand, new Tries(tries.failed(), until), note, signs);
+                kin, stage, since, orders, sortie, passed, next, errand, new Attempts(tries.failed(), until), note, signs);
     }
 
-    RunDrone with(Signs other) {
+    RunDrone with(Flags other) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, note, other);
     }
 }

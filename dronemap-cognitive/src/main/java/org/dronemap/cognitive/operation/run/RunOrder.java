@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import org.dronemap.cognitive.plan.Plan;
-import org.dronemap.cognitive.problem.Problem;
-import org.dronemap.core.command.CloudLoss;
+import org.dronemap.cognitive.problem.PlanningProblem;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.operation.OperationId;
@@ -21,11 +21,11 @@ import org.dronemap.core.stored.Stored;
  */
 public record RunOrder(
         OperationId id,
-        Problem problem,
+        PlanningProblem problem,
         Plan plan,
         List<Member> members,
-        Mode mode,
-        CloudLoss onCloudLoss,
+        ApprovalMode mode,
+        MissionCloudLossPolicy onCloudLoss,
         long seed,
         Duration search,
         Instant at) {
@@ -36,7 +36,7 @@ public record RunOrder(
 
     /** The approval mode: who decides on a changed plan. */
     @Stored(names = "AUTOMATIC ASK_FIRST")
-    public enum Mode {
+    public enum ApprovalMode {
         AUTOMATIC,
         /** Somebody is asked; what is unsafe for one drone is acted on all the same. */
         ASK_FIRST

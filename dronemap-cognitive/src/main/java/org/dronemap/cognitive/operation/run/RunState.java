@@ -23,13 +23,13 @@ import org.jspecify.annotations.Nullable;
 public record RunState(
         OperationId id,
         Clock clock,
-        Setting setting,
-        List<Target> targets,
+        RunSettings setting,
+        List<RunWaypoint> targets,
         List<RunDrone> drones,
         Counts counts,
-        @Nullable Request request,
-        List<Cause> causes,
-        @Nullable Proposal proposal,
+        @Nullable PendingReplan request,
+        List<ReplanCause> causes,
+        @Nullable PlanProposal proposal,
         List<Explanation> explanations,
         boolean stopping,
         @Nullable String end) {
@@ -95,7 +95,7 @@ public record RunState(
     }
 
     public static RunState begin(RunOrder order) {
-        return Beginning.of(order);
+        return RunInitialState.of(order);
     }
 
     public boolean isOver() {
@@ -106,25 +106,25 @@ public record RunState(
         return drones.stream().filter(drone -> drone.id().equals(id)).findFirst();
     }
 
-    public Optional<Target> target(String id) {
+    public Optional<RunWaypoint> target(String id) {
         return targets.stream().filter(target -> target.id().equals(id)).findFirst();
     }
 
-    public long count(Target.State state) {
+    public long count(RunWaypoint.State state) {
         return targets.stream().filter(target -> target.state() == state).count();
     }
 
     /** When a drone is to be at its end, by the plan that it flies; empty: it flies none. */
     public Optional<Instant> due(DroneId id) {
         return drone(id)
-                .filter(drone -> drone.stage().takesOrders() && drone.stage() != DroneStage.LANDED)
+                .filter(drone -> drone.stage().takesOrders() && drone.stage() != RunDroneStage.LANDED)
                 .map(RunDrone::latest)
                 .map(sortie -> sortie.moment(sortie.tour().endsSeconds()));
     }
 
     /** When a waypoint is to be visited; empty: nobody is on the way. */
-    public Optional<Instant> due(Target target) {
-        return target.state() != Target.State.ASSIGNED || target.drone() == null
+    public Optional<Instant> due(RunWaypoint target) {
+        return target.state() != RunWaypoint.State.ASSIGNED || target.drone() == null
                 ? Optional.empty()
                 : drone(target.drone()).map(RunDrone::latest).flatMap(sortie -> sortie.due(target.id()));
     }

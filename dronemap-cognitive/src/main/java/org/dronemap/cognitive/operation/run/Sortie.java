@@ -37,8 +37,8 @@ public record Sortie(
     }
 
     /** {@code kin}: with the craft as it stands in the problem that the tour was made for. */
-    static Sortie of(int number, RunDrone.Kin kin, Tour tour, Instant zero, Function<String, Task> tasks) {
-        MissionWriter.Written written = new MissionWriter(kin.craft(), kin.kind(), tasks).write(tour);
+    static Sortie of(int number, RunDrone.Profile kin, Tour tour, Instant zero, Function<String, Task> tasks) {
+        MissionWriter.WrittenMission written = new MissionWriter(kin.craft(), kin.kind(), tasks).write(tour);
         return new Sortie(number, tour, new Mission(written.items()), written.arrivals(), written.tasks(), zero);
     }
 

@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.dronemap.cognitive.operation.run.Target.Report;
-import org.dronemap.cognitive.operation.run.Target.Report.Result;
+import org.dronemap.cognitive.operation.run.RunWaypoint.Report.Result;
+import org.dronemap.cognitive.operation.run.RunWaypoint.Report;
 import org.dronemap.cognitive.plan.TaskItem;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.drone.Payload;
@@ -32,18 +32,18 @@ final class TaskReports {
     private TaskReports() {}
 
     /** What its mission's items say, by how many are behind it. */
-    static void reckon(Draft draft, RunDrone drone, Look look) {
+    static void reckon(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie sortie = drone.sortie();
         if (sortie == null) {
             return;
         }
         for (TaskItem task : sortie.tasks()) {
-            Target target = draft.target(task.waypoint());
+            RunWaypoint target = draft.target(task.waypoint());
             boolean reserved =
                     target.visits().stream().anyMatch(visit -> !visit.drone().equals(drone.id()))
-                            || target.state() == Target.State.CANCELLED;
+                            || target.state() == RunWaypoint.State.CANCELLED;
             if (!reserved) {
-                Seen seen = new Seen(draft, drone, task, look.payload());
+                ObservedTask seen = new ObservedTask(draft, drone, task, look.payload());
                 seen.report(target)
                         .filter(report -> !Optional.of(report).equals(target.report(task.part())))
                         .ifPresent(report -> draft.put(target.with(report)));
@@ -52,8 +52,8 @@ final class TaskReports {
     }
 
     /** One task of one drone, as far as it is seen now. */
-    private record Seen(Draft draft, RunDrone drone, TaskItem task, Payload payload) {
-        Optional<Report> report(Target target) {
+    private record ObservedTask(RunTransition draft, RunDrone drone, TaskItem task, Payload payload) {
+        Optional<Report> report(RunWaypoint target) {
             Report before = target.report(task.part()).orElse(null);
             boolean others = before != null && !before.drone().equals(drone.id());
             boolean settled = before != null && isSettled(before);
@@ -81,7 +81,7 @@ final class TaskReports {
             return before.result() == Result.DONE || (late && before.result() != Result.UNDER_WAY);
         }
 
-        private Optional<Report> photo(Target target, @Nullable Report before) {
+        private Optional<Report> photo(RunWaypoint target, @Nullable Report before) {
             Payload.Photo photo = payload.photo();
             if (photo != null && isOf(target, photo, before)) {
                 Geodetic point = photo.point();
@@ -102,7 +102,7 @@ final class TaskReports {
                     : Optional.of(result(Result.NOT_KNOWN, before, "It was told to, and told of no photo."));
         }
 
-        private boolean isOf(Target target, Payload.Photo photo, @Nullable Report before) {
+        private boolean isOf(RunWaypoint target, Payload.Photo photo, @Nullable Report before) {
             Instant since = before == null ? draft.now() : before.at();
             Geodetic point = photo.point();
             Place place = target.waypoint().place();
@@ -174,18 +174,18 @@ final class TaskReports {
     }
 
     /** Whether it is to be left out: it may have been done, and is not to be done twice. */
-    static boolean isSpared(Draft draft, TaskItem task) {
-        Target target = draft.target(task.waypoint());
+    static boolean isSpared(RunTransition draft, TaskItem task) {
+        RunWaypoint target = draft.target(task.waypoint());
         return target.waypoint().task().parts().get(task.part()).isOnce()
                 && target.report(task.part()).isPresent();
     }
 
-    static Sortie sparing(Draft draft, Sortie sortie) {
+    static Sortie sparing(RunTransition draft, Sortie sortie) {
         return sortie.sparing(task -> isSpared(draft, task));
     }
 
     /** True when what it is to get had to be changed for what was done meanwhile. */
-    static boolean spare(Draft draft, RunDrone drone, Sortie next) {
+    static boolean spare(RunTransition draft, RunDrone drone, Sortie next) {
         Sortie left = sparing(draft, next);
         if (left.equals(next)) {
             return false;
@@ -195,7 +195,7 @@ final class TaskReports {
     }
 
     /** Whether it may just have begun a task that it has not spoken of. */
-    static boolean mayTellYet(Draft draft, RunDrone drone, Look look) {
+    static boolean mayTellYet(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie sortie = drone.sortie();
         Place here = look.place();
         boolean longAgo = Duration.between(drone.since(), draft.now()).compareTo(UNTIL_TOLD) >= 0;

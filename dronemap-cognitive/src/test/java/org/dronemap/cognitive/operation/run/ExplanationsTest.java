@@ -6,8 +6,8 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import org.dronemap.cognitive.replan.Replanned;
-import org.dronemap.core.command.CloudLoss;
+import org.dronemap.cognitive.replan.ReplanResult;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -15,14 +15,14 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** What people read of a changed plan is what the journal has of it. */
 class ExplanationsTest {
     @ParameterizedTest
-    @EnumSource(RunOrder.Mode.class)
-    void tellOfAPlanWhatTheJournalHasOfIt(RunOrder.Mode mode) {
-        TestFleet fleet = eventful(mode);
-        Set<Trigger> told = EnumSet.noneOf(Trigger.class);
+    @EnumSource(RunOrder.ApprovalMode.class)
+    void tellOfAPlanWhatTheJournalHasOfIt(RunOrder.ApprovalMode mode) {
+        RunTestBench fleet = eventful(mode);
+        Set<RunTrigger> told = EnumSet.noneOf(RunTrigger.class);
         RunState before = fleet.first;
         for (int i = 0; i < fleet.journal.size(); i++) {
             RunState after = fleet.decisions.get(i).next();
-            if (fleet.journal.get(i) instanceof RunInput.Replanned input && input.result() != null) {
+            if (fleet.journal.get(i) instanceof RunInput.ReplanEnded input && input.result() != null) {
                 for (Explanation each : since(before, after)) {
                     told.add(each.trigger());
                     tells(each, before, input.result());
@@ -30,20 +30,20 @@ class ExplanationsTest {
             }
             before = after;
         }
-        assertThat(told).contains(Trigger.CRASHED, Trigger.WAYPOINTS_ADDED);
+        assertThat(told).contains(RunTrigger.CRASHED, RunTrigger.WAYPOINTS_ADDED);
     }
 
     @Test
     void tellNoFiguresWhereNothingWasPlanned() {
-        TestFleet fleet = eventful(RunOrder.Mode.AUTOMATIC);
+        RunTestBench fleet = eventful(RunOrder.ApprovalMode.AUTOMATIC);
         assertThat(fleet.state.explanations())
-                .filteredOn(each -> each.trigger() == Trigger.START || each.trigger() == Trigger.ENDED)
+                .filteredOn(each -> each.trigger() == RunTrigger.START || each.trigger() == RunTrigger.ENDED)
                 .hasSize(2)
                 .allMatch(each -> each.moved().isEmpty() && each.before() == null && each.after() == null);
     }
 
-    private static void tells(Explanation told, RunState before, Replanned result) {
-        Cause first = before.request().first();
+    private static void tells(Explanation told, RunState before, ReplanResult result) {
+        ReplanCause first = before.request().first();
         assertThat(told.trigger()).isEqualTo(first.trigger());
         assertThat(told.drone()).isEqualTo(first.drone());
         assertThat(told.moved()).isEqualTo(result.changes().moved());
@@ -69,23 +69,23 @@ class ExplanationsTest {
     }
 
     /** A drone falls, and waypoints are added. */
-    private static TestFleet eventful(RunOrder.Mode mode) {
-        TestFleet fleet = Runs.fleet(Runs.problem(3, 30, 1, false), 1, mode, CloudLoss.RETURN_TO_LAUNCH);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+    private static RunTestBench eventful(RunOrder.ApprovalMode mode) {
+        RunTestBench fleet = RunFixtures.fleet(RunFixtures.problem(3, 30, 1, false), 1, mode, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
+        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 3, 600);
         fleet.vehicle(1).falling = true;
         answered(fleet, 30);
-        Runs.addTwoWaypoints(fleet);
+        RunFixtures.addTwoWaypoints(fleet);
         answered(fleet, 30);
         fleet.flyToTheEnd();
         return fleet;
     }
 
-    private static void answered(TestFleet fleet, double seconds) {
+    private static void answered(RunTestBench fleet, double seconds) {
         for (double t = 0; t < seconds; t++) {
             fleet.fly(1);
-            Proposal open = fleet.state.proposal();
+            PlanProposal open = fleet.state.proposal();
             if (open != null) {
-                fleet.wish(new RunInput.Answer(fleet.now, "Ann", open.number(), true));
+                fleet.wish(new RunInput.AnswerProposal(fleet.now, "Ann", open.number(), true));
             }
         }
     }

@@ -15,8 +15,8 @@ class LowBatteryTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.15, 0.17, 0.18, 0.19, 0.2, 0.21, 0.22, 0.24, 0.26, 0.3})
     void whatItLeavesIsOnBoardOfOthersAtOnceAndItComesHome(double share) {
-        TestFleet fleet = Runs.limited(3, 30, 1);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        RunTestBench fleet = RunFixtures.limited(3, 30, 1);
+        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 3, 600);
         TestVehicle weak = fleet.vehicle(1);
 
         weak.joules = share * weak.fullJoules;
@@ -31,14 +31,14 @@ class LowBatteryTest {
         assertThat(fleet.said).noneMatch(words -> words.contains("There is no plan"));
         fleet.flyToTheEnd();
         assertThat(weak.joules).as("%s", fleet.said).isPositive();
-        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).isEqualTo(30);
         assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
     }
 
     @Test
     void evenWhatItFliesToIsTakenFromItAtOnce() {
-        TestFleet fleet = Runs.limited(3, 30, 4);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        RunTestBench fleet = RunFixtures.limited(3, 30, 4);
+        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 3, 600);
         TestVehicle weak = fleet.vehicle(1);
 
         weak.joules = 0.2 * weak.fullJoules;
@@ -47,25 +47,25 @@ class LowBatteryTest {
 
         fleet.flyToTheEnd();
         assertThat(weak.joules).isPositive();
-        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).isEqualTo(30);
     }
 
     @Test
     void itIsTakenAlsoFromOneThatWaitsForAnotherToPass() {
-        TestFleet fleet = Runs.limited(3, 30, 1);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        RunTestBench fleet = RunFixtures.limited(3, 30, 1);
+        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 3, 600);
         TestVehicle weak = fleet.makesRoom(1, 0, "BRAKE", 30);
 
         weak.joules = 0.3 * weak.fullJoules;
         fleet.flyUntil(() -> fleet.said.stream().anyMatch(words -> words.contains("does not last")), 2);
         fleet.flyUntil(() -> fleet.state.counts().replans() > 0, 1);
-        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.HOLDING);
+        assertThat(fleet.drone(1).stage()).isEqualTo(RunDroneStage.HOLDING);
     }
 
     /** Who is about to be up gets it, not who climbs for a while yet. */
     @Test
     void whatItLeavesGoesToThoseThatWillBeUpFirst() {
-        TestFleet fleet = Runs.limited(3, 30, 1);
+        RunTestBench fleet = RunFixtures.limited(3, 30, 1);
         fleet.flyUntil(() -> fleet.vehicles.values().stream().allMatch(TestVehicle::isUp), 30);
         List<TestVehicle> byHeight = fleet.vehicles.values().stream()
                 .sorted(Comparator.comparingDouble(LowBatteryTest::metersToGo))

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -16,20 +16,20 @@ class RandomRunsTest {
     @ParameterizedTest
     @ValueSource(longs = {1, 4, 8, 13, 26, 40, 49, 54, 59, 92, 94, 175, 214, 237, 318, 340})
     void settleAllWaypoints(long seed) {
-        TestFleet fleet = disturbed(seed);
+        RunTestBench fleet = disturbed(seed);
         fleet.flyToTheEnd();
         assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
-        boolean somebodyLeft = fleet.state.drones().stream().anyMatch(drone -> drone.stage() == DroneStage.LANDED);
+        boolean somebodyLeft = fleet.state.drones().stream().anyMatch(drone -> drone.stage() == RunDroneStage.LANDED);
         if (somebodyLeft) {
-            assertThat(fleet.state.count(Target.State.UNSERVED))
+            assertThat(fleet.state.count(RunWaypoint.State.UNSERVED))
                     .as("%s", fleet.said)
                     .isZero();
         }
     }
 
-    static TestFleet disturbed(long seed) {
+    static RunTestBench disturbed(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
-        TestFleet fleet = undisturbed(random, seed);
+        RunTestBench fleet = undisturbed(random, seed);
         fleet.loses = give -> random.nextInt(20) == 0;
         int events = 2 + random.nextInt(4);
         for (int i = 0; i < events && !fleet.state.isOver(); i++) {
@@ -40,12 +40,12 @@ class RandomRunsTest {
         return fleet;
     }
 
-    static TestFleet undisturbed(SplittableRandom random, long seed) {
-        CloudLoss loss = random.nextBoolean() ? CloudLoss.CONTINUE : CloudLoss.RETURN_TO_LAUNCH;
-        return Runs.fleet(Runs.problem(4 + random.nextInt(3), 40, seed, false), seed, RunOrder.Mode.AUTOMATIC, loss);
+    static RunTestBench undisturbed(SplittableRandom random, long seed) {
+        MissionCloudLossPolicy loss = random.nextBoolean() ? MissionCloudLossPolicy.CONTINUE : MissionCloudLossPolicy.RETURN_TO_LAUNCH;
+        return RunFixtures.fleet(RunFixtures.problem(4 + random.nextInt(3), 40, seed, false), seed, RunOrder.ApprovalMode.AUTOMATIC, loss);
     }
 
-    private static void disturb(TestFleet fleet, SplittableRandom random, int number) {
+    private static void disturb(RunTestBench fleet, SplittableRandom random, int number) {
         List<TestVehicle> all = new ArrayList<>(fleet.vehicles.values());
         TestVehicle vehicle = all.get(random.nextInt(all.size() - 1));
         switch (random.nextInt(7)) {
@@ -64,7 +64,7 @@ class RandomRunsTest {
                             "Ann",
                             List.of(Waypoint.at(
                                     "n" + number,
-                                    Scenes.place(random.nextDouble(-400, 400), random.nextDouble(-400, 400), 441)))));
+                                    PlanningFixtures.place(random.nextDouble(-400, 400), random.nextDouble(-400, 400), 441)))));
                 }
             }
             case 5 -> fleet.restart(random.nextInt(1, 8));

@@ -29,9 +29,9 @@ public final class RunStudy {
 
     private static String line(long seed) {
         try {
-            TestFleet calm = RandomRunsTest.undisturbed(new SplittableRandom(seed), seed);
+            RunTestBench calm = RandomRunsTest.undisturbed(new SplittableRandom(seed), seed);
             calm.flyToTheEnd();
-            TestFleet fleet = RandomRunsTest.disturbed(seed);
+            RunTestBench fleet = RandomRunsTest.disturbed(seed);
             fleet.flyToTheEnd();
             return told(seed, calm, fleet);
         } catch (AssertionError broken) {
@@ -39,11 +39,11 @@ public final class RunStudy {
         }
     }
 
-    private static String told(long seed, TestFleet calm, TestFleet fleet) {
+    private static String told(long seed, RunTestBench calm, RunTestBench fleet) {
         long lost = fleet.vehicles.values().stream()
                 .filter(vehicle -> vehicle.fallen || vehicle.cut)
                 .count();
-        boolean somebodyLeft = fleet.state.drones().stream().anyMatch(drone -> drone.stage() == DroneStage.LANDED);
+        boolean somebodyLeft = fleet.state.drones().stream().anyMatch(drone -> drone.stage() == RunDroneStage.LANDED);
         return String.format(
                 Locale.ROOT,
                 "run %d %d %d %d %d %d %b %.2f %.2f %.2f %s",
@@ -51,7 +51,7 @@ public final class RunStudy {
                 fleet.vehicles.size(),
                 lost,
                 fleet.state.targets().size(),
-                fleet.state.count(Target.State.VISITED),
+                fleet.state.count(RunWaypoint.State.VISITED),
                 fleet.state.counts().replans(),
                 somebodyLeft,
                 seconds(calm),
@@ -60,28 +60,28 @@ public final class RunStudy {
                 waits(fleet).stream().map(Object::toString).collect(Collectors.joining(",", "[", "]")));
     }
 
-    private static double seconds(TestFleet fleet) {
+    private static double seconds(RunTestBench fleet) {
         Instant end = fleet.journal.get(fleet.journal.size() - 1).at();
-        return Duration.between(TestFleet.START, end).toMillis() / 1_000.0;
+        return Duration.between(RunTestBench.START, end).toMillis() / 1_000.0;
     }
 
     /** How long each waypoint that had lost its drone waited until another one had it on board, in seconds. */
-    private static List<Double> waits(TestFleet fleet) {
+    private static List<Double> waits(RunTestBench fleet) {
         Map<String, Instant> orphans = new HashMap<>();
         List<Double> waits = new ArrayList<>();
         RunState before = fleet.first;
         for (int i = 0; i < fleet.journal.size(); i++) {
             Instant now = fleet.journal.get(i).at();
             RunState after = fleet.decisions.get(i).next();
-            for (Target target : after.targets()) {
+            for (RunWaypoint target : after.targets()) {
                 boolean owned = before.target(target.id())
                         .filter(old -> old.drone() != null)
                         .isPresent();
-                if (owned && target.state() == Target.State.WAITING) {
+                if (owned && target.state() == RunWaypoint.State.WAITING) {
                     orphans.putIfAbsent(target.id(), now);
                 } else if (target.state().isSettled() || isOnBoard(after, target)) {
                     Instant since = orphans.remove(target.id());
-                    if (since != null && target.state() != Target.State.UNSERVED) {
+                    if (since != null && target.state() != RunWaypoint.State.UNSERVED) {
                         waits.add(Duration.between(since, now).toMillis() / 1_000.0);
                     }
                 }
@@ -91,9 +91,9 @@ public final class RunStudy {
         return waits;
     }
 
-    private static boolean isOnBoard(RunState state, Target target) {
+    private static boolean isOnBoard(RunState state, RunWaypoint target) {
         return state.drones().stream()
-                .filter(drone -> drone.id().equals(target.drone()) && drone.stage() == DroneStage.FLYING)
+                .filter(drone -> drone.id().equals(target.drone()) && drone.stage() == RunDroneStage.FLYING)
                 .anyMatch(drone -> drone.sortie() != null && drone.sortie().leadsTo(target.id(), drone.passed()));
     }
 }

@@ -9,14 +9,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeSet;
-import org.dronemap.cognitive.Scenes;
-import org.dronemap.core.command.CloudLoss;
+import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;
-import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -24,6 +24,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
@@ -33,18 +34,17 @@ import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.ReturnHeight;
-import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
-import org.dronemap.core.geo.Spot;
+import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /** A copter of the tests: straight flight at given speeds, and faults on demand. Behaves as ArduCopter does where it matters. */
 final class TestVehicle {
     static final double GROUND = 400;
-    private static final LocalPlane PLANE = new LocalPlane(Scenes.point(0, 0));
+    private static final LocalPlane PLANE = new LocalPlane(PlanningFixtures.point(0, 0));
     private static final Capabilities CAN = new Capabilities(
             EnumSet.allOf(Capability.class),
             List.of("GUIDED", "AUTO", "BRAKE", "LOITER", "RTL", "LAND"),
@@ -104,7 +104,7 @@ final class TestVehicle {
     @Nullable
     String transfer;
 
-    CloudLoss onCloudLoss = CloudLoss.RETURN_TO_LAUNCH;
+    MissionCloudLossPolicy onCloudLoss = MissionCloudLossPolicy.RETURN_TO_LAUNCH;
     Command.@Nullable GoTo aim;
     List<MissionItem> items = List.of();
     int current;
@@ -166,7 +166,7 @@ final class TestVehicle {
     /** Who flies a mission may be told to go on; who waits for the cloud never is, and pilots are not minded. */
     private boolean missesTheCloud() {
         return mode.equals("AUTO")
-                ? onCloudLoss == CloudLoss.RETURN_TO_LAUNCH
+                ? onCloudLoss == MissionCloudLossPolicy.RETURN_TO_LAUNCH
                 : mode.equals("GUIDED") || mode.equals("BRAKE");
     }
 
@@ -212,7 +212,7 @@ final class TestVehicle {
     private void goTo(double seconds) {
         Command.GoTo there = aim;
         if (there != null && isUp()) {
-            Spot spot = PLANE.spot(there.point());
+            PlanePoint spot = PLANE.spot(there.point());
             to(spot.eastMeters(), spot.northMeters(), there.altitude().meters(), seconds);
         }
     }
@@ -228,7 +228,7 @@ final class TestVehicle {
             altitude = Math.min(top, altitude + 2 * seconds);
             passed(altitude >= GROUND + takeOff.altitudeMeters() - 0.01);
         } else if (item instanceof MissionItem.Waypoint waypoint) {
-            Spot spot = PLANE.spot(waypoint.point());
+            PlanePoint spot = PLANE.spot(waypoint.point());
             boolean there = to(
                     spot.eastMeters(), spot.northMeters(), waypoint.altitude().meters(), seconds);
             held = there ? held + seconds : 0;
@@ -239,7 +239,7 @@ final class TestVehicle {
         } else if (item instanceof MissionItem.Wait wait) {
             held += seconds;
             passed(held >= wait.seconds());
-        } else if (!Legs.isFlown(item)) {
+        } else if (!MissionLegs.isFlown(item)) {
             obey(item);
             passed(true);
         } else if (item instanceof MissionItem.Land) {
@@ -253,7 +253,7 @@ final class TestVehicle {
 
     private void obey(MissionItem action) {
         if (action instanceof MissionItem.TakePhoto) {
-            photos.add(Scenes.point(east, north));
+            photos.add(PlanningFixtures.point(east, north));
         } else if (action instanceof MissionItem.SetServo servo) {
             moved.add(servo);
         }
@@ -359,19 +359,19 @@ final class TestVehicle {
                 new LinkStatus(
                         new DroneKey("127.0.0.1", 1, 1), "udp", LinkState.LIVE, now, LinkQuality.UNKNOWN, List.of()),
                 new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", null, null),
-                Standing.UNPROVED,
+                IdentityTrust.UNPROVED,
                 CAN,
                 mode,
                 armed,
                 true,
                 armed && isUp() ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND,
-                new Position(Scenes.point(east, north), altitude + 3, altitude - GROUND),
+                new Position(PlanningFixtures.point(east, north), altitude + 3, altitude - GROUND),
                 null,
                 new Motion(0.0, 0.0, tumbles ? -5 : climb, 0.0),
                 new Attitude(tumbles ? 64 : 0, 0, 0),
                 new Battery((int) Math.floor(Math.max(0, 100 * joules / fullJoules)), null, null),
                 null,
-                new Home(Scenes.point(homeEast, homeNorth), GROUND),
+                new Home(PlanningFixtures.point(homeEast, homeNorth), GROUND),
                 returning,
                 payload(now),
                 untold > 0

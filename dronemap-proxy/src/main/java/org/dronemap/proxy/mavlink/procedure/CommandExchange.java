@@ -25,11 +25,11 @@ public final class CommandExchange implements Exchange {
     /** Real vehicles leave out heartbeats for six seconds while all else flows. */
     private static final long LONGEST_UNSAID_NANOS = 12_000_000_000L;
 
-    private final Target target;
-    private final CommandRequest request;
-    private final Observer observer;
-    private final RefusalReason reasons = new RefusalReason();
-    private Pace pace = new Pace(0, 0, 0);
+    private final MavlinkTarget target;
+    private final MavCommandRequest request;
+    private final ExchangeObserver observer;
+    private final RefusalTextFinder reasons = new RefusalTextFinder();
+    private RetrySchedule pace = new RetrySchedule(0, 0, 0);
     private boolean seenAtStart;
     private int tries;
     private long settledNanos;
@@ -45,7 +45,7 @@ public final class CommandExchange implements Exchange {
     private long refusedNanos;
     private @Nullable Outcome outcome;
 
-    public CommandExchange(Target target, CommandRequest request, Observer observer) {
+    public CommandExchange(MavlinkTarget target, MavCommandRequest request, ExchangeObserver observer) {
         this.target = target;
         this.request = request;
         this.observer = observer;
@@ -55,14 +55,14 @@ public final class CommandExchange implements Exchange {
     public void start(long nowNanos) {
         seenAtStart = request.proof().seen().getAsBoolean();
         pace = switch (request.retry()) {
-            case REPEATABLE -> Pace.of(target.roundTrip(), DEADLINE_NANOS);
-            case VERIFY_FIRST -> Pace.of(target.roundTrip(), VERIFIED_DEADLINE_NANOS);
-            case ONCE -> Pace.single(target.roundTrip(), DEADLINE_NANOS);
+            case REPEATABLE -> RetrySchedule.of(target.roundTrip(), DEADLINE_NANOS);
+            case VERIFY_FIRST -> RetrySchedule.of(target.roundTrip(), VERIFIED_DEADLINE_NANOS);
+            case ONCE -> RetrySchedule.single(target.roundTrip(), DEADLINE_NANOS);
         };
         settledNanos = target.ledger().settledNanos(request.command(), nowNanos, target.roundTrip());
         deadlineNanos = settledNanos + pace.deadlineNanos();
         lastHeardNanos = nowNanos;
-        if (request.retry() != CommandRequest.Retry.ONCE || settledNanos - nowNanos <= 0) {
+        if (request.retry() != MavCommandRequest.Retry.ONCE || settledNanos - nowNanos <= 0) {
             send(nowNanos);
         }
     }
@@ -78,7 +78,7 @@ public final class CommandExchange implements Exchange {
         }
         if (frame.messageId() == CommandAck.ID) {
             CommandAck ack = CommandAck.decode(frame);
-            if (ack.command() == request.command() && Target.isForUs(ack.targetSystem())) {
+            if (ack.command() == request.command() && MavlinkTarget.isForUs(ack.targetSystem())) {
                 heardOf(ack, nowNanos);
             }
         }
@@ -87,7 +87,7 @@ public final class CommandExchange implements Exchange {
 
     private boolean isTelling(Frame frame) {
         int telling = request.proof().shownBy();
-        return telling == CommandRequest.Proof.ANY || frame.messageId() == telling;
+        return telling == MavCommandRequest.CompletionCheck.ANY || frame.messageId() == telling;
     }
 
     /** What comes before an earlier exchange of this command has settled may belong to that one. */
@@ -134,7 +134,7 @@ public final class CommandExchange implements Exchange {
         if (inProgress) {
             return new Outcome.Unknown("The vehicle began, but never said that it finished.");
         }
-        if (request.retry() == CommandRequest.Retry.ONCE) {
+        if (request.retry() == MavCommandRequest.Retry.ONCE) {
             return new Outcome.Unknown("It was sent once and not acknowledged within " + pace.deadline()
                     + "; the vehicle may have carried it out or not.");
         }

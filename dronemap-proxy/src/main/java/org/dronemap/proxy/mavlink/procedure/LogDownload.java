@@ -19,13 +19,13 @@ public final class LogDownload implements Exchange {
     private static final int BLOCK_PIECES = 512;
     private static final long IDLE_NANOS = 500_000_000L;
 
-    private final Target target;
+    private final MavlinkTarget target;
     private final VehicleLog log;
     private final LogSink sink;
-    private final Observer observer;
-    private final Patience patience = new Patience();
+    private final ExchangeObserver observer;
+    private final TransferTimeout patience = new TransferTimeout();
     private final BitSet got;
-    private Pace pace = new Pace(0, 0, 0);
+    private RetrySchedule pace = new RetrySchedule(0, 0, 0);
     private int pieces;
     private long sizeBytes;
     private int askedUntil;
@@ -33,7 +33,7 @@ public final class LogDownload implements Exchange {
     private boolean completed;
     private @Nullable Outcome outcome;
 
-    public LogDownload(Target target, VehicleLog log, LogSink sink, Observer observer) {
+    public LogDownload(MavlinkTarget target, VehicleLog log, LogSink sink, ExchangeObserver observer) {
         this.target = target;
         this.log = log;
         this.sink = sink;
@@ -45,7 +45,7 @@ public final class LogDownload implements Exchange {
 
     @Override
     public void start(long nowNanos) {
-        pace = Pace.of(target.roundTrip(), 0);
+        pace = RetrySchedule.of(target.roundTrip(), 0);
         patience.begin(nowNanos);
         lastDataNanos = nowNanos;
         next(nowNanos);

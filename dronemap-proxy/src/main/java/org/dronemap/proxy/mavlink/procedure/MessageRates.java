@@ -30,7 +30,7 @@ public final class MessageRates {
     private static final int ASKS_BEFORE_OLD_WAY = 2;
     private static final int[][] OLD_STREAMS_WITH_HERTZ = {{2, 1}, {6, 4}, {10, 4}, {11, 4}, {12, 1}};
 
-    private final Target target;
+    private final MavlinkTarget target;
     private final Map<Integer, Stream> streams = new LinkedHashMap<>();
     private boolean newWayUnknown;
     private long lastSentNanos;
@@ -58,7 +58,7 @@ public final class MessageRates {
         }
     }
 
-    public MessageRates(Target target) {
+    public MessageRates(MavlinkTarget target) {
         this.target = target;
         streams.put(GlobalPositionInt.ID, new Stream(250_000));
         streams.put(Attitude.ID, new Stream(250_000));
@@ -84,7 +84,7 @@ public final class MessageRates {
             stream.everHeard = true;
         } else if (frame.messageId() == CommandAck.ID) {
             CommandAck ack = CommandAck.decode(frame);
-            boolean ours = ack.command() == SET_MESSAGE_INTERVAL && Target.isForUs(ack.targetSystem());
+            boolean ours = ack.command() == SET_MESSAGE_INTERVAL && MavlinkTarget.isForUs(ack.targetSystem());
             // One message alone may be unknown too; the old way comes when nothing at all was ever heard.
             newWayUnknown |= ours
                     && ack.result() == MavResult.UNSUPPORTED

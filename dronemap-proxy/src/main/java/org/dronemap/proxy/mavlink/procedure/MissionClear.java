@@ -10,14 +10,14 @@ import org.jspecify.annotations.Nullable;
 public final class MissionClear implements Exchange {
     private static final long LEAST_PAUSE_NANOS = 500_000_000L;
 
-    private final Target target;
-    private final MissionKind kind;
-    private final Patience patience = new Patience();
+    private final MavlinkTarget target;
+    private final MavMissionType kind;
+    private final TransferTimeout patience = new TransferTimeout();
     private int tries;
     private long lastSentNanos;
     private @Nullable Outcome outcome;
 
-    public MissionClear(Target target, MissionKind kind) {
+    public MissionClear(MavlinkTarget target, MavMissionType kind) {
         this.target = target;
         this.kind = kind;
     }
@@ -33,10 +33,10 @@ public final class MissionClear implements Exchange {
         patience.heard(nowNanos);
         if (outcome == null && frame.messageId() == MissionAck.ID) {
             MissionAck ack = MissionAck.decode(frame);
-            if (ack.missionType() == kind.number() && Target.isForUs(ack.targetSystem())) {
-                outcome = ack.type() == MissionResult.ACCEPTED
+            if (ack.missionType() == kind.number() && MavlinkTarget.isForUs(ack.targetSystem())) {
+                outcome = ack.type() == MavMissionResult.ACCEPTED
                         ? new Outcome.Succeeded()
-                        : new Outcome.Refused("vehicle", MissionResult.refusal(ack.type()));
+                        : new Outcome.Refused("vehicle", MavMissionResult.refusal(ack.type()));
             }
         }
     }
@@ -60,7 +60,7 @@ public final class MissionClear implements Exchange {
 
     /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
     private long pauseNanos() {
-        return Math.max(LEAST_PAUSE_NANOS, Pace.of(target.roundTrip(), 0).pauseNanos(tries));
+        return Math.max(LEAST_PAUSE_NANOS, RetrySchedule.of(target.roundTrip(), 0).pauseNanos(tries));
     }
 
     @Override

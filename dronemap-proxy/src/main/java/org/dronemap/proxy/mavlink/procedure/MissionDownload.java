@@ -31,20 +31,20 @@ public final class MissionDownload implements Exchange {
     /** After so long every vehicle has given up an upload that broke off (PX4: 5 s, ArduPilot: 8 s). */
     private static final long GIVEN_UP_NANOS = 12_000_000_000L;
 
-    private final Target target;
-    private final MissionKind kind;
+    private final MavlinkTarget target;
+    private final MavMissionType kind;
     private final Part part;
-    private final Observer observer;
-    private final Patience patience = new Patience();
+    private final ExchangeObserver observer;
+    private final TransferTimeout patience = new TransferTimeout();
     private final List<MissionItemInt> items = new ArrayList<>();
-    private final ItemsAhead ahead = new ItemsAhead();
+    private final PrefetchedItems ahead = new PrefetchedItems();
     private boolean inAnyOrder;
     private int count = -1;
     private int tries;
     private int refusals;
     private long firstRefusedNanos;
     private long lastSentNanos;
-    private long stamp = MissionStamp.NONE;
+    private long stamp = MissionOpaqueId.NONE;
     private boolean integersHeard;
     private boolean floatsTaken;
     private @Nullable Outcome outcome;
@@ -52,19 +52,19 @@ public final class MissionDownload implements Exchange {
     /** At most so many items from that one on. */
     private record Part(int first, int most) {}
 
-    private MissionDownload(Target target, MissionKind kind, Part part, Observer observer) {
+    private MissionDownload(MavlinkTarget target, MavMissionType kind, Part part, ExchangeObserver observer) {
         this.target = target;
         this.kind = kind;
         this.part = part;
         this.observer = observer;
     }
 
-    public static MissionDownload whole(Target target, MissionKind kind) {
-        return whole(target, kind, Observer.NONE);
+    public static MissionDownload whole(MavlinkTarget target, MavMissionType kind) {
+        return whole(target, kind, ExchangeObserver.NONE);
     }
 
     /** {@code observer} hears of every item. */
-    public static MissionDownload whole(Target target, MissionKind kind, Observer observer) {
+    public static MissionDownload whole(MavlinkTarget target, MavMissionType kind, ExchangeObserver observer) {
         return new MissionDownload(target, kind, new Part(0, MOST_ITEMS), observer);
     }
 
@@ -78,13 +78,13 @@ public final class MissionDownload implements Exchange {
     }
 
     /** Only asks how many items there are. */
-    public static MissionDownload count(Target target, MissionKind kind) {
-        return new MissionDownload(target, kind, new Part(0, 0), Observer.NONE);
+    public static MissionDownload count(MavlinkTarget target, MavMissionType kind) {
+        return new MissionDownload(target, kind, new Part(0, 0), ExchangeObserver.NONE);
     }
 
     /** How many items there are, and some of them. */
-    public static MissionDownload part(Target target, MissionKind kind, int first, int most) {
-        return new MissionDownload(target, kind, new Part(first, most), Observer.NONE);
+    public static MissionDownload part(MavlinkTarget target, MavMissionType kind, int first, int most) {
+        return new MissionDownload(target, kind, new Part(first, most), ExchangeObserver.NONE);
     }
 
     /** What was read so far, home included where the autopilot keeps it as item 0. */
@@ -97,7 +97,7 @@ public final class MissionDownload implements Exchange {
         return !floatsTaken;
     }
 
-    /** The number that the vehicle gave this mission; {@link MissionStamp#NONE} when it gave none. */
+    /** The number that the vehicle gave this mission; {@link MissionOpaqueId#NONE} when it gave none. */
     public long stamp() {
         return stamp;
     }
@@ -120,12 +120,12 @@ public final class MissionDownload implements Exchange {
         }
         patience.heard(nowNanos);
         switch (frame.messageId()) {
-            case MissionCount.ID -> counted(MissionCount.decode(frame), MissionStamp.of(frame), nowNanos);
+            case MissionCount.ID -> counted(MissionCount.decode(frame), MissionOpaqueId.of(frame), nowNanos);
             case MissionItemInt.ID -> {
                 integersHeard = true;
                 took(MissionItemInt.decode(frame), nowNanos);
             }
-            case MissionItem.ID -> floatsTaken |= took(OlderItems.exact(MissionItem.decode(frame)), nowNanos);
+            case MissionItem.ID -> floatsTaken |= took(LegacyMissionItems.exact(MissionItem.decode(frame)), nowNanos);
             case MissionAck.ID -> refused(MissionAck.decode(frame), nowNanos);
             default -> {}
         }
@@ -145,7 +145,7 @@ public final class MissionDownload implements Exchange {
 
     /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
     private long pauseNanos() {
-        return Math.max(LEAST_PAUSE_NANOS, Pace.of(target.roundTrip(), 0).pauseNanos(tries));
+        return Math.max(LEAST_PAUSE_NANOS, RetrySchedule.of(target.roundTrip(), 0).pauseNanos(tries));
     }
 
     @Override
@@ -188,7 +188,7 @@ public final class MissionDownload implements Exchange {
     }
 
     private void counted(MissionCount message, long newStamp, long nowNanos) {
-        if (count >= 0 || message.missionType() != kind.number() || !Target.isForUs(message.targetSystem())) {
+        if (count >= 0 || message.missionType() != kind.number() || !MavlinkTarget.isForUs(message.targetSystem())) {
             return;
         }
         if (message.count() > MOST_ITEMS) {
@@ -243,17 +243,17 @@ public final class MissionDownload implements Exchange {
      * an upload that broke off gives nothing out until it has given that up.
      */
     private void refused(MissionAck ack, long nowNanos) {
-        boolean ours = ack.missionType() == kind.number() && Target.isForUs(ack.targetSystem());
-        if (ours && ack.type() != MissionResult.ACCEPTED && ack.type() != MissionResult.INVALID_SEQUENCE) {
+        boolean ours = ack.missionType() == kind.number() && MavlinkTarget.isForUs(ack.targetSystem());
+        if (ours && ack.type() != MavMissionResult.ACCEPTED && ack.type() != MavMissionResult.INVALID_SEQUENCE) {
             if (refusals++ == 0) {
                 firstRefusedNanos = nowNanos;
             }
-            boolean mayPass = MissionResult.isBusy(ack.type()) && nowNanos - firstRefusedNanos < GIVEN_UP_NANOS;
+            boolean mayPass = MavMissionResult.isBusy(ack.type()) && nowNanos - firstRefusedNanos < GIVEN_UP_NANOS;
             if (mayPass) {
                 patience.answered();
             }
             if (count < 0 && refusals >= REFUSALS && !mayPass) {
-                outcome = new Outcome.Refused("vehicle", MissionResult.refusal(ack.type()));
+                outcome = new Outcome.Refused("vehicle", MavMissionResult.refusal(ack.type()));
             } else if (count >= 0) {
                 count = -1;
                 refusals = 0;

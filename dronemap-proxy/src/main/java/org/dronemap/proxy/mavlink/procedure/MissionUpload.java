@@ -27,12 +27,12 @@ public final class MissionUpload implements Exchange {
     private static final long LEAST_PAUSE_NANOS = 500_000_000L;
     private static final long REASON_NANOS = 700_000_000L;
 
-    private final Target target;
-    private final MissionKind kind;
+    private final MavlinkTarget target;
+    private final MavMissionType kind;
     private final List<MissionItemInt> items;
     private final Span span;
-    private final Observer observer;
-    private final Patience patience = new Patience();
+    private final ExchangeObserver observer;
+    private final TransferTimeout patience = new TransferTimeout();
     private int asked = -1;
     private int highest = -1;
     /** The vehicle has asked for the last item, so that all before it have arrived. */
@@ -58,7 +58,7 @@ public final class MissionUpload implements Exchange {
         }
     }
 
-    private MissionUpload(Target target, MissionKind kind, List<MissionItemInt> items, Span span, Observer observer) {
+    private MissionUpload(MavlinkTarget target, MavMissionType kind, List<MissionItemInt> items, Span span, ExchangeObserver observer) {
         this.target = target;
         this.kind = kind;
         this.items = List.copyOf(items);
@@ -67,13 +67,13 @@ public final class MissionUpload implements Exchange {
     }
 
     /** All of it. */
-    public MissionUpload(Target target, MissionKind kind, List<MissionItemInt> items, Observer observer) {
+    public MissionUpload(MavlinkTarget target, MavMissionType kind, List<MissionItemInt> items, ExchangeObserver observer) {
         this(target, kind, items, new Span(0, items.size() - 1), observer);
     }
 
     /** Only what lies within the span goes up; the vehicle keeps what it holds before and behind it. */
     public static MissionUpload part(
-            Target target, MissionKind kind, List<MissionItemInt> items, Span span, Observer observer) {
+            MavlinkTarget target, MavMissionType kind, List<MissionItemInt> items, Span span, ExchangeObserver observer) {
         return new MissionUpload(target, kind, items, span, observer);
     }
 
@@ -123,7 +123,7 @@ public final class MissionUpload implements Exchange {
             if (reason != null || nowNanos - refusedNanos >= REASON_NANOS) {
                 outcome = new Outcome.Refused(
                         "vehicle",
-                        MissionResult.refusal(refusal, reason != null ? reason : MissionResult.words(refusal)));
+                        MavMissionResult.refusal(refusal, reason != null ? reason : MavMissionResult.words(refusal)));
             }
         } else if (nowNanos - lastSentNanos >= pauseNanos()) {
             again(nowNanos);
@@ -132,7 +132,7 @@ public final class MissionUpload implements Exchange {
 
     /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
     private long pauseNanos() {
-        return Math.max(LEAST_PAUSE_NANOS, Pace.of(target.roundTrip(), 0).pauseNanos(tries));
+        return Math.max(LEAST_PAUSE_NANOS, RetrySchedule.of(target.roundTrip(), 0).pauseNanos(tries));
     }
 
     @Override
@@ -184,7 +184,7 @@ public final class MissionUpload implements Exchange {
 
     private void requested(int seq, int missionType, int targetSystem, long nowNanos) {
         boolean offered = seq >= span.first() && seq <= span.last();
-        if (missionType != kind.number() || !offered || !Target.isForUs(targetSystem)) {
+        if (missionType != kind.number() || !offered || !MavlinkTarget.isForUs(targetSystem)) {
             return;
         }
         patience.answered();
@@ -207,10 +207,10 @@ public final class MissionUpload implements Exchange {
     }
 
     private void acknowledged(MissionAck ack, long nowNanos) {
-        if (ack.missionType() != kind.number() || !Target.isForUs(ack.targetSystem())) {
+        if (ack.missionType() != kind.number() || !MavlinkTarget.isForUs(ack.targetSystem())) {
             return;
         }
-        if (ack.type() == MissionResult.ACCEPTED) {
+        if (ack.type() == MavMissionResult.ACCEPTED) {
             if (lastAsked) {
                 observer.progress(span.size(), span.size());
                 outcome = new Outcome.Succeeded();
@@ -218,10 +218,10 @@ public final class MissionUpload implements Exchange {
         } else if (lastAsked && tries > 1) {
             // The last word was lost and the vehicle wonders about the repetition: reading back must tell.
             outcome = new Outcome.Succeeded();
-        } else if (ack.type() == MissionResult.INVALID_SEQUENCE) {
+        } else if (ack.type() == MavMissionResult.INVALID_SEQUENCE) {
             // An item came twice or late, maybe of an earlier round; the vehicle asks for the one that it wants.
             lastSentNanos = nowNanos;
-        } else if (MissionResult.isPassing(ack.type()) && rounds < ROUNDS) {
+        } else if (MavMissionResult.isPassing(ack.type()) && rounds < ROUNDS) {
             // The tick begins again after a pause, so that two sides never chase each other.
             beginAgain();
             rounds++;

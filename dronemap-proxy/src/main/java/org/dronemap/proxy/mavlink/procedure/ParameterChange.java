@@ -15,7 +15,7 @@ public final class ParameterChange implements Exchange {
     private static final long LONGEST_NANOS = 3_000_000_000L;
     private static final int FIRST_FLOAT_TYPE = 9;
 
-    private final Target target;
+    private final MavlinkTarget target;
     private final Wanted wanted;
     private boolean setting;
     private int type;
@@ -32,7 +32,7 @@ public final class ParameterChange implements Exchange {
      */
     public record Wanted(String name, IntUnaryOperator value, boolean bytewise) {}
 
-    public ParameterChange(Target target, Wanted wanted) {
+    public ParameterChange(MavlinkTarget target, Wanted wanted) {
         this.target = target;
         this.wanted = wanted;
     }

@@ -16,15 +16,15 @@ public final class RoundTripProbe {
     private static final int VAIN_QUESTIONS = 5;
     private static final int MOST_OPEN = 16;
 
-    private final Target target;
-    private final RoundTrip roundTrip;
+    private final MavlinkTarget target;
+    private final RoundTripEstimator roundTrip;
     private final long[] open = new long[MOST_OPEN];
     private int asked;
     private int inVain;
     private long lastAskedNanos;
     private long lastTickNanos;
 
-    public RoundTripProbe(Target target, RoundTrip roundTrip) {
+    public RoundTripProbe(MavlinkTarget target, RoundTripEstimator roundTrip) {
         this.target = target;
         this.roundTrip = roundTrip;
     }
@@ -36,7 +36,7 @@ public final class RoundTripProbe {
         }
         Timesync answer = Timesync.decode(frame);
         // Answers to other stations and to copies of a question carry a time that is not waited for (any more).
-        if (answer.tc1() == 0 || answer.ts1() == 0 || !Target.isForUs(answer.targetSystem())) {
+        if (answer.tc1() == 0 || answer.ts1() == 0 || !MavlinkTarget.isForUs(answer.targetSystem())) {
             return;
         }
         for (int i = 0; i < open.length; i++) {
@@ -68,7 +68,7 @@ public final class RoundTripProbe {
         target.send(new Timesync(0, nowNanos, target.systemId(), target.componentId()));
     }
 
-    public RoundTrip roundTrip() {
+    public RoundTripEstimator roundTrip() {
         return roundTrip;
     }
 }

@@ -12,7 +12,7 @@ public final class SetCurrentItem implements Exchange {
     private static final int TRIES = 4;
     private static final long BETWEEN_TRIES_NANOS = 500_000_000L;
 
-    private final Target target;
+    private final MavlinkTarget target;
     private final int seq;
     private final IntPredicate seen;
     private int tries;
@@ -20,7 +20,7 @@ public final class SetCurrentItem implements Exchange {
     private @Nullable Outcome outcome;
 
     /** {@code seq} counts as on the wire. */
-    public SetCurrentItem(Target target, int seq, IntPredicate seen) {
+    public SetCurrentItem(MavlinkTarget target, int seq, IntPredicate seen) {
         this.target = target;
         this.seq = seq;
         this.seen = seen;

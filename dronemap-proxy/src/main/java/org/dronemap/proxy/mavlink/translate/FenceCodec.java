@@ -6,8 +6,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.message.MissionItemInt;
-import org.dronemap.proxy.mavlink.procedure.MissionKind;
-import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.procedure.MavMissionType;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 
 /** Fences and rally points to items of the wire and back; items of other kinds are left out. */
 public final class FenceCodec {
@@ -20,7 +20,7 @@ public final class FenceCodec {
 
     private FenceCodec() {}
 
-    public static List<MissionItemInt> fenceToWire(List<FenceZone> zones, Target target) {
+    public static List<MissionItemInt> fenceToWire(List<FenceZone> zones, MavlinkTarget target) {
         List<MissionItemInt> items = new ArrayList<>();
         for (FenceZone zone : zones) {
             if (zone instanceof FenceZone.Polygon polygon) {
@@ -61,7 +61,7 @@ public final class FenceCodec {
         return zones;
     }
 
-    public static List<MissionItemInt> rallyToWire(List<RallyPoint> points, Target target) {
+    public static List<MissionItemInt> rallyToWire(List<RallyPoint> points, MavlinkTarget target) {
         List<MissionItemInt> items = new ArrayList<>();
         for (RallyPoint point : points) {
             items.add(item(target, items.size(), RALLY_POINT, 0, point.point(), point.altitudeMeters()));
@@ -81,7 +81,7 @@ public final class FenceCodec {
     }
 
     private static MissionItemInt item(
-            Target target, int seq, int command, double first, Geodetic point, double altitude) {
+            MavlinkTarget target, int seq, int command, double first, Geodetic point, double altitude) {
         boolean rally = command == RALLY_POINT;
         return new MissionItemInt(
                 target.systemId(),
@@ -98,6 +98,6 @@ public final class FenceCodec {
                 MissionCodec.e7(point.latitudeDegrees()),
                 MissionCodec.e7(point.longitudeDegrees()),
                 (float) altitude,
-                (rally ? MissionKind.RALLY : MissionKind.FENCE).number());
+                (rally ? MavMissionType.RALLY : MavMissionType.FENCE).number());
     }
 }

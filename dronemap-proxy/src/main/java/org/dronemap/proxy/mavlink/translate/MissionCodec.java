@@ -8,7 +8,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
-import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.jspecify.annotations.Nullable;
 
 /** Missions to items of the wire and back. */
@@ -158,7 +158,7 @@ public final class MissionCodec {
     /** The form of a mission on the wire: whether home comes first, and how "nothing" is written. */
     record Form(boolean homeInFront, float noYaw, int hereLatitudeE7, int hereLongitudeE7) {}
 
-    static List<MissionItemInt> toWire(List<MissionItem> mission, Target target, VehicleStatus status, Form form) {
+    static List<MissionItemInt> toWire(List<MissionItem> mission, MavlinkTarget target, VehicleStatus status, Form form) {
         List<MissionItemInt> items = new ArrayList<>();
         if (form.homeInFront()) {
             Double home = status.homeAltitudeAmslMeters();
@@ -241,7 +241,7 @@ public final class MissionCodec {
         return (int) Math.round(degrees * E7);
     }
 
-    private static MissionItemInt item(Target target, int seq, Step step) {
+    private static MissionItemInt item(MavlinkTarget target, int seq, Step step) {
         return new MissionItemInt(
                 target.systemId(),
                 target.componentId(),

@@ -22,7 +22,7 @@ public final class ParameterTable {
     private final Map<String, Parameter> heard = new HashMap<>();
     private boolean whole;
 
-    public ParameterTable(Autopilot autopilot, Consumer<DroneEvent> out) {
+    public ParameterTable(AutopilotAdapter autopilot, Consumer<DroneEvent> out) {
         this.codec = new ParameterCodec(autopilot.parametersAsBits());
         this.out = out;
     }
@@ -48,7 +48,7 @@ public final class ParameterTable {
         Parameter before = heard.put(now.name(), now);
         // Until the list is whole, single ones are no news: a part would look like all.
         if (whole && !now.equals(before)) {
-            out.accept(new DroneEvent.ParameterHeard(now));
+            out.accept(new DroneEvent.ParameterReported(now));
         }
     }
 

@@ -21,22 +21,22 @@ class CommandExchangeTest {
     private static final int ARM = 400;
     private static final Outcome DONE = new Outcome.Succeeded();
 
-    private final Wire wire = new Wire();
+    private final TestWire wire = new TestWire();
 
-    private CommandExchange exchange(CommandRequest.Proof proof) {
-        return new CommandExchange(wire.target(), request(proof), Observer.NONE);
+    private CommandExchange exchange(MavCommandRequest.CompletionCheck proof) {
+        return new CommandExchange(wire.target(), request(proof), ExchangeObserver.NONE);
     }
 
-    private CommandRequest request(CommandRequest.Proof proof) {
-        return request(CommandRequest.Retry.REPEATABLE, proof);
+    private MavCommandRequest request(MavCommandRequest.CompletionCheck proof) {
+        return request(MavCommandRequest.Retry.REPEATABLE, proof);
     }
 
-    private CommandRequest request(CommandRequest.Retry retry, CommandRequest.Proof proof) {
-        return CommandRequest.ofLong(wire.target(), ARM, new float[] {1f}, retry, proof);
+    private MavCommandRequest request(MavCommandRequest.Retry retry, MavCommandRequest.CompletionCheck proof) {
+        return MavCommandRequest.ofLong(wire.target(), ARM, new float[] {1f}, retry, proof);
     }
 
-    private static CommandRequest.Proof seen(BooleanSupplier seen) {
-        return new CommandRequest.Proof(seen, Duration.ofSeconds(5), "It did not arm.", CommandRequest.Proof.ANY);
+    private static MavCommandRequest.CompletionCheck seen(BooleanSupplier seen) {
+        return new MavCommandRequest.CompletionCheck(seen, Duration.ofSeconds(5), "It did not arm.", MavCommandRequest.CompletionCheck.ANY);
     }
 
     private static CommandAck ack(int result) {
@@ -47,7 +47,7 @@ class CommandExchangeTest {
     void isSentOnceWhenTheAnswerComes() {
         wire.peer((w, message) -> w.answer(ack(0)));
 
-        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isEqualTo(DONE);
         assertThat(wire.sent()).hasSize(1);
     }
 
@@ -60,7 +60,7 @@ class CommandExchangeTest {
             }
         });
 
-        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isEqualTo(DONE);
         assertThat(wire.sent(CommandLong.class))
                 .extracting(CommandLong::confirmation)
                 .hasSize(lost + 1)
@@ -71,7 +71,7 @@ class CommandExchangeTest {
     void endsTimedOutWithinTheStatedTime() {
         long before = wire.now();
 
-        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED)))
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED)))
                 .isEqualTo(new Outcome.TimedOut("No answer from the vehicle within 8 s (9 tries)."));
         assertThat(wire.sent()).hasSize(9);
         assertThat(wire.now() - before).isLessThan(8_100_000_000L);
@@ -112,7 +112,7 @@ class CommandExchangeTest {
     private @Nullable Outcome toldAfter(int seconds, boolean done) {
         AtomicBoolean armed = new AtomicBoolean();
         CommandExchange exchange =
-                exchange(new CommandRequest.Proof(armed::get, Duration.ofSeconds(5), "It did not arm.", Heartbeat.ID));
+                exchange(new MavCommandRequest.CompletionCheck(armed::get, Duration.ofSeconds(5), "It did not arm.", Heartbeat.ID));
         wire.peer((w, message) -> w.answer(ack(0)));
         exchange.start(wire.now());
         wire.run(exchange, 0.5);
@@ -144,7 +144,7 @@ class CommandExchangeTest {
     @Test
     void tellsTheSentenceThatFollowsARefusal() {
         wire.peer((w, message) -> w.answer(ack(4)));
-        CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
+        CommandExchange exchange = exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
         exchange.start(wire.now());
         wire.run(exchange, 0.5);
         exchange.said(Severity.CRITICAL, "PreArm: GPS not ready", wire.now());
@@ -155,7 +155,7 @@ class CommandExchangeTest {
 
     @Test
     void tellsTheSentenceThatCameJustBeforeARefusalButNoOlderOne() {
-        CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
+        CommandExchange exchange = exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
         exchange.start(wire.now());
         exchange.said(Severity.CRITICAL, "an old story", wire.now());
         wire.run(exchange, 0.7);
@@ -170,7 +170,7 @@ class CommandExchangeTest {
     void saysTheResultInWordsWhenTheVehicleSaysNothing() {
         wire.peer((w, message) -> w.answer(ack(2)));
 
-        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED)))
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED)))
                 .isEqualTo(new Outcome.Refused(
                         "vehicle", "The vehicle denied it and gave no reason.", OutcomeCode.VEHICLE_DENIED));
     }
@@ -178,7 +178,7 @@ class CommandExchangeTest {
     @Test
     void waitsAsLongAsTheVehicleSaysThatItIsAtIt() {
         wire.peer((w, message) -> w.answer(ack(5)));
-        CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
+        CommandExchange exchange = exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
         exchange.start(wire.now());
         for (int second = 0; second < 60; second++) {
             wire.run(exchange, 1);
@@ -194,14 +194,14 @@ class CommandExchangeTest {
     void asksAgainWhenTheWordThatItIsFinishedWasLost() {
         wire.peer((w, message) -> w.answer(ack(((CommandLong) message).confirmation() == 0 ? 5 : 0)));
 
-        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isEqualTo(DONE);
         assertThat(wire.sent()).hasSize(2);
     }
 
     @Test
     void tellsTheVehicleToStopWhenCancelledHalfWay() {
         wire.peer((w, message) -> w.answer(ack(5)));
-        CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
+        CommandExchange exchange = exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
         exchange.start(wire.now());
         exchange.cancel(wire.now());
         assertThat(wire.sent(CommandCancel.class)).isEmpty();
@@ -215,7 +215,7 @@ class CommandExchangeTest {
     void sendsAnOnceOnlyCommandOnceAndDoesNotPretendToKnow() {
         wire.peer((w, message) -> w.answer(new CommandAck(999, 0, 0, 0, 255, 190)));
         CommandExchange exchange = new CommandExchange(
-                wire.target(), request(CommandRequest.Retry.ONCE, CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE);
+                wire.target(), request(MavCommandRequest.Retry.ONCE, MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE);
 
         assertThat(wire.runWhole(exchange)).isInstanceOf(Outcome.Unknown.class);
         assertThat(wire.sent()).hasSize(1);
@@ -223,33 +223,33 @@ class CommandExchangeTest {
 
     @Test
     void doesNotTakeTheLateEchoOfAnEarlierCommandForItsOwn() {
-        Target target = wire.target();
+        MavlinkTarget target = wire.target();
         wire.peer((w, message) -> w.answer(ack(0)));
-        CommandRequest picture = request(CommandRequest.Retry.ONCE, CommandRequest.Proof.ACKNOWLEDGED);
-        assertThat(wire.runWhole(new CommandExchange(target, picture, Observer.NONE)))
+        MavCommandRequest picture = request(MavCommandRequest.Retry.ONCE, MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
+        assertThat(wire.runWhole(new CommandExchange(target, picture, ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         // The network doubles the acknowledgement of the first and loses the second command.
         wire.peer((w, message) -> {});
         wire.answer(ack(0));
 
-        assertThat(wire.runWhole(new CommandExchange(target, picture, Observer.NONE)))
+        assertThat(wire.runWhole(new CommandExchange(target, picture, ExchangeObserver.NONE)))
                 .isInstanceOf(Outcome.Unknown.class);
         assertThat(wire.sent()).hasSize(2);
     }
 
     @Test
     void measuresHowLongAnswersTakeAndAsksAgainSoonerOnAQuickLink() {
-        Target target = wire.target();
+        MavlinkTarget target = wire.target();
         wire.peer((w, message) -> w.answer(ack(0)));
         for (int i = 0; i < 8; i++) {
-            wire.runWhole(new CommandExchange(target, request(CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE));
-            wire.run(new CommandExchange(target, request(CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE), 2);
+            wire.runWhole(new CommandExchange(target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE));
+            wire.run(new CommandExchange(target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE), 2);
         }
-        assertThat(target.roundTrip().timeoutNanos()).isLessThan(RoundTrip.FIRST_TIMEOUT_NANOS / 2);
+        assertThat(target.roundTrip().timeoutNanos()).isLessThan(RoundTripEstimator.FIRST_TIMEOUT_NANOS / 2);
         int before = wire.sent().size();
         wire.peer((w, message) -> {});
         CommandExchange unheard =
-                new CommandExchange(target, request(CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE);
+                new CommandExchange(target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE);
         unheard.start(wire.now());
         wire.run(unheard, 0.5);
 
@@ -258,14 +258,14 @@ class CommandExchangeTest {
 
     @Test
     void givesASlowLinkItsNineTries() {
-        Target target = wire.target();
+        MavlinkTarget target = wire.target();
         for (int i = 0; i < 20; i++) {
             target.roundTrip().measured(i % 2 == 0 ? 700_000_000L : 1_300_000_000L);
         }
         long before = wire.now();
 
         Outcome outcome =
-                wire.runWhole(new CommandExchange(target, request(CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE));
+                wire.runWhole(new CommandExchange(target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE));
 
         assertThat(wire.sent()).hasSizeGreaterThanOrEqualTo(9);
         assertThat(outcome).isInstanceOf(Outcome.TimedOut.class);
@@ -282,7 +282,7 @@ class CommandExchangeTest {
             w.answer(first ? new CommandAck(999, 0, 0, 0, 255, 190) : ack(4));
         });
         CommandExchange takeOff = new CommandExchange(
-                wire.target(), request(CommandRequest.Retry.VERIFY_FIRST, seen(climbing::get)), Observer.NONE);
+                wire.target(), request(MavCommandRequest.Retry.VERIFY_FIRST, seen(climbing::get)), ExchangeObserver.NONE);
         takeOff.start(wire.now());
         for (int i = 0; i < 8; i++) {
             wire.run(takeOff, 0.25);
@@ -305,7 +305,7 @@ class CommandExchangeTest {
     void ignoresAnswersToSomebodyElse() {
         wire.peer((w, message) -> w.answer(new CommandAck(ARM, 0, 0, 0, 42, 1)));
 
-        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isInstanceOf(Outcome.TimedOut.class);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isInstanceOf(Outcome.TimedOut.class);
     }
 
     @Test
@@ -315,13 +315,13 @@ class CommandExchangeTest {
             w.answer(ack(4));
         });
 
-        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isEqualTo(DONE);
     }
 
     @Test
     void doesNotRepeatATakeOffWithoutALookAtTheVehicle() {
         CommandExchange exchange = new CommandExchange(
-                wire.target(), request(CommandRequest.Retry.VERIFY_FIRST, seen(() -> false)), Observer.NONE);
+                wire.target(), request(MavCommandRequest.Retry.VERIFY_FIRST, seen(() -> false)), ExchangeObserver.NONE);
 
         assertThat(wire.runWhole(exchange)).isInstanceOf(Outcome.TimedOut.class);
         assertThat(wire.sent()).hasSize(1);

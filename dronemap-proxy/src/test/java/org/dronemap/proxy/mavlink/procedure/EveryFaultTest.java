@@ -26,12 +26,12 @@ class EveryFaultTest {
     private static final Outcome DONE = new Outcome.Succeeded();
 
     /** One conversation with a vehicle of its own, and what must be true at its end. */
-    private record Conversation(
-            String name, Function<Wire, Exchange> begin, BiConsumer<Wire, @Nullable Outcome> judge) {}
+    private record FaultCase(
+            String name, Function<TestWire, Exchange> begin, BiConsumer<TestWire, @Nullable Outcome> judge) {}
 
     @TestFactory
     Stream<DynamicTest> comesToTheRightEnd() {
-        return Stream.<Supplier<Conversation>>of(
+        return Stream.<Supplier<FaultCase>>of(
                         EveryFaultTest::repeatableCommand,
                         EveryFaultTest::onceOnlyCommand,
                         EveryFaultTest::upload,
@@ -48,18 +48,18 @@ class EveryFaultTest {
                 .flatMap(EveryFaultTest::everyFaultOf);
     }
 
-    private static Stream<DynamicTest> everyFaultOf(Supplier<Conversation> conversation) {
+    private static Stream<DynamicTest> everyFaultOf(Supplier<FaultCase> conversation) {
         int messages = run(conversation.get(), wire -> {}).crossed();
         assertThat(messages).as("messages of " + conversation.get().name()).isGreaterThan(1);
-        return Stream.of(Fault.values())
+        return Stream.of(MessageFault.values())
                 .flatMap(fault -> IntStream.range(0, messages)
                         .mapToObj(number -> DynamicTest.dynamicTest(
                                 conversation.get().name() + ", message " + number + " " + fault,
                                 () -> run(conversation.get(), wire -> wire.fault(fault, number)))));
     }
 
-    private static Wire run(Conversation conversation, java.util.function.Consumer<Wire> prepare) {
-        Wire wire = new Wire();
+    private static TestWire run(FaultCase conversation, java.util.function.Consumer<TestWire> prepare) {
+        TestWire wire = new TestWire();
         prepare.accept(wire);
         Exchange exchange = conversation.begin().apply(wire);
         Outcome outcome = wire.runWhole(exchange);
@@ -67,17 +67,17 @@ class EveryFaultTest {
         return wire;
     }
 
-    private static Conversation repeatableCommand() {
+    private static FaultCase repeatableCommand() {
         AtomicInteger acted = new AtomicInteger();
-        return new Conversation("repeatable command", wire -> command(wire, acted, false), (wire, outcome) -> {
+        return new FaultCase("repeatable command", wire -> command(wire, acted, false), (wire, outcome) -> {
             assertThat(outcome).isEqualTo(DONE);
             assertThat(acted).hasPositiveValue();
         });
     }
 
-    private static Conversation onceOnlyCommand() {
+    private static FaultCase onceOnlyCommand() {
         AtomicInteger acted = new AtomicInteger();
-        return new Conversation("once-only command", wire -> command(wire, acted, true), (wire, outcome) -> {
+        return new FaultCase("once-only command", wire -> command(wire, acted, true), (wire, outcome) -> {
             assertThat(wire.sent()).hasSize(1);
             if (outcome instanceof Outcome.Succeeded) {
                 assertThat(acted).hasPositiveValue();
@@ -87,18 +87,18 @@ class EveryFaultTest {
         });
     }
 
-    private static Exchange command(Wire wire, AtomicInteger acted, boolean once) {
+    private static Exchange command(TestWire wire, AtomicInteger acted, boolean once) {
         wire.peer((w, message) -> {
             acted.incrementAndGet();
             w.answer(new CommandAck(COMMAND, 0, 0, 0, 255, 190));
         });
-        CommandRequest request = CommandRequest.ofLong(
+        MavCommandRequest request = MavCommandRequest.ofLong(
                 wire.target(),
                 COMMAND,
                 new float[] {1f},
-                once ? CommandRequest.Retry.ONCE : CommandRequest.Retry.REPEATABLE,
-                CommandRequest.Proof.ACKNOWLEDGED);
-        return new CommandExchange(wire.target(), request, Observer.NONE);
+                once ? MavCommandRequest.Retry.ONCE : MavCommandRequest.Retry.REPEATABLE,
+                MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
+        return new CommandExchange(wire.target(), request, ExchangeObserver.NONE);
     }
 
     private static List<MissionItemInt> items() {
@@ -107,13 +107,13 @@ class EveryFaultTest {
                 .toList();
     }
 
-    private static Conversation upload() {
+    private static FaultCase upload() {
         MissionVehicle vehicle = new MissionVehicle();
-        return new Conversation(
+        return new FaultCase(
                 "mission upload",
                 wire -> {
                     wire.peer(vehicle::take);
-                    return new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE);
+                    return new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE);
                 },
                 (wire, outcome) -> {
                     assertThat(outcome).isEqualTo(DONE);
@@ -121,15 +121,15 @@ class EveryFaultTest {
                 });
     }
 
-    private static Conversation partialUpload() {
+    private static FaultCase partialUpload() {
         MissionVehicle vehicle = new MissionVehicle();
         vehicle.held = new ArrayList<>(otherItems());
-        return new Conversation(
+        return new FaultCase(
                 "partial mission upload",
                 wire -> {
                     wire.peer(vehicle::take);
                     return MissionUpload.part(
-                            wire.target(), MissionKind.MISSION, items(), new MissionUpload.Span(1, 2), Observer.NONE);
+                            wire.target(), MavMissionType.MISSION, items(), new MissionUpload.Span(1, 2), ExchangeObserver.NONE);
                 },
                 (wire, outcome) -> {
                     assertThat(outcome).isEqualTo(DONE);
@@ -146,26 +146,26 @@ class EveryFaultTest {
                 .toList();
     }
 
-    private static Conversation homeReading() {
-        return new Conversation(
+    private static FaultCase homeReading() {
+        return new FaultCase(
                 "home reading",
                 wire -> {
                     wire.peer((w, message) ->
                             w.answer(new HomePosition(10, 20, 30_000, 0f, 0f, 0f, new float[4], 0f, 0f, 0f, 0L)));
-                    return new HomeReading(wire.target(), home -> home.latitude() == 10, home -> "elsewhere");
+                    return new HomeRead(wire.target(), home -> home.latitude() == 10, home -> "elsewhere");
                 },
                 (wire, outcome) -> assertThat(outcome).isEqualTo(DONE));
     }
 
-    private static Conversation download(boolean inAnyOrder) {
+    private static FaultCase download(boolean inAnyOrder) {
         MissionVehicle vehicle = new MissionVehicle();
         vehicle.held = new ArrayList<>(items());
         List<MissionDownload> made = new ArrayList<>();
-        return new Conversation(
+        return new FaultCase(
                 inAnyOrder ? "mission download in any order" : "mission download",
                 wire -> {
                     wire.peer(vehicle::take);
-                    made.add(MissionDownload.whole(wire.target(), MissionKind.MISSION));
+                    made.add(MissionDownload.whole(wire.target(), MavMissionType.MISSION));
                     if (inAnyOrder) {
                         wire.target().roundTrip().measured(400_000_000L);
                         made.get(0).inAnyOrder();
@@ -178,14 +178,14 @@ class EveryFaultTest {
                 });
     }
 
-    private static Conversation clear() {
+    private static FaultCase clear() {
         MissionVehicle vehicle = new MissionVehicle();
         vehicle.held = new ArrayList<>(items());
-        return new Conversation(
+        return new FaultCase(
                 "mission clear",
                 wire -> {
                     wire.peer(vehicle::take);
-                    return new MissionClear(wire.target(), MissionKind.MISSION);
+                    return new MissionClear(wire.target(), MavMissionType.MISSION);
                 },
                 (wire, outcome) -> {
                     assertThat(outcome).isEqualTo(DONE);
@@ -193,14 +193,14 @@ class EveryFaultTest {
                 });
     }
 
-    private static Conversation listing() {
+    private static FaultCase listing() {
         ParameterVehicle vehicle = ParameterVehicle.with(20, false);
-        List<ParameterListing> made = new ArrayList<>();
-        return new Conversation(
+        List<ParameterDownload> made = new ArrayList<>();
+        return new FaultCase(
                 "parameter list",
                 wire -> {
                     wire.peer(vehicle::take);
-                    made.add(new ParameterListing(wire.target(), vehicle.codec, Observer.NONE));
+                    made.add(new ParameterDownload(wire.target(), vehicle.codec, ExchangeObserver.NONE));
                     return made.get(0);
                 },
                 (wire, outcome) -> {
@@ -209,39 +209,39 @@ class EveryFaultTest {
                 });
     }
 
-    private static Conversation writing() {
+    private static FaultCase writing() {
         ParameterVehicle vehicle = ParameterVehicle.with(6, true);
-        return new Conversation("parameter change", wire -> write(wire, vehicle), (wire, outcome) -> {
+        return new FaultCase("parameter change", wire -> write(wire, vehicle), (wire, outcome) -> {
             assertThat(outcome).isEqualTo(DONE);
             assertThat(vehicle.held.get("P_1")).extracting("value").isEqualTo(-70.0);
             assertThat(vehicle.held.get("P_3")).extracting("value").isEqualTo(0.25);
         });
     }
 
-    private static Conversation writingOfAnAlteredParameter() {
+    private static FaultCase writingOfAnAlteredParameter() {
         ParameterVehicle vehicle = ParameterVehicle.with(6, true);
         vehicle.altered = "P_1";
-        return new Conversation(
+        return new FaultCase(
                 "altered parameter",
                 wire -> write(wire, vehicle),
                 (wire, outcome) ->
                         assertThat(outcome).isEqualTo(new Outcome.Failed("The vehicle holds P_1 = -69, not -70.")));
     }
 
-    private static Exchange write(Wire wire, ParameterVehicle vehicle) {
+    private static Exchange write(TestWire wire, ParameterVehicle vehicle) {
         wire.peer(vehicle::take);
         List<ParameterValue> values = List.of(new ParameterValue("P_1", -70), new ParameterValue("P_3", 0.25));
-        return new ParameterWriting(wire.target(), vehicle.codec, values, name -> null, Observer.NONE);
+        return new ParameterWrite(wire.target(), vehicle.codec, values, name -> null, ExchangeObserver.NONE);
     }
 
-    private static Conversation logListing() {
+    private static FaultCase logListing() {
         LogVehicle vehicle = new LogVehicle(100, 4);
-        List<LogListing> made = new ArrayList<>();
-        return new Conversation(
+        List<LogListDownload> made = new ArrayList<>();
+        return new FaultCase(
                 "log list",
                 wire -> {
                     wire.peer(vehicle::take);
-                    made.add(new LogListing(wire.target(), Observer.NONE));
+                    made.add(new LogListDownload(wire.target(), ExchangeObserver.NONE));
                     return made.get(0);
                 },
                 (wire, outcome) -> {
@@ -252,14 +252,14 @@ class EveryFaultTest {
                 });
     }
 
-    private static Conversation logDownload() {
+    private static FaultCase logDownload() {
         LogVehicle vehicle = new LogVehicle(1_000, 4);
         LogVehicle.Memory memory = new LogVehicle.Memory();
-        return new Conversation(
+        return new FaultCase(
                 "log",
                 wire -> {
                     wire.peer(vehicle::take);
-                    return new LogDownload(wire.target(), new VehicleLog(2, null, 1_000), memory, Observer.NONE);
+                    return new LogDownload(wire.target(), new VehicleLog(2, null, 1_000), memory, ExchangeObserver.NONE);
                 },
                 (wire, outcome) -> {
                     assertThat(outcome).isEqualTo(DONE);

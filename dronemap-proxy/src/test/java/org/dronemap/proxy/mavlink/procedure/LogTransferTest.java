@@ -17,13 +17,13 @@ class LogTransferTest {
     private static final Outcome DONE = new Outcome.Succeeded();
     private static final int BYTES = 100_000;
 
-    private final Wire wire = new Wire();
+    private final TestWire wire = new TestWire();
     private final LogVehicle vehicle = new LogVehicle(BYTES, 5);
     private final LogVehicle.Memory memory = new LogVehicle.Memory();
 
     private LogDownload download() {
         wire.peer(vehicle::take);
-        return new LogDownload(wire.target(), new VehicleLog(3, null, BYTES), memory, Observer.NONE);
+        return new LogDownload(wire.target(), new VehicleLog(3, null, BYTES), memory, ExchangeObserver.NONE);
     }
 
     @ParameterizedTest
@@ -33,7 +33,7 @@ class LogTransferTest {
         counting.last = last;
         wire.lossy(0.5, new Random(4));
         wire.peer(counting::take);
-        LogListing listing = new LogListing(wire.target(), Observer.NONE);
+        LogListDownload listing = new LogListDownload(wire.target(), ExchangeObserver.NONE);
 
         assertThat(wire.runWhole(listing)).isEqualTo(DONE);
         assertThat(listing.logs()).hasSize(counting.count);
@@ -45,7 +45,7 @@ class LogTransferTest {
     void isContentWithAVehicleThatHasNoLogs() {
         LogVehicle empty = new LogVehicle(0, 0);
         wire.peer(empty::take);
-        LogListing listing = new LogListing(wire.target(), Observer.NONE);
+        LogListDownload listing = new LogListDownload(wire.target(), ExchangeObserver.NONE);
 
         assertThat(wire.runWhole(listing)).isEqualTo(DONE);
         assertThat(listing.logs()).isEmpty();
@@ -140,7 +140,7 @@ class LogTransferTest {
             }
         });
         LogDownload download =
-                new LogDownload(wire.target(), new VehicleLog(3, null, BYTES + 4_000), memory, Observer.NONE);
+                new LogDownload(wire.target(), new VehicleLog(3, null, BYTES + 4_000), memory, ExchangeObserver.NONE);
 
         assertThat(wire.runWhole(download)).isEqualTo(DONE);
         assertThat(memory.content).isEqualTo(vehicle.content);

@@ -25,7 +25,7 @@ final class LogVehicle {
         last = count;
     }
 
-    void take(Wire wire, Message message) {
+    void take(TestWire wire, Message message) {
         if (message instanceof LogRequestList list) {
             dead |= list.start() == 0 && list.end() == 0;
             if (count == 0 && !dead) {
@@ -39,7 +39,7 @@ final class LogVehicle {
         }
     }
 
-    private void pour(Wire wire, LogRequestData data) {
+    private void pour(TestWire wire, LogRequestData data) {
         long end = Math.min(content.length, data.ofs() + data.count());
         for (long offset = data.ofs(); offset < end; offset += LogSink.PIECE_BYTES) {
             int length = (int) Math.min(LogSink.PIECE_BYTES, end - offset);

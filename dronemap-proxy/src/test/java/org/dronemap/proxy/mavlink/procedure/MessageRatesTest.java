@@ -19,7 +19,7 @@ class MessageRatesTest {
     private static final GlobalPositionInt POSITION =
             new GlobalPositionInt(1, 474_000_000, 85_000_000, 500_000, 0, 0, 0, 0, 0);
 
-    private final Wire wire = new Wire();
+    private final TestWire wire = new TestWire();
     private final MessageRates rates = new MessageRates(wire.target());
     private long now = 1_000 * SECOND;
 

@@ -30,7 +30,7 @@ class MissionTransferTest {
     private static final int ITEMS = 6;
     private static final Outcome DONE = new Outcome.Succeeded();
 
-    private final Wire wire = new Wire();
+    private final TestWire wire = new TestWire();
     private final Map<Integer, MissionItemInt> held = new TreeMap<>();
     private int expected;
     private int passed;
@@ -55,7 +55,7 @@ class MissionTransferTest {
     }
 
     /** A vehicle that takes and gives missions in order, as autopilots do. */
-    private void vehicle(Wire w, Message message) {
+    private void vehicle(TestWire w, Message message) {
         if (!passes()) {
             return;
         }
@@ -88,7 +88,7 @@ class MissionTransferTest {
         lost = n -> n == number;
         wire.peer(this::vehicle);
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held.values()).containsExactlyElementsOf(items());
     }
@@ -99,7 +99,7 @@ class MissionTransferTest {
         items().forEach(item -> held.put(item.seq(), item));
         lost = n -> n == number;
         wire.peer(this::vehicle);
-        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+        MissionDownload download = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
 
         assertThat(wire.runWhole(download)).isEqualTo(DONE);
         assertThat(download.items()).containsExactlyElementsOf(items());
@@ -110,7 +110,7 @@ class MissionTransferTest {
         lost = n -> n % 3 == 1;
         wire.peer(this::vehicle);
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held.values()).containsExactlyElementsOf(items());
     }
@@ -124,7 +124,7 @@ class MissionTransferTest {
             }
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held.values()).containsExactlyElementsOf(items());
     }
@@ -133,7 +133,7 @@ class MissionTransferTest {
     void saysThatAVehicleNeverAnswered() {
         wire.chatter(true);
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isInstanceOf(Outcome.TimedOut.class);
         assertThat(wire.sent()).hasSize(9);
     }
@@ -142,7 +142,7 @@ class MissionTransferTest {
     void saysWhyAVehicleRefusesAMission() {
         wire.peer((w, message) -> w.answer(new MissionAck(255, 190, 4, 0)));
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(new Outcome.Refused(
                         "vehicle", "The vehicle has no room for so many mission items.", OutcomeCode.MISSION_TOO_LONG));
     }
@@ -161,7 +161,7 @@ class MissionTransferTest {
             }
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held).hasSize(ITEMS);
     }
@@ -180,7 +180,7 @@ class MissionTransferTest {
             }
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(counts).hasSize(2);
         assertThat(held.values()).containsExactlyElementsOf(items());
@@ -197,7 +197,7 @@ class MissionTransferTest {
             }
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(wire.sent(MissionCount.class)).hasSize(1);
     }
@@ -218,7 +218,7 @@ class MissionTransferTest {
                 vehicle(w, message);
             }
         });
-        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+        MissionDownload download = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
         if (inAnyOrder) {
             wire.target().roundTrip().measured(400_000_000L);
             download.inAnyOrder();
@@ -239,7 +239,7 @@ class MissionTransferTest {
             vehicle(w, message);
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held.values()).containsExactlyElementsOf(items());
     }
@@ -250,7 +250,7 @@ class MissionTransferTest {
             w.answer(new MissionCount(255, 190, 3, 1));
             vehicle(w, message);
         });
-        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+        MissionDownload download = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
 
         assertThat(wire.runWhole(download)).isEqualTo(DONE);
         assertThat(download.items()).isEmpty();
@@ -265,9 +265,9 @@ class MissionTransferTest {
             w.cut(w.crossed() >= number && w.now() < endOfCut);
         });
         endOfCut = wire.now() + 30_000_000_000L;
-        MissionUpload upload = new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE);
-        MissionDownload readBack = MissionDownload.whole(wire.target(), MissionKind.MISSION);
-        Sequence both = new Sequence(List.of(Sequence.Step.of(() -> upload), Sequence.Step.of(() -> readBack)));
+        MissionUpload upload = new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE);
+        MissionDownload readBack = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
+        ExchangeSequence both = new ExchangeSequence(List.of(ExchangeSequence.Step.of(() -> upload), ExchangeSequence.Step.of(() -> readBack)));
         both.start(wire.now());
         for (int second = 0; second < 100 && both.outcome() == null; second++) {
             wire.run(both, 1);
@@ -286,7 +286,7 @@ class MissionTransferTest {
         wire.peer(vehicle::take);
 
         assertThat(wire.runWhole(MissionUpload.part(
-                        wire.target(), MissionKind.MISSION, items(), new MissionUpload.Span(2, 3), Observer.NONE)))
+                        wire.target(), MavMissionType.MISSION, items(), new MissionUpload.Span(2, 3), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(wire.sent(MissionWritePartialList.class))
                 .containsExactly(new MissionWritePartialList(1, 1, 2, 3, 0));
@@ -299,8 +299,8 @@ class MissionTransferTest {
         MissionVehicle vehicle = new MissionVehicle();
         vehicle.held = new ArrayList<>(items());
         wire.peer(vehicle::take);
-        MissionDownload middle = MissionDownload.part(wire.target(), MissionKind.MISSION, 3, 2);
-        MissionDownload end = MissionDownload.part(wire.target(), MissionKind.MISSION, 5, 20);
+        MissionDownload middle = MissionDownload.part(wire.target(), MavMissionType.MISSION, 3, 2);
+        MissionDownload end = MissionDownload.part(wire.target(), MavMissionType.MISSION, 5, 20);
 
         assertThat(wire.runWhole(middle)).isEqualTo(DONE);
         assertThat(wire.runWhole(end)).isEqualTo(DONE);
@@ -323,7 +323,7 @@ class MissionTransferTest {
             }
             vehicle(w, message);
         });
-        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+        MissionDownload download = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
 
         assertThat(wire.runWhole(download)).isEqualTo(DONE);
         assertThat(download.isExact()).isTrue();
@@ -339,7 +339,7 @@ class MissionTransferTest {
                 w.answer(new MissionItem(255, 190, 0, 3, 16, 0, 1, 0f, 0f, 0f, 0f, 47.5f, 8.25f, 30f, 0));
             }
         });
-        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+        MissionDownload download = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
 
         assertThat(wire.runWhole(download)).isEqualTo(DONE);
         assertThat(download.isExact()).isFalse();
@@ -355,7 +355,7 @@ class MissionTransferTest {
             vehicle(w, message);
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(wire.sent(MissionItemInt.class)).hasSize(ITEMS);
     }
@@ -366,7 +366,7 @@ class MissionTransferTest {
         wire.peer(this::vehicle);
         wire.answer(new MissionAck(255, 190, 13, 0));
         wire.answer(new MissionAck(255, 190, 1, 0));
-        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+        MissionDownload download = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
 
         assertThat(wire.runWhole(download)).isEqualTo(DONE);
         assertThat(download.items()).hasSize(ITEMS);
@@ -376,7 +376,7 @@ class MissionTransferTest {
     void waitsAsLongAsTheLinkHasComeToNeed() {
         wire.target().roundTrip().measured(10_000_000L);
         wire.chatter(true);
-        MissionUpload upload = new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE);
+        MissionUpload upload = new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE);
         upload.start(wire.now());
         for (int measure = 0; measure < 20; measure++) {
             wire.target().roundTrip().measured(2_500_000_000L);

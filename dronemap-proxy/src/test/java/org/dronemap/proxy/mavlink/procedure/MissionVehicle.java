@@ -24,7 +24,7 @@ public final class MissionVehicle {
     private final Map<Integer, MissionItemInt> arriving = new TreeMap<>();
     private int expected = -1;
 
-    public void take(Wire wire, Message message) {
+    public void take(TestWire wire, Message message) {
         if (message instanceof MissionWritePartialList part) {
             takePart(wire, part);
         } else if (message instanceof MissionCount count) {
@@ -44,7 +44,7 @@ public final class MissionVehicle {
         }
     }
 
-    private void takePart(Wire wire, MissionWritePartialList part) {
+    private void takePart(TestWire wire, MissionWritePartialList part) {
         if (refusesParts) {
             wire.answer(new MissionAck(255, 190, 3, part.missionType()));
             return;
@@ -54,7 +54,7 @@ public final class MissionVehicle {
         wire.answer(new MissionRequestInt(255, 190, partFrom, part.missionType()));
     }
 
-    private void takeItem(Wire wire, MissionItemInt item) {
+    private void takeItem(TestWire wire, MissionItemInt item) {
         if (partFrom >= 0 && partFrom <= partTo) {
             if (item.seq() == partFrom) {
                 held.set(item.seq(), item);

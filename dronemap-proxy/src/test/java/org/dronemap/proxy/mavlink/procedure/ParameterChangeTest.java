@@ -9,11 +9,11 @@ import org.dronemap.mavlink.message.ParamValue;
 import org.junit.jupiter.api.Test;
 
 class ParameterChangeTest {
-    private final Wire wire = new Wire();
+    private final TestWire wire = new TestWire();
     private float value = 0;
 
     /** Answers reads and writes of one parameter of the given type. */
-    private void vehicle(Wire w, Message message, int type) {
+    private void vehicle(TestWire w, Message message, int type) {
         if (message instanceof ParamSet set) {
             value = set.paramValue();
         }

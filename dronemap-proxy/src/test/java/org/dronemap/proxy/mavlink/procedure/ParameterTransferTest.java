@@ -20,16 +20,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ParameterTransferTest {
     private static final Outcome DONE = new Outcome.Succeeded();
 
-    private final Wire wire = new Wire();
+    private final TestWire wire = new TestWire();
 
-    private ParameterListing listing(ParameterVehicle vehicle) {
+    private ParameterDownload listing(ParameterVehicle vehicle) {
         wire.peer(vehicle::take);
-        return new ParameterListing(wire.target(), vehicle.codec, Observer.NONE);
+        return new ParameterDownload(wire.target(), vehicle.codec, ExchangeObserver.NONE);
     }
 
-    private ParameterWriting writing(ParameterVehicle vehicle, List<ParameterValue> values) {
+    private ParameterWrite writing(ParameterVehicle vehicle, List<ParameterValue> values) {
         wire.peer(vehicle::take);
-        return new ParameterWriting(wire.target(), vehicle.codec, values, vehicle.held::get, Observer.NONE);
+        return new ParameterWrite(wire.target(), vehicle.codec, values, vehicle.held::get, ExchangeObserver.NONE);
     }
 
     private static ParameterValue to(String name, double value) {
@@ -41,7 +41,7 @@ class ParameterTransferTest {
     void readsAThousandThoughATenthIsLostEachWay(boolean bytewise) {
         ParameterVehicle vehicle = ParameterVehicle.with(1000, bytewise);
         wire.lossy(0.1, new Random(5));
-        ParameterListing listing = listing(vehicle);
+        ParameterDownload listing = listing(vehicle);
 
         assertThat(wire.runWhole(listing)).isEqualTo(DONE);
         assertThat(listing.parameters()).containsExactlyElementsOf(vehicle.held.values());
@@ -68,7 +68,7 @@ class ParameterTransferTest {
     @Test
     void asksOnlyForTheGapsOfAList() {
         ParameterVehicle vehicle = ParameterVehicle.with(50, false);
-        wire.fault(Fault.LOST, 8);
+        wire.fault(MessageFault.LOST, 8);
 
         assertThat(wire.runWhole(listing(vehicle))).isEqualTo(DONE);
         assertThat(wire.sent(ParamRequestRead.class))
@@ -81,7 +81,7 @@ class ParameterTransferTest {
         ParameterVehicle vehicle = ParameterVehicle.with(300, false);
         List<ParameterValue> values =
                 vehicle.held.keySet().stream().map(name -> to(name, 7)).toList();
-        ParameterWriting writing = writing(vehicle, values);
+        ParameterWrite writing = writing(vehicle, values);
         writing.start(wire.now());
         wire.run(writing, 0.1);
         wire.cut(true);
@@ -95,7 +95,7 @@ class ParameterTransferTest {
     @Test
     void givesUpAfterABreakThatIsTooLong() {
         ParameterVehicle vehicle = ParameterVehicle.with(300, false);
-        ParameterListing listing = listing(vehicle);
+        ParameterDownload listing = listing(vehicle);
         wire.lossy(0.5, new Random(3));
         listing.start(wire.now());
         wire.run(listing, 0.1);
@@ -107,7 +107,7 @@ class ParameterTransferTest {
     @Test
     void saysThatAVehicleMayNotHaveAParameterAndChangesNothing() {
         ParameterVehicle vehicle = ParameterVehicle.with(3, false);
-        ParameterWriting writing = writing(vehicle, List.of(to("P_1", 9), to("NOBODY", 1)));
+        ParameterWrite writing = writing(vehicle, List.of(to("P_1", 9), to("NOBODY", 1)));
         wire.chatter(true);
 
         Outcome outcome = wire.runWhole(writing);
@@ -129,7 +129,7 @@ class ParameterTransferTest {
     void takesAnEchoOfTheWritingForNoReading() {
         ParameterVehicle vehicle = ParameterVehicle.with(9, false);
         vehicle.altered = "P_4";
-        ParameterWriting writing = writing(vehicle, List.of(to("P_4", 20)));
+        ParameterWrite writing = writing(vehicle, List.of(to("P_4", 20)));
         AtomicBoolean lost = new AtomicBoolean();
         wire.peer((w, message) -> {
             if (!(message instanceof ParamRequestRead) || lost.getAndSet(true)) {
@@ -137,7 +137,7 @@ class ParameterTransferTest {
             }
         });
         // The vehicle's answer to the writing comes once more when it may be read already.
-        wire.fault(Fault.DOUBLED, 1);
+        wire.fault(MessageFault.DOUBLED, 1);
 
         assertThat(wire.runWhole(writing)).isEqualTo(new Outcome.Failed("The vehicle holds P_4 = 21, not 20."));
     }

@@ -32,7 +32,7 @@ final class ParameterVehicle {
         return vehicle;
     }
 
-    void take(Wire wire, Message message) {
+    void take(TestWire wire, Message message) {
         List<String> names = new ArrayList<>(held.keySet());
         if (message instanceof ParamRequestList) {
             names.forEach(name -> tell(wire, name));
@@ -53,7 +53,7 @@ final class ParameterVehicle {
         }
     }
 
-    private void tell(Wire wire, String name) {
+    private void tell(TestWire wire, String name) {
         Parameter parameter = held.get(name);
         if (parameter != null) {
             wire.answer(new ParamValue(

@@ -9,12 +9,12 @@ import org.junit.jupiter.api.Test;
 class RoundTripProbeTest {
     private static final long SECOND = 1_000_000_000L;
 
-    private final Wire wire = new Wire();
-    private final RoundTripProbe probe = new RoundTripProbe(wire.target(), new RoundTrip());
+    private final TestWire wire = new TestWire();
+    private final RoundTripProbe probe = new RoundTripProbe(wire.target(), new RoundTripEstimator());
     private long now = 1_000 * SECOND;
 
     private void run(long nanos) {
-        for (long end = now + nanos; now < end; now += Wire.TICK_NANOS) {
+        for (long end = now + nanos; now < end; now += TestWire.TICK_NANOS) {
             probe.tick(now);
         }
     }

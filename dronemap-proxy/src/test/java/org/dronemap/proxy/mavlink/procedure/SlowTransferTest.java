@@ -25,11 +25,11 @@ class SlowTransferTest {
     @Test
     void bringAnItemUpInLittleMoreThanARoundTrip() {
         assertThat(meanSeconds(seed -> {
-                    Wire wire = slow(seed);
-                    AskingVehicle vehicle = new AskingVehicle();
+                    TestWire wire = slow(seed);
+                    ReRequestingMissionVehicle vehicle = new ReRequestingMissionVehicle();
                     wire.peer(vehicle::take);
                     MissionUpload upload =
-                            new MissionUpload(wire.target(), MissionKind.MISSION, MISSION, Observer.NONE);
+                            new MissionUpload(wire.target(), MavMissionType.MISSION, MISSION, ExchangeObserver.NONE);
                     double seconds = secondsAnItem(wire, upload, () -> vehicle.tick(wire));
                     assertThat(vehicle.held).isEqualTo(MISSION);
                     return seconds;
@@ -48,11 +48,11 @@ class SlowTransferTest {
     }
 
     private static double readBack(long seed, boolean inAnyOrder) {
-        Wire wire = slow(seed);
+        TestWire wire = slow(seed);
         MissionVehicle vehicle = new MissionVehicle();
         vehicle.held.addAll(MISSION);
         wire.peer(vehicle::take);
-        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+        MissionDownload download = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
         double seconds = secondsAnItem(wire, inAnyOrder ? download.inAnyOrder() : download, () -> {});
         assertThat(download.items()).isEqualTo(MISSION);
         return seconds;
@@ -63,9 +63,9 @@ class SlowTransferTest {
     }
 
     /** Its round trip is known, as after the first seconds of any link. */
-    private static Wire slow(long seed) {
+    private static TestWire slow(long seed) {
         Random random = new Random(seed);
-        Wire wire = new Wire();
+        TestWire wire = new TestWire();
         wire.lossy(0.1, random);
         wire.slow(0.3, 0.7, 0.02);
         wire.chatter(true);
@@ -76,11 +76,11 @@ class SlowTransferTest {
         return wire;
     }
 
-    private static double secondsAnItem(Wire wire, Exchange exchange, Runnable tick) {
+    private static double secondsAnItem(TestWire wire, Exchange exchange, Runnable tick) {
         long began = wire.now();
         exchange.start(began);
         while (exchange.outcome() == null && wire.now() - began < LONGEST_NANOS) {
-            wire.run(exchange, Wire.TICK_NANOS / 1e9);
+            wire.run(exchange, TestWire.TICK_NANOS / 1e9);
             tick.run();
         }
         assertThat(exchange.outcome()).isEqualTo(new Outcome.Succeeded());

@@ -18,10 +18,10 @@ class ArmingModesTest {
 
     static Stream<Arguments> autopilots() {
         return Stream.of(
-                Arguments.of("ArduCopter", new ArduPilot(QUADROTOR).capabilities()),
-                Arguments.of("ArduPlane", new ArduPilot(FIXED_WING).capabilities()),
-                Arguments.of("ArduRover", new ArduPilot(ROVER).capabilities()),
-                Arguments.of("PX4", new Px4(QUADROTOR).capabilities()));
+                Arguments.of("ArduCopter", new ArduPilotAdapter(QUADROTOR).capabilities()),
+                Arguments.of("ArduPlane", new ArduPilotAdapter(FIXED_WING).capabilities()),
+                Arguments.of("ArduRover", new ArduPilotAdapter(ROVER).capabilities()),
+                Arguments.of("PX4", new Px4Adapter(QUADROTOR).capabilities()));
     }
 
     @ParameterizedTest(name = "{0}")

@@ -8,11 +8,11 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
-import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.fuzz.CommandSamples;
-import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -30,7 +30,7 @@ class AutopilotsTest {
     @ParameterizedTest
     @MethodSource("vehicles")
     void hasAWayToDoWhatItDeclares(Heartbeat heartbeat) {
-        Capabilities can = Autopilot.of(heartbeat).capabilities();
+        Capabilities can = AutopilotAdapter.of(heartbeat).capabilities();
         for (CommandKind kind : CommandKind.values()) {
             boolean declared = can.commands().contains(kind.needs());
             CommandSamples.of(kind).forEach(command -> {
@@ -43,15 +43,15 @@ class AutopilotsTest {
 
     /** Why it does not even begin; empty when it does. */
     private static String refusal(Heartbeat heartbeat, Command command) {
-        Outcome outcome = new PlanBench(heartbeat).perform(command, 0.1);
+        Outcome outcome = new AutopilotTestBench(heartbeat).perform(command, 0.1);
         return outcome == null || outcome.reason() == null ? "" : outcome.reason();
     }
 
     @ParameterizedTest
     @MethodSource("vehicles")
     void saysEachSetpointThatItDeclares(Heartbeat heartbeat) {
-        Autopilot autopilot = Autopilot.of(heartbeat);
-        Target target = new Target(1, 1, message -> {});
+        AutopilotAdapter autopilot = AutopilotAdapter.of(heartbeat);
+        MavlinkTarget target = new MavlinkTarget(1, 1, message -> {});
         Stream.of(
                         new Setpoint.Velocity(Setpoint.Frame.VEHICLE, 1, 0, 0, Setpoint.Facing.ANY),
                         new Setpoint.Sticks(0.5, 0, 0, 0))
@@ -64,7 +64,7 @@ class AutopilotsTest {
     @ParameterizedTest
     @MethodSource("vehicles")
     void hasTheModesThatItIsPutInto(Heartbeat heartbeat) {
-        Capabilities can = Autopilot.of(heartbeat).capabilities();
+        Capabilities can = AutopilotAdapter.of(heartbeat).capabilities();
         for (Steering steering : Steering.values()) {
             can.mode(steering).ifPresent(mode -> {
                 assertThat(can.modes()).contains(mode);

@@ -7,11 +7,11 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.message.MissionItemInt;
-import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.junit.jupiter.api.Test;
 
 class FenceCodecTest {
-    private static final Target TARGET = new Target(1, 1, message -> {});
+    private static final MavlinkTarget TARGET = new MavlinkTarget(1, 1, message -> {});
     private static final List<FenceZone> ZONES = List.of(
             new FenceZone.Polygon(true, List.of(point(0), point(1), point(2), point(3))),
             new FenceZone.Circle(false, point(4), 25.5),

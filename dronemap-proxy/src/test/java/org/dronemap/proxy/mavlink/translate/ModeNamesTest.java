@@ -16,8 +16,8 @@ import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
-import org.dronemap.proxy.mavlink.procedure.Observer;
-import org.dronemap.proxy.mavlink.procedure.Wire;
+import org.dronemap.proxy.mavlink.procedure.ExchangeObserver;
+import org.dronemap.proxy.mavlink.procedure.TestWire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -50,12 +50,12 @@ class ModeNamesTest {
     @ParameterizedTest
     @MethodSource("known")
     void showsTheNameAndSetsItByName(Known known) {
-        Autopilot autopilot = Autopilot.of(known.heartbeat());
+        AutopilotAdapter autopilot = AutopilotAdapter.of(known.heartbeat());
         assertThat(autopilot.modeName(known.heartbeat())).isEqualTo(known.name());
         assertThat(autopilot.modes()).contains(known.name());
 
         VehicleStatus status = new VehicleStatus(known.type(), 0);
-        Wire wire = new Wire();
+        TestWire wire = new TestWire();
         wire.peer((w, message) -> {
             CommandLong command = (CommandLong) message;
             long custom = known.autopilot() == 12
@@ -67,8 +67,8 @@ class ModeNamesTest {
             w.answer(new CommandAck(176, 0, 0, 0, 255, 190));
         });
         ParameterTable parameters = new ParameterTable(autopilot, event -> {});
-        Cockpit cockpit =
-                new Cockpit(status, parameters, wire.target(), Observer.NONE, event -> {}, items -> {}, warning -> {});
+        CommandContext cockpit =
+                new CommandContext(status, parameters, wire.target(), ExchangeObserver.NONE, event -> {}, items -> {}, warning -> {});
         Exchange exchange = autopilot.plan(new Command.SetMode(known.name()), cockpit);
         assertThat(wire.runWhole(exchange)).isEqualTo(new Outcome.Succeeded());
     }
@@ -76,8 +76,8 @@ class ModeNamesTest {
     @Test
     void showsAModeWithoutANameByItsNumber() {
         Heartbeat copter = new Heartbeat(2, 3, 1, 42, 3, 3);
-        assertThat(Autopilot.of(copter).modeName(copter)).isEqualTo("Mode(42)");
+        assertThat(AutopilotAdapter.of(copter).modeName(copter)).isEqualTo("Mode(42)");
         Heartbeat old = new Heartbeat(2, 3, 0x50, 0, 3, 3);
-        assertThat(Autopilot.of(old).modeName(old)).isEqualTo("Mode(0x00000050)");
+        assertThat(AutopilotAdapter.of(old).modeName(old)).isEqualTo("Mode(0x00000050)");
     }
 }

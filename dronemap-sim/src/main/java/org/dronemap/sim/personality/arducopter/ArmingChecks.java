@@ -2,19 +2,19 @@ package org.dronemap.sim.personality.arducopter;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.FlightPlan;
-import org.dronemap.sim.flight.Navigation;
+import org.dronemap.sim.flight.NavigationEstimator;
 import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedCraft;
 
 /** The arming checks of ArduCopter, in its own sentences without "Arm: " or "PreArm: ". */
 final class ArmingChecks {
-    private final Craft craft;
+    private final SimulatedCraft craft;
     private final Parameters parameters;
     private final FlightPlan plan;
     private final BatteryFailsafe battery;
 
-    ArmingChecks(Craft craft, Parameters parameters, FlightPlan plan, BatteryFailsafe battery) {
+    ArmingChecks(SimulatedCraft craft, Parameters parameters, FlightPlan plan, BatteryFailsafe battery) {
         this.craft = craft;
         this.parameters = parameters;
         this.plan = plan;
@@ -48,7 +48,7 @@ final class ArmingChecks {
 
     /** Until the sensors have settled a mode that flies without a position says nothing about it. */
     private void checkPosition(CopterMode mode, List<String> found) {
-        Navigation navigation = craft.navigation();
+        NavigationEstimator navigation = craft.navigation();
         if (!mode.needsPosition && !found.isEmpty()) {
             return;
         }

@@ -1,8 +1,8 @@
 package org.dronemap.sim.personality.arducopter;
 
 import java.util.Locale;
-import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedCraft;
 import org.jspecify.annotations.Nullable;
 
 /** Watches voltage and charge; low and critical each trip once, after BATT_LOW_TIMER seconds, until reset. */
@@ -10,14 +10,14 @@ final class BatteryFailsafe {
     /** A tripped battery fail-safe and its action: 0 only warns, 1 lands, 2 returns. */
     record Trip(String text, int action) {}
 
-    private final Craft craft;
+    private final SimulatedCraft craft;
     private final Parameters parameters;
     private long lowSince = -1;
     private long criticalSince = -1;
     private boolean low;
     private boolean critical;
 
-    BatteryFailsafe(Craft craft, Parameters parameters) {
+    BatteryFailsafe(SimulatedCraft craft, Parameters parameters) {
         this.craft = craft;
         this.parameters = parameters;
     }

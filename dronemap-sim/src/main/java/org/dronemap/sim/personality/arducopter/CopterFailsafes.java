@@ -1,7 +1,7 @@
 package org.dronemap.sim.personality.arducopter;
 
-import org.dronemap.sim.flight.Craft;
-import org.dronemap.sim.flight.Severity;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.TextSeverity;
 
 /** The fail-safes of ArduCopter for the loss of battery, ground station, GPS or a motor. */
 final class CopterFailsafes {
@@ -10,8 +10,8 @@ final class CopterFailsafes {
     private static final int CONTINUE_PILOTED_WITHOUT_GCS = 16;
     private static final long THRUST_LOSS_MILLIS = 5_000;
 
-    private final ArduCopter copter;
-    private final Craft craft;
+    private final SimulatedArduCopter copter;
+    private final SimulatedCraft craft;
     private final BatteryFailsafe battery;
     private long groundStationHeardAt = -1;
     private boolean groundStationLost;
@@ -20,7 +20,7 @@ final class CopterFailsafes {
     private long motorFailedAt = -1;
     private boolean thrustLossTold;
 
-    CopterFailsafes(ArduCopter copter, BatteryFailsafe battery) {
+    CopterFailsafes(SimulatedArduCopter copter, BatteryFailsafe battery) {
         this.copter = copter;
         this.craft = copter.craft();
         this.battery = battery;
@@ -51,11 +51,11 @@ final class CopterFailsafes {
         if (trip == null) {
             return;
         }
-        copter.say(Severity.WARNING, trip.text());
+        copter.say(TextSeverity.WARNING, trip.text());
         if (!craft.armed()) {
             return;
         }
-        copter.say(Severity.WARNING, "Battery Failsafe");
+        copter.say(TextSeverity.WARNING, "Battery Failsafe");
         act(trip.action());
     }
 
@@ -86,7 +86,7 @@ final class CopterFailsafes {
             groundStationFailed(action);
         } else if (!lost && groundStationLost) {
             groundStationLost = false;
-            copter.say(Severity.WARNING, "GCS Failsafe Cleared");
+            copter.say(TextSeverity.WARNING, "GCS Failsafe Cleared");
         }
     }
 
@@ -97,13 +97,13 @@ final class CopterFailsafes {
         int options = (int) copter.parameters().value("FS_OPTIONS");
         CopterMode mode = copter.flight().mode();
         if (mode == CopterMode.AUTO && (options & CONTINUE_AUTO_WITHOUT_GCS) != 0) {
-            copter.say(Severity.WARNING, "GCS Failsafe - Continuing Auto Mode");
+            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Auto Mode");
         } else if (mode == CopterMode.LAND && (options & CONTINUE_LANDING) != 0) {
-            copter.say(Severity.WARNING, "GCS Failsafe - Continuing Landing");
+            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Landing");
         } else if (mode.followsStick() && (options & CONTINUE_PILOTED_WITHOUT_GCS) != 0) {
-            copter.say(Severity.WARNING, "GCS Failsafe - Continuing Pilot Control");
+            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Pilot Control");
         } else {
-            copter.say(Severity.WARNING, "GCS Failsafe");
+            copter.say(TextSeverity.WARNING, "GCS Failsafe");
             act(action == 5 ? 1 : 2);
         }
     }
@@ -114,13 +114,13 @@ final class CopterFailsafes {
         if (hadPosition && !has && !positionLost) {
             positionLost = true;
             if (craft.armed() && copter.flight().mode().needsPosition) {
-                copter.say(Severity.CRITICAL, "EKF variance");
+                copter.say(TextSeverity.CRITICAL, "EKF variance");
                 copter.change(CopterMode.LAND);
-                copter.say(Severity.CRITICAL, "EKF Failsafe: changed to LAND Mode");
+                copter.say(TextSeverity.CRITICAL, "EKF Failsafe: changed to LAND Mode");
             }
         } else if (has && positionLost) {
             positionLost = false;
-            copter.say(Severity.CRITICAL, "EKF Failsafe Cleared");
+            copter.say(TextSeverity.CRITICAL, "EKF Failsafe Cleared");
         }
     }
 
@@ -135,7 +135,7 @@ final class CopterFailsafes {
         }
         if (!thrustLossTold && nowMillis - motorFailedAt >= THRUST_LOSS_MILLIS) {
             thrustLossTold = true;
-            copter.say(Severity.EMERGENCY, "Potential Thrust Loss (1)");
+            copter.say(TextSeverity.EMERGENCY, "Potential Thrust Loss (1)");
         }
     }
 }

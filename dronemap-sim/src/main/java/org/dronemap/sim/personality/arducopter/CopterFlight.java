@@ -1,9 +1,7 @@
 package org.dronemap.sim.personality.arducopter;
 
 import java.util.function.Consumer;
-import org.dronemap.sim.flight.Craft;
-import org.dronemap.sim.flight.Cruise;
-import org.dronemap.sim.flight.Drive;
+import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.GoTo;
@@ -12,26 +10,28 @@ import org.dronemap.sim.flight.Hover;
 import org.dronemap.sim.flight.Landing;
 import org.dronemap.sim.flight.Manoeuvre;
 import org.dronemap.sim.flight.MissionFlight;
-import org.dronemap.sim.flight.MissionItem;
+import org.dronemap.sim.flight.MovingTargetManoeuvre;
 import org.dronemap.sim.flight.Parameters;
-import org.dronemap.sim.flight.Pursuit;
 import org.dronemap.sim.flight.ReturnHome;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.StoredMissionItem;
 import org.dronemap.sim.flight.TakeOff;
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.flight.VelocityManoeuvre;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /** The mode that an ArduCopter is in and what it flies because of it. */
 final class CopterFlight {
     private static final int STICK_MID = 1500;
     private static final int STICK_LOW = 1100;
-    private static final Drive.Wanted STANDING = new Drive.Wanted(true, 0, 0, 0, Double.NaN, 0);
+    private static final VelocityManoeuvre.Wanted STANDING = new VelocityManoeuvre.Wanted(true, 0, 0, 0, Double.NaN, 0);
 
-    private final Craft craft;
+    private final SimulatedCraft craft;
     private final FlightPlan plan;
     private final Parameters parameters;
     private final Consumer<FlightEvent> events;
-    private final Cruise cruise = new Cruise(10, 2.5, 1.5, 0.5);
+    private final CruiseSpeeds cruise = new CruiseSpeeds(10, 2.5, 1.5, 0.5);
     private CopterMode mode = CopterMode.STABILIZE;
     private Manoeuvre manoeuvre = new Grounded();
     private @Nullable MissionFlight mission;
@@ -40,15 +40,15 @@ final class CopterFlight {
     private boolean completed;
     private boolean autoStarted;
     private int stick = STICK_MID;
-    private final Joystick joystick;
+    private final ManualControlInput joystick;
     private boolean byHand;
 
-    CopterFlight(Craft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
+    CopterFlight(SimulatedCraft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
         this.craft = craft;
         this.plan = plan;
         this.parameters = parameters;
         this.events = events;
-        this.joystick = new Joystick(parameters);
+        this.joystick = new ManualControlInput(parameters);
         readSpeeds();
     }
 
@@ -60,9 +60,9 @@ final class CopterFlight {
                 parameters.value("LAND_SPEED") / 100);
     }
 
-    Setpoint fly(long nowMillis) {
+    MotionSetpoint fly(long nowMillis) {
         if (mode == CopterMode.AUTO && craft.landed() && !autoStarted) {
-            return new Setpoint.Still();
+            return new MotionSetpoint.Still();
         }
         if (isFlownByHand(nowMillis)) {
             return byHand(nowMillis);
@@ -73,7 +73,7 @@ final class CopterFlight {
         if (manoeuvre instanceof TakeOff && craft.body().onGround()) {
             // The motors spool up, but the pilot does not let it climb.
             manoeuvre.fly(craft, nowMillis);
-            return new Setpoint.Still();
+            return new MotionSetpoint.Still();
         }
         return craft.landed() ? manoeuvre.fly(craft, nowMillis) : sink();
     }
@@ -88,9 +88,9 @@ final class CopterFlight {
         return held;
     }
 
-    private Setpoint byHand(long nowMillis) {
-        Drive.Wanted wanted = joystick.wanted(nowMillis);
-        return new Drive(wanted == null ? STANDING : wanted, cruise).fly(craft, nowMillis);
+    private MotionSetpoint byHand(long nowMillis) {
+        VelocityManoeuvre.Wanted wanted = joystick.wanted(nowMillis);
+        return new VelocityManoeuvre(wanted == null ? STANDING : wanted, cruise).fly(craft, nowMillis);
     }
 
     private boolean isHeldDown() {
@@ -98,9 +98,9 @@ final class CopterFlight {
     }
 
     /** The throttle stick at its bottom means "down" in every mode that a pilot flies. */
-    private Setpoint sink() {
+    private MotionSetpoint sink() {
         double speed = mode == CopterMode.STABILIZE ? 8 : parameters.value("PILOT_SPEED_DN") / 100;
-        return new Setpoint.Velocity(
+        return new MotionSetpoint.Velocity(
                 0, 0, -Math.min(speed, Math.max(0.5, craft.body().up() / 2)), Double.NaN);
     }
 
@@ -181,15 +181,15 @@ final class CopterFlight {
         manoeuvre = new TakeOff(craft, metersAboveHome + craft.homePosition().up(), cruise);
     }
 
-    void goTo(Position target, double yaw) {
+    void goTo(NeuPosition target, double yaw) {
         steerByPosition();
         manoeuvre = new GoTo(target, cruise, yaw);
     }
 
     /** Follows a place that moves. */
-    void pursue(Pursuit.Moving place, double yaw) {
+    void pursue(MovingTargetManoeuvre.Moving place, double yaw) {
         steerByPosition();
-        manoeuvre = new Pursuit(place, cruise, yaw);
+        manoeuvre = new MovingTargetManoeuvre(place, cruise, yaw);
     }
 
     /** It begins with the speeds of the parameters: what was asked for during the take-off is lost. */
@@ -248,7 +248,7 @@ final class CopterFlight {
 
     boolean startsWithTakeOff() {
         int first = Math.max(1, resumeItem);
-        return first < plan.size() && plan.item(first).command() == MissionItem.TAKEOFF;
+        return first < plan.size() && plan.item(first).command() == StoredMissionItem.TAKEOFF;
     }
 
     boolean takingOff() {
@@ -257,7 +257,7 @@ final class CopterFlight {
     }
 
     private boolean isTakeOff(int index) {
-        return index < plan.size() && plan.item(index).command() == MissionItem.TAKEOFF;
+        return index < plan.size() && plan.item(index).command() == StoredMissionItem.TAKEOFF;
     }
 
     boolean landing() {
@@ -292,7 +292,7 @@ final class CopterFlight {
         return paused != null ? 4 : 3;
     }
 
-    Cruise cruise() {
+    CruiseSpeeds cruise() {
         return cruise;
     }
 
@@ -301,7 +301,7 @@ final class CopterFlight {
     }
 
     /** What a ground station's sticks say. */
-    Joystick joystick() {
+    ManualControlInput joystick() {
         return joystick;
     }
 

@@ -1,7 +1,7 @@
 package org.dronemap.sim.personality.px4;
 
-import org.dronemap.sim.flight.Craft;
-import org.dronemap.sim.flight.Severity;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.TextSeverity;
 
 /** The fail-safes of PX4 for the loss of data link, battery or position. */
 final class Px4Failsafes {
@@ -9,8 +9,8 @@ final class Px4Failsafes {
     private static final int LAND_AT_CRITICAL = 2;
     private static final int EXCEPT_MISSION = 1;
 
-    private final Px4 px4;
-    private final Craft craft;
+    private final SimulatedPx4 px4;
+    private final SimulatedCraft craft;
     private long groundStationHeardAt = -1;
     private boolean linkLost;
     private boolean acted;
@@ -18,7 +18,7 @@ final class Px4Failsafes {
     private boolean hadPosition;
     private int batteryLevel;
 
-    Px4Failsafes(Px4 px4) {
+    Px4Failsafes(SimulatedPx4 px4) {
         this.px4 = px4;
         this.craft = px4.craft();
     }
@@ -44,10 +44,10 @@ final class Px4Failsafes {
         boolean acts = lost && action > 0 && craft.armed() && !craft.landed() && !goesOn();
         if (acts && !acted) {
             acted = true;
-            px4.say(Severity.WARNING, "Failsafe activated: Datalink lost");
+            px4.say(TextSeverity.WARNING, "Failsafe activated: Datalink lost");
             act(action);
         } else if (!lost && linkLost) {
-            px4.say(Severity.INFO, "Data link regained");
+            px4.say(TextSeverity.INFO, "Data link regained");
         }
         linkLost = lost;
         acted &= lost;
@@ -74,7 +74,7 @@ final class Px4Failsafes {
         hadPosition |= has;
         boolean lost = hadPosition && !has;
         if (lost && !positionLost && craft.armed() && px4.flight().mode().needsPosition) {
-            px4.say(Severity.CRITICAL, "Failsafe activated: position estimate lost");
+            px4.say(TextSeverity.CRITICAL, "Failsafe activated: position estimate lost");
             px4.change(Px4Mode.LAND);
         }
         positionLost = lost;
@@ -94,7 +94,7 @@ final class Px4Failsafes {
 
     private void batteryFell(int level) {
         String[] words = {"", "Low battery", "Critical battery", "Emergency battery level"};
-        px4.say(level == 1 ? Severity.WARNING : Severity.CRITICAL, words[level]);
+        px4.say(level == 1 ? TextSeverity.WARNING : TextSeverity.CRITICAL, words[level]);
         int action = (int) px4.parameters().value("COM_LOW_BAT_ACT");
         if (level < 2 || !craft.armed() || craft.landed()) {
             return;

@@ -1,8 +1,7 @@
 package org.dronemap.sim.personality.px4;
 
 import java.util.function.Consumer;
-import org.dronemap.sim.flight.Craft;
-import org.dronemap.sim.flight.Cruise;
+import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.GoTo;
@@ -13,19 +12,20 @@ import org.dronemap.sim.flight.Manoeuvre;
 import org.dronemap.sim.flight.MissionFlight;
 import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.ReturnHome;
+import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TakeOff;
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /** The mode that a PX4 vehicle is in and what it flies because of it. */
 final class Px4Flight {
-    private final Craft craft;
+    private final SimulatedCraft craft;
     private final FlightPlan plan;
     private final Parameters parameters;
     private final Consumer<FlightEvent> events;
-    private final Cruise cruise = new Cruise(5, 3, 1.5, 0.7);
-    private final Cruise takeOffCruise = new Cruise(5, 1.5, 1.5, 0.7);
+    private final CruiseSpeeds cruise = new CruiseSpeeds(5, 3, 1.5, 0.7);
+    private final CruiseSpeeds takeOffCruise = new CruiseSpeeds(5, 1.5, 1.5, 0.7);
     private Px4Mode mode = Px4Mode.HOLD;
     private Manoeuvre manoeuvre = new Grounded();
     private @Nullable MissionFlight mission;
@@ -35,7 +35,7 @@ final class Px4Flight {
     private boolean flown;
     private boolean holdDue;
 
-    Px4Flight(Craft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
+    Px4Flight(SimulatedCraft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
         this.craft = craft;
         this.plan = plan;
         this.parameters = parameters;
@@ -51,9 +51,9 @@ final class Px4Flight {
         takeOffCruise.set(cruise.horizontal(), parameters.value("MPC_TKO_SPEED"), sink, touchdown);
     }
 
-    Setpoint fly(long nowMillis) {
+    MotionSetpoint fly(long nowMillis) {
         flown |= !craft.landed();
-        Setpoint setpoint = manoeuvre.fly(craft, nowMillis);
+        MotionSetpoint setpoint = manoeuvre.fly(craft, nowMillis);
         if (mode == Px4Mode.TAKEOFF && manoeuvre instanceof TakeOff && manoeuvre.done()) {
             holdDue = true;
         }
@@ -135,7 +135,7 @@ final class Px4Flight {
         takeOffHeight = metersAboveHome;
     }
 
-    void goTo(Position target, double yaw) {
+    void goTo(NeuPosition target, double yaw) {
         manoeuvre = new GoTo(target, cruise, yaw);
     }
 
@@ -189,7 +189,7 @@ final class Px4Flight {
         return mission == null ? (nextItem > 0 ? 4 : 2) : 3;
     }
 
-    Cruise cruise() {
+    CruiseSpeeds cruise() {
         return cruise;
     }
 

@@ -38,7 +38,7 @@ final class DirectoryLock implements AutoCloseable {
             closeQuietly(channel, e);
             throw e instanceof StoreException sentence
                     ? sentence
-                    : FileSentence.exception("Cannot lock the data directory " + directory, e);
+                    : FileErrorMessages.exception("Cannot lock the data directory " + directory, e);
         }
     }
 

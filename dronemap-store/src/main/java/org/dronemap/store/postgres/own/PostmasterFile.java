@@ -29,7 +29,7 @@ record PostmasterFile(long pid, int port) {
         } catch (NoSuchFileException | NumberFormatException e) {
             return Optional.empty();
         } catch (IOException e) {
-            throw FileSentence.exception("Cannot read " + path(cluster), e);
+            throw FileErrorMessages.exception("Cannot read " + path(cluster), e);
         }
     }
 

@@ -56,10 +56,10 @@ final class OidcProvider {
 
     private final OidcSettings settings;
     private final ClientID client;
-    private volatile @Nullable Known known;
+    private volatile @Nullable ProviderConfiguration known;
 
     /** What the provider says of itself, and its keys, which are fetched anew when one is not among them. */
-    private record Known(OIDCProviderMetadata metadata, IDTokenValidator validator) {}
+    private record ProviderConfiguration(OIDCProviderMetadata metadata, IDTokenValidator validator) {}
 
     /** What a sign-in has to come back with. */
     record Secrets(State state, Nonce nonce, CodeVerifier verifier) {
@@ -73,7 +73,7 @@ final class OidcProvider {
         this.client = new ClientID(settings.client().id());
     }
 
-    URI signInAddress(Secrets secrets) throws OidcRefusal {
+    URI signInAddress(Secrets secrets) throws OidcSignInException {
         return new AuthenticationRequest.Builder(
                         ResponseType.CODE, new Scope("openid", "profile", "email"), client, settings.callback())
                 .endpointURI(known().metadata().getAuthorizationEndpointURI())
@@ -85,8 +85,8 @@ final class OidcProvider {
     }
 
     /** Exchanges the code; issuer, audience, signature, times and nonce of the answer are right. */
-    IDTokenClaimsSet prove(String code, Secrets secrets) throws OidcRefusal {
-        Known provider = known();
+    IDTokenClaimsSet prove(String code, Secrets secrets) throws OidcSignInException {
+        ProviderConfiguration provider = known();
         try {
             HTTPRequest request =
                     tokenRequest(provider.metadata(), code, secrets).toHTTPRequest();
@@ -95,15 +95,15 @@ final class OidcProvider {
             request.setFollowRedirects(false);
             TokenResponse response = OIDCTokenResponseParser.parse(request.send());
             if (!(response instanceof OIDCTokenResponse success)) {
-                throw new OidcRefusal("the provider did not take the code ("
+                throw new OidcSignInException("the provider did not take the code ("
                         + response.toErrorResponse().getErrorObject().getCode() + ")");
             }
             JWT token = success.getOIDCTokens().getIDToken();
             return provider.validator().validate(token, secrets.nonce());
         } catch (GeneralException | IOException e) {
-            throw new OidcRefusal("the provider's answer cannot be used", e);
+            throw new OidcSignInException("the provider's answer cannot be used", e);
         } catch (BadJOSEException | com.nimbusds.jose.JOSEException e) {
-            throw new OidcRefusal("the provider's answer proves nothing", e);
+            throw new OidcSignInException("the provider's answer proves nothing", e);
         }
     }
 
@@ -127,8 +127,8 @@ final class OidcProvider {
     }
 
     /** Asked when it is first needed, so that a provider that is down keeps no server from starting. */
-    private Known known() throws OidcRefusal {
-        Known before = known;
+    private ProviderConfiguration known() throws OidcSignInException {
+        ProviderConfiguration before = known;
         if (before != null) {
             return before;
         }
@@ -141,11 +141,11 @@ final class OidcProvider {
                     .build();
             IDTokenValidator validator =
                     new IDTokenValidator(issuer, client, new JWSVerificationKeySelector<>(SIGNATURES, keys), null);
-            Known now = new Known(metadata, validator);
+            ProviderConfiguration now = new ProviderConfiguration(metadata, validator);
             known = now;
             return now;
         } catch (GeneralException | IOException e) {
-            throw new OidcRefusal("the provider " + settings.issuer() + " does not say how to use it", e);
+            throw new OidcSignInException("the provider " + settings.issuer() + " does not say how to use it", e);
         }
     }
 }

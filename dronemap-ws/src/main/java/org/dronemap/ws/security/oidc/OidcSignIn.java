@@ -18,7 +18,7 @@ import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.reading.Secrets;
+import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.security.Authentication;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -38,25 +38,25 @@ public final class OidcSignIn {
     private final Authentication authentication;
     private final ExternalUsers users;
     private final Clock clock;
-    private final Secrets secrets = new Secrets();
+    private final SecretGenerator secrets = new SecretGenerator();
 
     /** Guarded by this: by state; the eldest goes when it is full. */
-    private final Map<String, Begun> begun = new LinkedHashMap<>() {
+    private final Map<String, PendingSignIn> begun = new LinkedHashMap<>() {
         private static final long serialVersionUID = 1L;
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Begun> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<String, PendingSignIn> eldest) {
             return size() > MOST_BEGUN;
         }
     };
 
-    private record Begun(OidcProvider.Secrets secrets, String browserHash, Instant until) {}
+    private record PendingSignIn(OidcProvider.Secrets secrets, String browserHash, Instant until) {}
 
     /** Where the browser goes now, and what it has to keep to come back. */
-    public record Start(URI address, String browser) {}
+    public record SignInRedirect(URI address, String browser) {}
 
     /** What the browser came back with. */
-    public record Return(
+    public record SignInCallback(
             @Nullable String code,
             @Nullable String state,
             @Nullable String browser) {}
@@ -74,14 +74,14 @@ public final class OidcSignIn {
         return settings.label();
     }
 
-    public Start start() {
+    public SignInRedirect start() {
         OidcProvider.Secrets fresh = OidcProvider.Secrets.random();
         String browser = secrets.token();
         try {
             URI address = provider.signInAddress(fresh);
             remember(fresh, browser);
-            return new Start(address, browser);
-        } catch (OidcRefusal e) {
+            return new SignInRedirect(address, browser);
+        } catch (OidcSignInException e) {
             LOG.warn("Nobody can sign in with {}: {}", settings.label(), e.getMessage());
             throw Rejection.of(
                     ServerProblem.PROVIDER_UNREACHABLE,
@@ -93,7 +93,7 @@ public final class OidcSignIn {
     private synchronized void remember(OidcProvider.Secrets fresh, String browser) {
         Instant now = clock.instant();
         begun.values().removeIf(one -> !one.until().isAfter(now));
-        begun.put(fresh.state().getValue(), new Begun(fresh, Secrets.hash(browser), now.plus(LONGEST)));
+        begun.put(fresh.state().getValue(), new PendingSignIn(fresh, SecretGenerator.hash(browser), now.plus(LONGEST)));
     }
 
     /**
@@ -101,12 +101,12 @@ public final class OidcSignIn {
      *
      * @throws Rejection when nothing is proved, or the account may not sign in
      */
-    public Authentication.NewSession finish(Return back) {
+    public Authentication.NewSession finish(SignInCallback back) {
         try {
-            Begun start = take(back);
+            PendingSignIn start = take(back);
             String code = back.code();
             if (code == null) {
-                throw new OidcRefusal("the provider sent no code");
+                throw new OidcSignInException("the provider sent no code");
             }
             IDTokenClaimsSet claims = provider.prove(code, start.secrets());
             User user = users.admit(
@@ -114,7 +114,7 @@ public final class OidcSignIn {
                             claims.getIssuer().getValue(), claims.getSubject().getValue(), name(claims), role(claims)),
                     settings.newAccounts());
             return authentication.signInProved(user);
-        } catch (OidcRefusal e) {
+        } catch (OidcSignInException e) {
             LOG.warn("A sign-in with {} was refused: {}", settings.label(), e.getMessage());
             throw Rejection.of(
                     AccessProblem.PROVIDER_SIGN_IN_FAILED,
@@ -123,13 +123,13 @@ public final class OidcSignIn {
         }
     }
 
-    private synchronized Begun take(Return back) throws OidcRefusal {
-        Begun start = back.state() == null ? null : begun.remove(back.state());
+    private synchronized PendingSignIn take(SignInCallback back) throws OidcSignInException {
+        PendingSignIn start = back.state() == null ? null : begun.remove(back.state());
         if (start == null || !start.until().isAfter(clock.instant())) {
-            throw new OidcRefusal("it was not begun here, took too long, or was ended already");
+            throw new OidcSignInException("it was not begun here, took too long, or was ended already");
         }
-        if (back.browser() == null || !start.browserHash().equals(Secrets.hash(back.browser()))) {
-            throw new OidcRefusal("another browser began it");
+        if (back.browser() == null || !start.browserHash().equals(SecretGenerator.hash(back.browser()))) {
+            throw new OidcSignInException("another browser began it");
         }
         return start;
     }
@@ -143,7 +143,7 @@ public final class OidcSignIn {
     }
 
     /** The highest that the claim gives; null where roles are given here. */
-    private @Nullable Role role(IDTokenClaimsSet claims) throws OidcRefusal {
+    private @Nullable Role role(IDTokenClaimsSet claims) throws OidcSignInException {
         String claim = settings.roles().claim();
         if (claim == null) {
             return null;
@@ -154,6 +154,6 @@ public final class OidcSignIn {
                 .map(one -> settings.roles().byValue().get(String.valueOf(one)))
                 .filter(java.util.Objects::nonNull)
                 .max(Comparator.naturalOrder());
-        return highest.orElseThrow(() -> new OidcRefusal("the claim " + claim + " gives none of the roles"));
+        return highest.orElseThrow(() -> new OidcSignInException("the claim " + claim + " gives none of the roles"));
     }
 }

@@ -14,16 +14,16 @@ final class ClientOutbox {
 
     // all guarded by this
     private final Deque<Message> discrete = new ArrayDeque<>();
-    private final Map<Subject, String> newest = new LinkedHashMap<>();
+    private final Map<MessageSubject, String> newest = new LinkedHashMap<>();
     private @Nullable String beat;
     private long replaced;
     private boolean overflown;
 
     /** {@code about}: null when no thing alone. */
-    private record Message(@Nullable Subject about, String json) {}
+    private record Message(@Nullable MessageSubject about, String json) {}
 
     /** A picture that the next one of the same thing replaces. */
-    synchronized void offer(Subject about, String json) {
+    synchronized void offer(MessageSubject about, String json) {
         if (newest.put(about, json) != null) {
             replaced++;
         }
@@ -35,12 +35,12 @@ final class ClientOutbox {
     }
 
     /** No picture of what is gone. */
-    synchronized void forget(Subject about) {
+    synchronized void forget(MessageSubject about) {
         newest.remove(about);
     }
 
     /** Nothing at all of what this client may see no longer. */
-    synchronized void withhold(Subject about) {
+    synchronized void withhold(MessageSubject about) {
         newest.remove(about);
         discrete.removeIf(message -> about.equals(message.about()));
     }
@@ -51,7 +51,7 @@ final class ClientOutbox {
     }
 
     /** The same, of one thing. */
-    synchronized void add(@Nullable Subject about, String json) {
+    synchronized void add(@Nullable MessageSubject about, String json) {
         if (discrete.size() == MOST_DISCRETE) {
             overflown = true;
         } else {

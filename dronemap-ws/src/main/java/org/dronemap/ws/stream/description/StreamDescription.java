@@ -6,17 +6,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
-import org.dronemap.ws.reading.Alternatives;
 import org.dronemap.ws.reading.JsonReader;
-import org.dronemap.ws.stream.SaidMessages;
+import org.dronemap.ws.reading.RecordAlternatives;
+import org.dronemap.ws.stream.StreamAccessRules;
 import org.dronemap.ws.stream.StreamFace;
 import org.dronemap.ws.stream.StreamMessage;
+import org.dronemap.ws.stream.StreamMessageCatalogue;
 import org.dronemap.ws.stream.StreamRequest;
 import org.dronemap.ws.stream.StreamRequestKind;
-import org.dronemap.ws.stream.StreamRules;
 import org.dronemap.ws.stream.StreamServer;
 import org.dronemap.ws.stream.Topic;
-import org.dronemap.ws.stream.delivery.Turns;
+import org.dronemap.ws.stream.delivery.PublishSchedule;
 import org.jspecify.annotations.Nullable;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 import tools.jackson.databind.json.JsonMapper;
@@ -27,10 +27,10 @@ import tools.jackson.databind.node.ObjectNode;
 public final class StreamDescription {
     private static final String CHANNEL = "#/channels/stream";
     private static final Map<String, Class<?>> HEARD =
-            Alternatives.of(StreamRequest.class).orElseThrow().records();
+            RecordAlternatives.of(StreamRequest.class).orElseThrow().records();
 
     private final List<Topic<?>> topics;
-    private final SaidMessages said;
+    private final StreamMessageCatalogue said;
     private final List<OpenApiCustomizer> customizers;
     private final JsonMapper json;
     private final String version;
@@ -101,7 +101,7 @@ public final class StreamDescription {
         members.putObject("rate")
                 .put("type", "integer")
                 .put("minimum", 1)
-                .put("maximum", Turns.MOST_PER_SECOND)
+                .put("maximum", PublishSchedule.MOST_PER_SECOND)
                 .put("description", "Of each drone at most so many states a second");
     }
 
@@ -118,7 +118,7 @@ public final class StreamDescription {
         });
         for (StreamRequestKind kind : StreamRequestKind.values()) {
             ObjectNode operation = operation(operations.putObject(kind.word()), "receive", List.of(request(kind)));
-            operation.put("summary", StreamRules.of(kind).words());
+            operation.put("summary", StreamAccessRules.of(kind).words());
             ObjectNode reply = operation.putObject("reply");
             reference(reply.putObject("channel"), CHANNEL);
             ArrayNode answers = reply.putArray("messages");
@@ -147,7 +147,7 @@ public final class StreamDescription {
         ObjectNode messages = components.putObject("messages");
         said.records().forEach((type, record) -> message(messages, type, record));
         HEARD.forEach((type, record) -> message(messages, type, record));
-        components.set("schemas", DescribedSchemas.of(said, customizers, json));
+        components.set("schemas", StreamSchemas.of(said, customizers, json));
         ObjectNode schemes = components.putObject("securitySchemes");
         schemes.putObject("accessKey").put("type", "http").put("scheme", "bearer");
         schemes.putObject("ticket")

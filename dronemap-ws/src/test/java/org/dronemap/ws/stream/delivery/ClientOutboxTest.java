@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** The outbox of a slow client: all that must arrive does, or it is closed. */
 class ClientOutboxTest {
-    private static final Subject DRONE = Subject.drone(new DroneId("drone-1"));
+    private static final MessageSubject DRONE = MessageSubject.drone(new DroneId("drone-1"));
 
     private final ClientOutbox outbox = new ClientOutbox();
 
@@ -20,7 +20,7 @@ class ClientOutboxTest {
     @NullSource
     @ValueSource(strings = "drone-1")
     void isOverflownWithOneMessageMoreThanItHoldsWhicheverItIs(@Nullable String about) {
-        Subject drone = about == null ? null : Subject.drone(new DroneId(about));
+        MessageSubject drone = about == null ? null : MessageSubject.drone(new DroneId(about));
         for (int count = 0; count < ClientOutbox.MOST_DISCRETE; count++) {
             outbox.add(drone, "{}");
         }

@@ -6,10 +6,10 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.stream.LongStream;
-import org.dronemap.bench.planning.flown.TestField.Effort;
-import org.dronemap.cognitive.allocate.Budget;
-import org.dronemap.cognitive.engine.Engine;
-import org.dronemap.cognitive.engine.Planned;
+import org.dronemap.bench.planning.flown.SimulatedTestFlight.FlightEffort;
+import org.dronemap.cognitive.allocate.SearchBudget;
+import org.dronemap.cognitive.engine.FleetPlanner;
+import org.dronemap.cognitive.engine.PlanResult;
 import org.dronemap.cognitive.plan.MissionWriter;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Barrier;
@@ -17,19 +17,19 @@ import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.Place;
-import org.dronemap.cognitive.problem.Problem;
-import org.dronemap.cognitive.problem.Rules;
+import org.dronemap.cognitive.problem.PlanningProblem;
+import org.dronemap.cognitive.problem.PlanningRules;
 import org.dronemap.cognitive.problem.Task;
+import org.dronemap.cognitive.problem.TimeWindow;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.cognitive.problem.Window;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Wind;
+import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.WindModel;
 
 /**
  * {@code FIRST-SEED CASES}: so many random plans with wind, heights and fences, each tour flown by a simulated copter in
@@ -49,7 +49,7 @@ public final class FlownPlans {
 
     public static void main(String[] words) {
         long first = Long.parseLong(words[0]);
-        Performance measured = new Measuring(HOME).performance();
+        Performance measured = new PerformanceMeasurement(HOME).performance();
         System.out.println("about " + measured);
         LongStream.range(first, first + Long.parseLong(words[1])).parallel().forEach(seed -> {
             fly(seed, "measured", measured);
@@ -62,18 +62,18 @@ public final class FlownPlans {
         double speed = random.nextDouble(0, STRONGEST_WIND);
         double towards = random.nextDouble(0, 2 * Math.PI);
         double from = (Math.toDegrees(towards) + 180) % 360;
-        Problem problem = problem(random, performance, new org.dronemap.cognitive.problem.Wind(speed, from));
-        Planned planned = Engine.plan(problem, seed, Budget.iterations(ITERATIONS), progress -> {});
+        PlanningProblem problem = problem(random, performance, new org.dronemap.cognitive.problem.UniformWind(speed, from));
+        PlanResult planned = FleetPlanner.plan(problem, seed, SearchBudget.iterations(ITERATIONS), progress -> {});
         if (!planned.canBeFlown()) {
             throw new IllegalStateException("seed " + seed + ": " + planned.faults());
         }
         for (int drone = 0; drone < problem.crafts().size(); drone++) {
             Tour tour = planned.plan().tours().get(drone);
             if (!tour.stops().isEmpty()) {
-                LocalFrame home = HOME.shifted(new Position(0, SPACING * drone, 0));
+                LocalFrame home = HOME.shifted(new NeuPosition(0, SPACING * drone, 0));
                 MissionWriter writer =
                         new MissionWriter(problem.crafts().get(drone), VehicleKind.MULTICOPTER, id -> Task.FLY_THROUGH);
-                Effort flown = new TestField(home, new Wind(speed, towards, seed))
+                FlightEffort flown = new SimulatedTestFlight(home, new WindModel(speed, towards, seed))
                         .fly(writer.write(tour).items());
                 System.out.println(String.format(
                         Locale.ROOT,
@@ -91,8 +91,8 @@ public final class FlownPlans {
         }
     }
 
-    private static Problem problem(
-            SplittableRandom random, Performance performance, org.dronemap.cognitive.problem.Wind wind) {
+    private static PlanningProblem problem(
+            SplittableRandom random, Performance performance, org.dronemap.cognitive.problem.UniformWind wind) {
         List<Barrier> barriers = new ArrayList<>();
         for (int i = random.nextInt(5); i > 0; i--) {
             Place middle = place(random.nextDouble(-FIELD, FIELD), random.nextDouble(120, 2 * FIELD), 0);
@@ -115,13 +115,13 @@ public final class FlownPlans {
                     random.nextDouble(0, 2 * FIELD),
                     random.nextDouble(LOWEST, HIGHEST));
             Task task = random.nextInt(4) == 0 ? new Task(random.nextInt(3, 20), Set.of()) : Task.FLY_THROUGH;
-            waypoints.add(new Waypoint("w" + i, there, task, 1, Window.ALWAYS));
+            waypoints.add(new Waypoint("w" + i, there, task, 1, TimeWindow.ALWAYS));
         }
-        return new Problem(waypoints, crafts, barriers, wind, Objective.earliestEnd(), Rules.USUAL);
+        return new PlanningProblem(waypoints, crafts, barriers, wind, Objective.earliestEnd(), PlanningRules.USUAL);
     }
 
     private static Place place(double east, double north, double up) {
-        Position there = new Position(north, east, up);
+        NeuPosition there = new NeuPosition(north, east, up);
         return new Place(new Geodetic(HOME.latitudeOf(there), HOME.longitudeOf(there)), HOME.altitudeAmsl() + up);
     }
 }

@@ -36,7 +36,7 @@ public final class JspritSolver implements Solver {
     }
 
     @Override
-    public int[][] solve(TourProblem problem, Order order, Consumer<int[][]> improved) {
+    public int[][] solve(TourProblem problem, SearchOptions order, Consumer<int[][]> improved) {
         if (!problem.longest()) {
             throw new IllegalArgumentException("set up for the longest tour only");
         }
@@ -97,7 +97,7 @@ public final class JspritSolver implements Solver {
         return costs.build();
     }
 
-    private static VehicleRoutingAlgorithm algorithm(TourProblem problem, VehicleRoutingProblem routing, Order order) {
+    private static VehicleRoutingAlgorithm algorithm(TourProblem problem, VehicleRoutingProblem routing, SearchOptions order) {
         StateManager states = new StateManager(routing);
         ConstraintManager constraints = new ConstraintManager(routing, states);
         constraints.addConstraint((SoftRouteConstraint) context -> BALANCE * length(context.getRoute()));

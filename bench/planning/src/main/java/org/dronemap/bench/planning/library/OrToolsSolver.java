@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.LongUnaryOperator;
 import java.util.stream.IntStream;
-import org.dronemap.bench.planning.PlainWay;
+import org.dronemap.bench.planning.BaselineSolver;
 import org.dronemap.bench.planning.Solver;
 import org.dronemap.bench.planning.TourProblem;
 import org.dronemap.cognitive.allocate.NearestNeighbour;
@@ -34,7 +34,7 @@ public final class OrToolsSolver implements Solver {
     }
 
     @Override
-    public int[][] solve(TourProblem problem, Order order, Consumer<int[][]> improved) {
+    public int[][] solve(TourProblem problem, SearchOptions order, Consumer<int[][]> improved) {
         if (!problem.longest()) {
             throw new IllegalArgumentException("set up for the longest tour only");
         }
@@ -72,7 +72,7 @@ public final class OrToolsSolver implements Solver {
     }
 
     private static long[][] first(TourProblem problem) {
-        int[][] orders = new PlainWay("", new NearestNeighbour()).orders(problem);
+        int[][] orders = new BaselineSolver("", new NearestNeighbour()).orders(problem);
         return Arrays.stream(orders)
                 .map(order -> Arrays.stream(order).asLongStream().toArray())
                 .toArray(long[][]::new);

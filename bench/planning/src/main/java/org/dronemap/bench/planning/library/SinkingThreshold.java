@@ -3,16 +3,16 @@ package org.dronemap.bench.planning.library;
 import com.graphhopper.jsprit.core.algorithm.acceptor.SolutionAcceptor;
 import com.graphhopper.jsprit.core.problem.solution.VehicleRoutingProblemSolution;
 import java.util.Collection;
-import org.dronemap.bench.planning.Allowance;
+import org.dronemap.bench.planning.CpuBudget;
 
 /** Takes what is not worse than the last one by more than a threshold, which sinks to nearly nothing as the CPU is used up. */
 final class SinkingThreshold implements SolutionAcceptor {
     private static final double FIRST = 0.02;
     private static final double LAST = 0.0001;
 
-    private final Allowance allowance;
+    private final CpuBudget allowance;
 
-    SinkingThreshold(Allowance allowance) {
+    SinkingThreshold(CpuBudget allowance) {
         this.allowance = allowance;
     }
 

@@ -46,8 +46,8 @@ public final class TimefoldSolver implements org.dronemap.bench.planning.Solver 
         if (!problem.longest()) {
             throw new IllegalArgumentException("set up for the longest tour only");
         }
-        Solver<RoutePlan> solver =
-                SolverFactory.<RoutePlan>create(config(order.seed())).buildSolver();
+        Solver<TimefoldSolution> solver =
+                SolverFactory.<TimefoldSolution>create(config(order.seed())).buildSolver();
         solver.addEventListener(event -> {
             if (event.getNewBestSolution().isWhole()) {
                 improved.accept(event.getNewBestSolution().orders());
@@ -62,7 +62,7 @@ public final class TimefoldSolver implements org.dronemap.bench.planning.Solver 
             };
             ScheduledFuture<?> looks =
                     watch.scheduleWithFixedDelay(look, LOOK_MILLIS, LOOK_MILLIS, TimeUnit.MILLISECONDS);
-            int[][] orders = solver.solve(RoutePlan.of(problem)).orders();
+            int[][] orders = solver.solve(TimefoldSolution.of(problem)).orders();
             looks.cancel(false);
             return orders;
         } finally {
@@ -74,10 +74,10 @@ public final class TimefoldSolver implements org.dronemap.bench.planning.Solver 
         return new SolverConfig()
                 .withEnvironmentMode(mode)
                 .withRandomSeed(seed)
-                .withSolutionClass(RoutePlan.class)
-                .withEntityClasses(Route.class)
+                .withSolutionClass(TimefoldSolution.class)
+                .withEntityClasses(TimefoldRoute.class)
                 .withScoreDirectorFactory(
-                        new ScoreDirectorFactoryConfig().withIncrementalScoreCalculatorClass(LongestTour.class))
+                        new ScoreDirectorFactoryConfig().withIncrementalScoreCalculatorClass(LongestTourScore.class))
                 .withPhases(
                         new ConstructionHeuristicPhaseConfig(),
                         new LocalSearchPhaseConfig()

@@ -1,4 +1,0 @@
-package org.dronemap.bench.planning;
-
-/** A point of the plane, in the problem's unit. */
-public record Spot(double x, double y) {}

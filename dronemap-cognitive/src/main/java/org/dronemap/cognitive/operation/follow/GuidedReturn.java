@@ -1,0 +1,33 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+
+/** Decides when a relieved drone returns by setpoints, and when it is commanded to return by itself. */
+final class GuidedReturn {
+    private static final double NEAR_METERS = 15;
+    /** By then it is far from where it set off. */
+    private static final Duration LONGEST = Duration.ofSeconds(60);
+
+    private GuidedReturn() {}
+
+    /**
+     * Whether it is to be led, and not told to come home by itself yet.
+     *
+     * @param one that was replaced
+     * @param guided it goes by what it is led by
+     * @param homeMeters from its home; null: not known
+     */
+    static boolean isLed(
+            FollowState one, boolean guided, @Nullable Double homeMeters, @Nullable Integer percent, Instant at) {
+        return one.stage() == FollowStage.RETURNING
+                && one.errand() == null
+                && one.tries().failed() == 0
+                && guided
+                && homeMeters != null
+                && homeMeters > NEAR_METERS
+                && (percent == null || percent >= Endurance.RESERVE_PERCENT + Endurance.percentBack(homeMeters))
+                && at.isBefore(one.since().plus(LONGEST));
+    }
+}

@@ -1,0 +1,26 @@
+package org.dronemap.cognitive.operation.run;
+
+/** A drone does not go on: what it had to do is offered to the others. */
+final class DroneWithdrawal {
+    private DroneWithdrawal() {}
+
+    static void leave(RunTransition draft, RunDrone drone, RunDroneStage stage, RunTrigger trigger, String words) {
+        leave(draft, drone, stage, trigger, words, words);
+    }
+
+    /** {@code note}: what is shown of it from now on. */
+    static void leave(RunTransition draft, RunDrone drone, RunDroneStage stage, RunTrigger trigger, String words, String note) {
+        boolean had = !drone.orders().isEmpty();
+        RunDrone out = draft.release(drone, words).noted(note).to(stage, draft.now());
+        draft.put(out.with(out.signs().falling(null).astray(null).silent(null).yields(null)));
+        if (had) {
+            draft.cause(trigger, drone.id(), words, drone.orders());
+        } else {
+            draft.say(trigger, drone.id(), words);
+        }
+    }
+
+    static void callHome(RunTransition draft, RunDrone drone, RunTrigger trigger, String words) {
+        leave(draft, drone, RunDroneStage.RETURNING, trigger, words);
+    }
+}

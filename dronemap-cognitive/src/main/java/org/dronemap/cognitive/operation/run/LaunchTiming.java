@@ -1,0 +1,37 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Instant;
+
+/** Decides when drones take off: after all missions are uploaded, each at the time of its plan. */
+final class LaunchTiming {
+    private LaunchTiming() {}
+
+    /** Once all have their missions the plan's clock begins. */
+    static void prepare(RunTransition draft) {
+        boolean waits = draft.clock().launched()
+                || draft.isPaused()
+                || draft.request() != null
+                || !draft.causes().isEmpty()
+                || draft.drones().stream().anyMatch(drone -> drone.stage() == RunDroneStage.UPLOADING);
+        if (waits || draft.drones().stream().noneMatch(drone -> drone.stage() == RunDroneStage.READY)) {
+            return;
+        }
+        Instant now = draft.now();
+        draft.clock(draft.clock().launched(now));
+        for (RunDrone drone : draft.drones()) {
+            Sortie sortie = drone.sortie();
+            if (drone.stage() == RunDroneStage.READY && sortie != null) {
+                draft.put(drone.flying(sortie.at(now), 0));
+            }
+        }
+        long flying = draft.drones().stream()
+                .filter(drone -> drone.stage() == RunDroneStage.READY)
+                .count();
+        draft.say(RunTrigger.START, null, "All missions are on board; " + RunMessages.count(flying, "drone") + " set off.");
+    }
+
+    static boolean isDue(RunTransition draft, Sortie sortie) {
+        return draft.clock().launched()
+                && !draft.now().isBefore(sortie.moment(sortie.tour().departsSeconds()));
+    }
+}

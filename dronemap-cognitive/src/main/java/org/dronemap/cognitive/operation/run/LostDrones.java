@@ -1,0 +1,235 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Speeds;
+import org.dronemap.core.command.MissionCloudLossPolicy;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.safety.SafetyTimes;
+import org.jspecify.annotations.Nullable;
+
+/** Drones that are not heard: what they may still do, and what they did when they are heard again. */
+final class LostDrones {
+    /** Vehicles that miss the cloud go home, if they were told to. */
+    private static final Duration UNTIL_FAIL_SAFE = SafetyTimes.CORRIDOR_KEPT;
+    /** So far ahead a drone that flies on keeps its waypoints; what comes later is given to others. */
+    private static final Duration FLIES_ON = Duration.ofSeconds(60);
+    /** Beside what the way takes. */
+    private static final Duration MARGIN = Duration.ofSeconds(60);
+
+    private static final Duration UNTIL_ALL_IS_TOLD = Duration.ofMillis(2_500);
+    /** Who does not tell its mission is taken as it is then. */
+    private static final Duration LONGEST_UNTOLD = Duration.ofSeconds(8);
+
+    private static final double STEEPLY_METERS = 120;
+    private static final double AT_HOME_METERS = 15;
+
+    private LostDrones() {}
+
+    static void begin(RunTransition draft, RunDrone drone, DroneObservation look) {
+        if (drone.stage().compareTo(RunDroneStage.STARTING) < 0) {
+            onTheGround(draft, drone);
+        } else if (drone.stage().compareTo(RunDroneStage.RETURNING) <= 0) {
+            inTheAir(draft, drone, look);
+        }
+    }
+
+    private static void onTheGround(RunTransition draft, RunDrone drone) {
+        if (drone.stage() != RunDroneStage.LANDED || !drone.orders().isEmpty()) {
+            String words = "Nothing is heard of " + drone.name() + ", which stands on the ground.";
+            DroneWithdrawal.leave(draft, drone.flying(null, 0), RunDroneStage.LANDED, RunTrigger.LOST, words);
+        }
+    }
+
+    private static void inTheAir(RunTransition draft, RunDrone drone, DroneObservation look) {
+        Instant heard = draft.now().minus(look.silence());
+        boolean flies = drone.stage() == RunDroneStage.FLYING || drone.stage() == RunDroneStage.STARTING;
+        boolean goesOn = draft.setting().onCloudLoss() == MissionCloudLossPolicy.CONTINUE;
+        Duration reach = !flies ? Duration.ZERO : goesOn ? FLIES_ON : UNTIL_FAIL_SAFE;
+        List<String> reserved = reached(draft, drone, look.place(), reach);
+        Instant until = heard.plus(goesOn ? reach.plus(MARGIN) : SafetyTimes.CORRIDOR_FREED);
+        RunDrone.LinkLoss silence = new RunDrone.LinkLoss(
+                heard,
+                look.place(),
+                drone.stage() == RunDroneStage.FLYING,
+                until,
+                heard.plus(longest(drone, look.place(), flies && goesOn)));
+        String name = drone.name();
+        String words = "Nothing is heard of " + name + " any more; it may still fly. "
+                + (reserved.isEmpty()
+                        ? "Nothing stays reserved for it."
+                        : RunMessages.count(reserved.size(), "waypoint") + " (" + RunMessages.list(reserved)
+                                + ") stay reserved for it.");
+        boolean offers = drone.orders().size() > reserved.size();
+        RunDrone silent = draft.release(drone, "Nothing was heard of " + name + ".")
+                .ordered(reserved)
+                .noted(words);
+        reserved.forEach(id -> draft.put(draft.target(id).to(RunWaypoint.State.RESERVED, drone.id(), null)));
+        draft.put(silent.with(silent.signs()
+                        .silent(silence)
+                        .falling(null)
+                        .astray(null)
+                        .yields(null))
+                .to(RunDroneStage.SILENT, draft.now()));
+        if (offers) {
+            draft.cause(RunTrigger.LOST, drone.id(), words, drone.orders());
+        } else {
+            draft.say(RunTrigger.LOST, drone.id(), words);
+        }
+    }
+
+    /** The waypoints that it may come to within that time, the one that it flies to among them. */
+    static List<String> reached(RunTransition draft, RunDrone drone, @Nullable Place from, Duration time) {
+        List<String> reached = new ArrayList<>();
+        Speeds speeds = drone.craft().performance().speeds();
+        double left = time.toMillis() / 1_000.0;
+        Place at = from;
+        for (String id : drone.orders()) {
+            if (left <= 0) {
+                break;
+            }
+            reached.add(id);
+            RunWaypoint target = draft.target(id);
+            Place there = target.waypoint().place();
+            if (at != null) {
+                left -= Geodesy.distanceMeters(at.point(), there.point()) / speeds.cruise();
+            }
+            left -= target.waypoint().task().serviceSeconds();
+            at = there;
+        }
+        return reached;
+    }
+
+    /** Its mission to the end where it flies on, else its way home. */
+    private static Duration longest(RunDrone drone, @Nullable Place place, boolean mission) {
+        Sortie sortie = drone.sortie();
+        Duration way = Duration.ofMinutes(2);
+        if (mission && sortie != null) {
+            double from = sortie.tour().departsSeconds();
+            way = Duration.ofMillis(Math.round(1_000 * (sortie.tour().endsSeconds() - from)));
+        } else if (place != null) {
+            Speeds speeds = drone.craft().performance().speeds();
+            Place home = drone.craft().finish().place();
+            double down = Math.max(STEEPLY_METERS, place.altitudeAmslMeters() - home.altitudeAmslMeters());
+            double seconds = Geodesy.distanceMeters(place.point(), home.point()) / speeds.cruise()
+                    + down / Math.min(speeds.climb(), speeds.descent());
+            way = Duration.ofMillis(Math.round(1_000 * seconds)).plus(UNTIL_FAIL_SAFE);
+        }
+        return way.plus(MARGIN);
+    }
+
+    static void look(RunTransition draft, DroneObservation look) {
+        RunDrone drone = draft.drone(look.drone());
+        RunDrone.LinkLoss silence = Objects.requireNonNull(drone.signs().silence());
+        if (look.isLive() && look.ready() && look.mode() != null && look.armed() != null) {
+            listen(draft, drone, look);
+            return;
+        }
+        if (drone.tries().notBefore() != null) {
+            drone = drone.tried(RunDrone.Attempts.NONE);
+            draft.put(drone);
+        }
+        if (draft.now().isAfter(silence.flyingUntil())) {
+            String words = drone.name() + " was not heard again; it must be down by now.";
+            DroneWithdrawal.leave(draft, drone, RunDroneStage.GONE, RunTrigger.GONE, words);
+        } else if (draft.now().isAfter(silence.reservedUntil())
+                && !drone.orders().isEmpty()) {
+            String words = drone.name() + " was not heard again; what was reserved for it is offered to the others.";
+            draft.put(draft.release(drone, words));
+            draft.cause(RunTrigger.GONE, drone.id(), words, drone.orders());
+        }
+    }
+
+    /** Who is down says a moment later how far it came. */
+    private static void listen(RunTransition draft, RunDrone drone, DroneObservation look) {
+        Instant from = drone.tries().notBefore();
+        if (!look.isDisarmed()) {
+            heard(draft, drone, look);
+        } else if (from == null) {
+            draft.put(drone.tried(new RunDrone.Attempts(0, draft.now().plus(UNTIL_ALL_IS_TOLD))));
+        } else if (!draft.now().isBefore(look.tells() ? from : from.plus(LONGEST_UNTOLD))) {
+            heard(draft, drone, look);
+        }
+    }
+
+    /** What it has reached is reckoned already. */
+    private static void heard(RunTransition draft, RunDrone silent, DroneObservation look) {
+        boolean flew = Objects.requireNonNull(silent.signs().silence()).flew();
+        boolean explained = RunCloudLoss.bringsHome(draft, flew);
+        RunDrone drone = silent.tried(RunDrone.Attempts.NONE).with(silent.signs().silent(null));
+        String name = drone.name();
+        if (look.isDisarmed()) {
+            down(draft, drone, look, explained);
+        } else if (look.comesDown()) {
+            String words = name + " is heard again; it comes home or down by itself.";
+            DroneWithdrawal.leave(draft, drone, RunDroneStage.RETURNING, RunTrigger.HEARD_AGAIN, words);
+            if (explained) {
+                RunCloudLoss.missed(draft, draft.drone(drone.id()));
+            }
+        } else if (look.isSteered() || (look.waits() && look.airborne() && flew)) {
+            // Who flew a mission does not come to stand by itself.
+            String words = name + " is heard again, in mode " + look.mode() + "; it is left alone until it is resumed.";
+            DroneWithdrawal.leave(draft, drone, RunDroneStage.SUSPENDED, RunTrigger.HEARD_AGAIN, words);
+        } else {
+            takeBack(draft, drone, look);
+        }
+    }
+
+    private static void down(RunTransition draft, RunDrone drone, DroneObservation look, boolean explained) {
+        if (explained && isAtHome(drone, look)) {
+            takesPartAgain(draft, drone);
+            return;
+        }
+        boolean done = drone.sortie() != null && look.isAtTheEnd();
+        String words =
+                drone.name() + " is heard again; it is down" + (done ? ", as its mission was flown to the end." : ".");
+        if (done) {
+            DroneWithdrawal.leave(draft, drone.flying(null, 0), RunDroneStage.LANDED, RunTrigger.HEARD_AGAIN, words);
+            draft.causes().add(new ReplanCause(RunTrigger.HEARD_AGAIN, drone.id(), words, drone.orders()));
+        } else {
+            DroneWithdrawal.leave(draft, drone, RunDroneStage.LEFT, RunTrigger.HEARD_AGAIN, words);
+        }
+    }
+
+    /** Whether it is down where its fail-safe brings it, after it had missed the cloud: nothing is wrong with it. */
+    static boolean cameHome(RunDrone drone, DroneObservation look) {
+        return RunCloudLoss.hasMissed(drone) && isAtHome(drone, look);
+    }
+
+    static boolean isAtHome(RunDrone drone, DroneObservation look) {
+        Place place = look.place();
+        return place != null
+                && Geodesy.distanceMeters(
+                                place.point(), drone.craft().finish().place().point())
+                        < AT_HOME_METERS;
+    }
+
+    static void takesPartAgain(RunTransition draft, RunDrone drone) {
+        String words = drone.name() + " came home since it had missed the cloud; it takes part again.";
+        RunDrone out = draft.release(drone, words).flying(null, 0).noted(null).to(RunDroneStage.LANDED, draft.now());
+        draft.put(out.with(out.signs().told(List.of())));
+        draft.cause(RunTrigger.HEARD_AGAIN, drone.id(), words, drone.orders());
+    }
+
+    private static void takeBack(RunTransition draft, RunDrone drone, DroneObservation look) {
+        Sortie sortie = drone.sortie();
+        boolean carries = !Boolean.FALSE.equals(look.progress().carries());
+        boolean own = carries && sortie != null && drone.orders().containsAll(sortie.ahead(drone.passed()));
+        drone.orders().forEach(id -> draft.put(draft.target(id).to(RunWaypoint.State.ASSIGNED, drone.id(), null)));
+        RunDrone back = drone.noted(null);
+        if (own && look.isOnMission()) {
+            draft.put(back.to(RunDroneStage.FLYING, draft.now()));
+        } else {
+            draft.put(back.to(RunDroneStage.HOLDING, draft.now()));
+        }
+        draft.cause(
+                RunTrigger.HEARD_AGAIN,
+                drone.id(),
+                drone.name() + " is heard again; it "
+                        + (own && look.isOnMission() ? "goes on." : "waits in the air for a plan."));
+    }
+}

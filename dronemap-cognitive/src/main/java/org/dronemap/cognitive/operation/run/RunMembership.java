@@ -1,0 +1,62 @@
+package org.dronemap.cognitive.operation.run;
+
+/** Drones that come, come back, go, and are all called home. */
+final class RunMembership {
+    private RunMembership() {}
+
+    static void wish(RunTransition draft, RunInput.UserRequest wish) {
+        if (wish instanceof RunInput.JoinDrone join) {
+            Double height = ReturnLayers.above(draft).of(join.craft(), join.kind(), 0);
+            RunDrone drone =
+                    RunDrone.joining(new RunDrone.Profile(join.craft(), join.name(), join.kind(), height), draft.now());
+            draft.put(drone);
+            draft.cause(RunTrigger.JOINED, drone.id(), join.by() + " let " + join.name() + " join.");
+        } else if (wish instanceof RunInput.ResumeDrone resume) {
+            resume(draft, draft.drone(resume.drone()), resume.by());
+        } else if (wish instanceof RunInput.GiveUpDrone give) {
+            giveUp(draft, draft.drone(give.drone()), give.by() + " took %s out of the run.");
+        } else if (wish instanceof RunInput.Stop stop) {
+            stop(draft, stop.by());
+        }
+    }
+
+    /** Where it is shows when it is looked at next. */
+    private static void resume(RunTransition draft, RunDrone drone, String by) {
+        draft.put(drone.noted(null).with(drone.signs().held(false)).to(RunDroneStage.RESUMING, draft.now()));
+        draft.say(RunTrigger.RESUMED, drone.id(), by + " resumed " + drone.name() + ".");
+    }
+
+    private static void giveUp(RunTransition draft, RunDrone drone, String words) {
+        String sentence = String.format(words, drone.name());
+        RunDroneStage stage = switch (drone.stage()) {
+            case ARMING, STARTING, FLYING, HOLDING, REPLACING, CONTINUING, RESUMING, RETURNING -> RunDroneStage.RETURNING;
+            case SILENT -> RunDroneStage.GONE;
+            default -> RunDroneStage.LEFT;
+        };
+        DroneWithdrawal.leave(draft, drone, stage, RunTrigger.GIVEN_UP, sentence);
+    }
+
+    private static void stop(RunTransition draft, String by) {
+        draft.stop();
+        draft.clock(draft.clock().paused(null));
+        draft.request(null);
+        draft.proposal(null);
+        draft.causes().clear();
+        String why = "The run was stopped by " + by + ".";
+        for (RunDrone drone : draft.drones()) {
+            RunDroneStage stage = switch (drone.stage()) {
+                case ARMING, STARTING, FLYING, HOLDING, REPLACING, CONTINUING, RESUMING -> RunDroneStage.RETURNING;
+                case UPLOADING, READY -> RunDroneStage.LANDED;
+                default -> drone.stage();
+            };
+            RunDrone released = draft.release(drone, why);
+            draft.put(stage == drone.stage() ? released : released.noted(why).to(stage, draft.now()));
+        }
+        for (RunWaypoint target : draft.targets()) {
+            if (!target.state().isSettled()) {
+                draft.put(target.to(RunWaypoint.State.UNSERVED, null, why));
+            }
+        }
+        draft.say(RunTrigger.STOPPED, null, why + " All drones come home.");
+    }
+}

@@ -1,0 +1,21 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Formats counts and lists for texts of a run. */
+final class RunMessages {
+    private static final int MOST_NAMED = 8;
+
+    private RunMessages() {}
+
+    static String count(long number, String what) {
+        return number + " " + what + (number == 1 ? "" : "s");
+    }
+
+    /** "w1, w2 and 3 more". */
+    static String list(List<String> all) {
+        String named = all.stream().limit(MOST_NAMED).collect(Collectors.joining(", "));
+        return all.size() <= MOST_NAMED ? named : named + " and " + (all.size() - MOST_NAMED) + " more";
+    }
+}

@@ -1,0 +1,35 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.util.List;
+import org.dronemap.cognitive.plan.Stop;
+
+/** Keeps a waypoint from being on its way to two drones at once, while it passes from one to another. */
+final class WaypointTransfer {
+    private WaypointTransfer() {}
+
+    /** Whether nobody else who is under way still heads for what it is to get. */
+    static boolean isFree(RunTransition draft, RunDrone drone, Sortie next) {
+        List<String> wanted = next.tour().stops().stream().map(Stop::waypoint).toList();
+        return draft.drones().stream()
+                .filter(other -> !other.id().equals(drone.id()) && isUnderWay(other))
+                .noneMatch(other -> other.sortie() != null
+                        && other.sortie().ahead(other.passed()).stream().anyMatch(wanted::contains));
+    }
+
+    /** It flies what it has on board; a drone that is not heard is nobody to wait for. */
+    private static boolean isUnderWay(RunDrone drone) {
+        boolean holds = drone.errand() == null && drone.tries().failed() == 0;
+        return switch (drone.stage()) {
+            case STARTING, FLYING, CONTINUING -> true;
+            case HOLDING -> !holds;
+            default -> false;
+        };
+    }
+
+    /** Whether it has something on board that is not its own any more. */
+    static boolean gives(RunDrone drone, Sortie next) {
+        List<String> kept = next.tour().stops().stream().map(Stop::waypoint).toList();
+        Sortie sortie = drone.sortie();
+        return sortie != null && !kept.containsAll(sortie.ahead(drone.passed()));
+    }
+}

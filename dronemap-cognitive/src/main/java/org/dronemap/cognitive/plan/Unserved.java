@@ -1,7 +1,0 @@
-package org.dronemap.cognitive.plan;
-
-import org.dronemap.core.stored.Stored;
-
-/** A waypoint that nobody visits, and why, as a sentence. */
-@Stored(names = "waypoint why")
-public record Unserved(String waypoint, String why) {}

@@ -1,0 +1,45 @@
+package org.dronemap.core.audit;
+
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+
+/**
+ * Limits how many refusals of unauthenticated callers are recorded one by one; the others are counted. The others are
+ * counted, so that nobody can fill the disk from outside. Any thread.
+ */
+final class AnonymousRefusalLimiter {
+    private static final long MOST = 2_000;
+    private static final long NANOS_EACH = TimeUnit.SECONDS.toNanos(1);
+
+    private final LongSupplier nanoTime;
+    // guarded by this
+    private long left = MOST;
+    private long since;
+    private long untold;
+
+    AnonymousRefusalLimiter(LongSupplier nanoTime) {
+        this.nanoTime = nanoTime;
+        this.since = nanoTime.getAsLong();
+    }
+
+    synchronized boolean take() {
+        long more = (nanoTime.getAsLong() - since) / NANOS_EACH;
+        if (more > 0) {
+            left = Math.min(MOST, left + more);
+            since += more * NANOS_EACH;
+        }
+        if (left == 0) {
+            untold++;
+            return false;
+        }
+        left--;
+        return true;
+    }
+
+    /** How many were not written down since this was last asked. */
+    synchronized long untold() {
+        long count = untold;
+        untold = 0;
+        return count;
+    }
+}

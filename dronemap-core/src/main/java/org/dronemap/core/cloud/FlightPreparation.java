@@ -1,0 +1,37 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.CloudLossState;
+
+/**
+ * Prepares a vehicle before the first flight commanded here, and reverts that after the last; on its lane. On its lane.
+ */
+interface FlightPreparation extends Lane.Ticker {
+    /** Nothing. */
+    FlightPreparation NONE = new FlightPreparation() {
+        @Override
+        public boolean holdsBack(PendingCommand entry, Runnable goOn) {
+            return false;
+        }
+
+        @Override
+        public void ended(PendingCommand entry, Outcome outcome) {}
+
+        @Override
+        public CloudLossState state() {
+            return CloudLossState.UNKNOWN;
+        }
+
+        @Override
+        public void tick() {}
+    };
+
+    /** True: that command has to wait until it is gone on with, which is soon. */
+    boolean holdsBack(PendingCommand entry, Runnable goOn);
+
+    /** Any command of this drone has ended. */
+    void ended(PendingCommand entry, Outcome outcome);
+
+    /** Any thread. */
+    CloudLossState state();
+}

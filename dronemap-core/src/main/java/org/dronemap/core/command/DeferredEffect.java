@@ -1,0 +1,14 @@
+package org.dronemap.core.command;
+
+/** Effect of a command on where its drone flies by itself later; bounds are checked against it. */
+public enum DeferredEffect {
+    NOTHING,
+    /** Parameters that say so: nobody knows which way, beforehand. */
+    PARAMETERS,
+    /** The place that it returns to: a {@link Command.SetHome}. */
+    HOME,
+    /** The places that it may go to instead of home: a {@link Command.SetRallyPoints}. */
+    RALLY_POINTS,
+    /** The mode that it flies in, which may find a way of its own: a {@link Command.SetMode}. */
+    MODE
+}

@@ -1,0 +1,128 @@
+package org.dronemap.core.conduct;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.Set;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.LeaseHolder;
+import org.dronemap.core.operation.AirspaceSnapshot;
+import org.dronemap.core.operation.OperationGuidance;
+import org.dronemap.core.operation.OperationObservation;
+import org.dronemap.core.operation.ReporterState;
+import org.dronemap.core.operation.TargetReport;
+import org.jspecify.annotations.Nullable;
+
+/** Hands what the guide of one operation says to the gate for setpoints. Owned by the conductor's thread, but for {@link #sighted} and {@link #newest}. */
+final class GuidanceExecutor<S> {
+    /** Between two turns of the conductor some few come, or what a phone kept while it was cut off. */
+    private static final int MOST_WAITING = 128;
+
+    private static final Duration LATELY = Duration.ofSeconds(5);
+
+    private final DroneGateway crew;
+    private final LeaseHolder.Operation holder;
+    private final OperationGuidance<S> guide;
+    private final Queue<TargetReport> sightings = new ArrayDeque<>();
+    private final Map<DroneId, String> refusals = new HashMap<>();
+    private Set<DroneId> steered = Set.of();
+    private @Nullable Instant heard;
+    /** When the newest came that was of no use. */
+    private @Nullable Instant vaguely;
+
+    private volatile @Nullable ReporterState reach;
+    // This and what waits are guarded by what waits.
+    private @Nullable TargetReport newest;
+
+    GuidanceExecutor(DroneGateway crew, LeaseHolder.Operation holder, OperationGuidance<S> guide) {
+        this.crew = crew;
+        this.holder = holder;
+        this.guide = guide;
+    }
+
+    /** Any thread. */
+    TargetReportResult sighted(TargetReport sighting) {
+        synchronized (sightings) {
+            TargetReport before = newest;
+            if (before != null && sighting.number() <= before.number()) {
+                return TargetReportResult.KNOWN;
+            }
+            if (sightings.size() >= MOST_WAITING) {
+                return TargetReportResult.CROWDED;
+            }
+            sightings.add(sighting);
+            newest = sighting;
+            return TargetReportResult.TAKEN;
+        }
+    }
+
+    /** The newest that was taken since the process began; null: none was. Any thread. */
+    @Nullable
+    TargetReport newest() {
+        synchronized (sightings) {
+            return newest;
+        }
+    }
+
+    /** How whoever tells of sightings is reached from now on. Any thread. */
+    void reached(ReporterState how) {
+        reach = how;
+    }
+
+    /** Null: not known. Any thread. */
+    @Nullable
+    ReporterState reach() {
+        return reach;
+    }
+
+    private List<TargetReport> taken() {
+        synchronized (sightings) {
+            List<TargetReport> all = List.copyOf(sightings);
+            sightings.clear();
+            return all;
+        }
+    }
+
+    /** Tells the guide what came in, and the gate what the guide says; the scene with what became of it. */
+    OperationObservation turn(S state, OperationObservation scene) {
+        for (TargetReport one : taken()) {
+            boolean useful = guide.sighted(one);
+            // What was kept while nobody could be told shows where it was, and not that it still says so.
+            if (one.isFresh() && !useful) {
+                vaguely = one.heard();
+            } else if (one.isFresh() && (heard == null || one.heard().isAfter(heard))) {
+                heard = one.heard();
+            }
+        }
+        ReporterState how = reach(scene.now());
+        OperationObservation now = new OperationObservation(scene.now(), scene.drones(), heard, how, scene.around(), Map.of());
+        Map<DroneId, Setpoint> said = guide.steer(state, now);
+        refusals.clear();
+        said.forEach(
+                (drone, setpoint) -> crew.steer(holder, drone, setpoint).ifPresent(why -> refusals.put(drone, why)));
+        letGo(said.keySet());
+        return new OperationObservation(scene.now(), scene.drones(), heard, how, AirspaceSnapshot.NONE, refusals);
+    }
+
+    private @Nullable ReporterState reach(Instant now) {
+        ReporterState connection = reach;
+        boolean speaks = connection == null || connection == ReporterState.SPEAKS;
+        boolean vague =
+                vaguely != null && vaguely.plus(LATELY).isAfter(now) && (heard == null || vaguely.isAfter(heard));
+        return speaks && vague ? ReporterState.VAGUE : connection;
+    }
+
+    /** Of all others at once: they stand still. */
+    void letGo(Set<DroneId> but) {
+        Set<DroneId> others = new HashSet<>(steered);
+        others.removeAll(but);
+        steered = Set.copyOf(but);
+        others.forEach(drone -> crew.letGo(holder, drone));
+    }
+}

@@ -1,0 +1,71 @@
+package org.dronemap.core.conduct;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.LeaseHolder;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The drones that one operation wanted control of so far. Control is asked for once, when a drone comes: whoever takes it
+ * afterwards keeps it. Owned by the conductor's thread.
+ */
+final class OperationLeases {
+    private final DroneGateway crew;
+    private final LeaseHolder.Operation holder;
+    private Set<DroneId> wanted = Set.of();
+
+    OperationLeases(DroneGateway crew, LeaseHolder.Operation holder) {
+        this.crew = crew;
+        this.holder = holder;
+    }
+
+    /** All of them or none, and why. */
+    Optional<Operations.NoControl> takeAll(Set<DroneId> drones) {
+        for (DroneId drone : drones) {
+            Optional<String> why = crew.engage(holder, drone);
+            if (why.isPresent()) {
+                letGo(List.copyOf(drones));
+                return Optional.of(new Operations.NoControl(drone, "The drone " + drone + ": " + why.get()));
+            }
+        }
+        wanted = Set.copyOf(drones);
+        return Optional.empty();
+    }
+
+    /** Asks for those that were not wanted before; nothing is given back yet. */
+    void reachFor(Set<DroneId> drones) {
+        Set<DroneId> all = new HashSet<>(wanted);
+        for (DroneId drone : drones) {
+            if (all.add(drone)) {
+                // Whoever has it is seen in the next scene.
+                Optional<String> unused = crew.engage(holder, drone);
+            }
+        }
+        wanted = Set.copyOf(all);
+    }
+
+    /** Gives back all others. */
+    void keepOnly(Set<DroneId> drones) {
+        List<DroneId> others =
+                wanted.stream().filter(drone -> !drones.contains(drone)).toList();
+        wanted = Set.copyOf(drones);
+        letGo(others);
+    }
+
+    boolean wants(DroneId drone) {
+        return wanted.contains(drone);
+    }
+
+    /** Why there is no control of it, as a sentence; null: there is. */
+    @Nullable
+    String takenBy(DroneId drone) {
+        return crew.takenBy(holder, drone);
+    }
+
+    private void letGo(List<DroneId> drones) {
+        drones.forEach(drone -> crew.release(holder, drone));
+    }
+}

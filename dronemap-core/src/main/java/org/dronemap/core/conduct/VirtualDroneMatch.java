@@ -1,0 +1,12 @@
+package org.dronemap.core.conduct;
+
+import java.util.Optional;
+import org.dronemap.core.virtual.Against;
+import org.dronemap.core.virtual.VirtualDrone;
+
+/**
+ * A virtual drone that waits, as seen from a drone that might serve it.
+ *
+ * @param whyNot why it could not; empty: it would be sent to fly it
+ */
+public record VirtualDroneMatch(VirtualDrone waiting, Optional<Against> whyNot) {}

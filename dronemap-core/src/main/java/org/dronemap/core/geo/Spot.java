@@ -1,8 +1,0 @@
-package org.dronemap.core.geo;
-
-/** A point of a {@link LocalPlane}: metres to the east and to the north of its origin. */
-public record Spot(double eastMeters, double northMeters) {
-    public double distanceMeters(Spot other) {
-        return Math.hypot(eastMeters - other.eastMeters, northMeters - other.northMeters);
-    }
-}

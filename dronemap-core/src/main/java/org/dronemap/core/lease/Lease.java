@@ -1,0 +1,26 @@
+package org.dronemap.core.lease;
+
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The time for which one holder commands a drone.
+ *
+ * @param explicit asked for, and kept by heartbeats; else it came with a command and lasts until the holder is idle
+ * @param heardNanos when the holder last gave a sign, monotonic
+ * @param formerEpoch what the holder knows it by from before a restart; null: there was none
+ */
+public record Lease(
+        LeaseHolder holder,
+        boolean explicit,
+        Instant since,
+        long heardNanos,
+        @Nullable Long formerEpoch) {
+    Lease heard(ClockReading now) {
+        return new Lease(holder, explicit, since, now.nanos(), formerEpoch);
+    }
+
+    Lease kept(ClockReading now) {
+        return new Lease(holder, true, since, now.nanos(), formerEpoch);
+    }
+}

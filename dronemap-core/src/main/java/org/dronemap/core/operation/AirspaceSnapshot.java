@@ -1,0 +1,25 @@
+package org.dronemap.core.operation;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.zone.Zone;
+
+/**
+ * Zones and other drones in the air around the drones of an operation, for whoever steers them.
+ *
+ * @param zones that bind each drone now or soon
+ * @param aloft all others that are in the air, or were when they were heard last
+ * @param led all that an operation steers now, its own among them: each is kept apart from others by whoever does
+ */
+public record AirspaceSnapshot(Map<DroneId, List<Zone>> zones, List<DroneState> aloft, Set<DroneId> led) {
+    public static final AirspaceSnapshot NONE = new AirspaceSnapshot(Map.of(), List.of(), Set.of());
+
+    public AirspaceSnapshot {
+        zones = Map.copyOf(zones);
+        aloft = List.copyOf(aloft);
+        led = Set.copyOf(led);
+    }
+}

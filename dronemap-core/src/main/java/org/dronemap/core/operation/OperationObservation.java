@@ -1,0 +1,71 @@
+package org.dronemap.core.operation;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Observation of an operation's drones at one moment; drones that were removed are left out.
+ *
+ * @param sighted when the newest {@link TargetReport} came that was fresh; null: none came since the process began
+ * @param reach of who tells of them; null: not known, as when they come one by one
+ * @param around nothing where nobody steers
+ * @param unsteered drones that could not be steered, and why, as sentences
+ */
+public record OperationObservation(
+        Instant now,
+        List<ObservedDrone> drones,
+        @Nullable Instant sighted,
+        @Nullable ReporterState reach,
+        AirspaceSnapshot around,
+        Map<DroneId, String> unsteered) {
+    public OperationObservation {
+        drones = List.copyOf(drones);
+        unsteered = Map.copyOf(unsteered);
+    }
+
+    public OperationObservation(Instant now, List<ObservedDrone> drones) {
+        this(now, drones, AirspaceSnapshot.NONE);
+    }
+
+    public OperationObservation(Instant now, List<ObservedDrone> drones, AirspaceSnapshot around) {
+        this(now, drones, null, null, around, Map.of());
+    }
+
+    public Optional<ObservedDrone> of(DroneId drone) {
+        return drones.stream().filter(seen -> seen.state().id().equals(drone)).findFirst();
+    }
+
+    /**
+     * One drone.
+     *
+     * @param silence for how long nothing was heard, zero while its link is live
+     * @param still for how long it has not moved from its place
+     */
+    public record ObservedDrone(DroneState state, ControlStatus sway, Duration silence, Duration still) {
+        /** Why the operation may not command it, as a sentence; null: it may. */
+        public @Nullable String takenBy() {
+            return sway.takenBy() == null ? sway.barred() : sway.takenBy();
+        }
+    }
+
+    /**
+     * Who has control of a drone, and what it has to be waited for.
+     *
+     * @param takenBy why the operation has not, as a sentence; null: it has
+     * @param barred why drones are not commanded for its user any more, as a sentence, whoever has control; null: they are
+     * @param free nobody has
+     * @param transfer of a mission, with that drone, which is under way, whoever asked for it, as people call it: no other one
+     *     is taken before its end; null: none is
+     */
+    public record ControlStatus(
+            @Nullable String takenBy,
+            @Nullable String barred,
+            boolean free,
+            @Nullable String transfer) {}
+}

@@ -1,0 +1,12 @@
+package org.dronemap.core.process;
+
+/**
+ * Goes with whoever takes bytes of peers.
+ *
+ * @param atWork is told whose bytes are worked on
+ * @param precautions says from whom nothing is taken
+ */
+public record PeerCrashGuard(ActivePeers atWork, SafeMode precautions) {
+    /** Nobody wants to know, and all are welcome. */
+    public static final PeerCrashGuard NONE = new PeerCrashGuard(ActivePeers.UNKNOWN, SafeMode.NONE);
+}

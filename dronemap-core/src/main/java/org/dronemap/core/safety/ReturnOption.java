@@ -1,0 +1,11 @@
+package org.dronemap.core.safety;
+
+/** A way to bring down a drone that nobody looks after, the best first. */
+public enum ReturnOption {
+    /** Back to where it set off, by its own way. */
+    RETURN,
+    /** To another place that is known to be fit for a landing. */
+    ELSEWHERE,
+    /** Down where it is. */
+    LAND
+}

@@ -1,0 +1,19 @@
+package org.dronemap.core.safety;
+
+import java.time.Duration;
+
+/**
+ * The times that have to fit each other when somebody falls silent: docs/times.md has all of them in one table, with what was
+ * measured. The next one begins only after the one before is over, or nobody would know who acts.
+ */
+public final class SafetyTimes {
+    /** Since a vehicle heard the cloud last, until it comes home by itself: longer than the server takes to be back. */
+    public static final Duration VEHICLE_RETURNS = Duration.ofSeconds(20);
+    /** A silent vehicle that is led, or waits, may go on for so long: what lies ahead of it is kept for it. */
+    public static final Duration CORRIDOR_KEPT = VEHICLE_RETURNS.plusSeconds(5);
+
+    /** From when a vehicle is lost until others get what lies ahead of it, where it comes home by itself. */
+    public static final Duration CORRIDOR_FREED = CORRIDOR_KEPT.plusSeconds(10);
+
+    private SafetyTimes() {}
+}

@@ -1,7 +1,0 @@
-package org.dronemap.core.time;
-
-/** A failure that may be one of the moment, such as of a store that is away or full. */
-public interface Outage {
-    /** Nothing is wrong with what was asked, only with the moment. */
-    boolean isPassing();
-}

@@ -1,0 +1,385 @@
+package org.dronemap.core.virtual;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.MissionCloudLossPolicy;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Pure state machine of a run: from its state and what is seen of its drone to the next step. It touches nothing. What
+ * is already so is never commanded, so that a run goes on after a restart wherever it was.
+ */
+public final class VirtualRunMachine {
+    /** A silent drone counts as flying for so long, beside what its mission still takes. */
+    public static final Duration USUAL_SILENCE = Duration.ofMinutes(2);
+
+    private static final int MOST_TRIES = 3;
+    private static final int MOST_FAILURES = 5;
+    private static final Duration AVOIDED = Duration.ofMinutes(10);
+    /** On the ground a drone that is not heard is soon replaced. */
+    private static final Duration PATIENCE_ON_THE_GROUND = Duration.ofSeconds(15);
+    /** From an order that was carried out until that shows. */
+    private static final Duration UNTIL_SEEN = Duration.ofSeconds(30);
+    /** Who flies a mission moves, except while it waits at a waypoint. */
+    private static final Duration LONGEST_STILL = Duration.ofSeconds(30);
+
+    private static final Duration LONGEST_STILL_ON_THE_GROUND = Duration.ofSeconds(6);
+    private static final double ON_THE_GROUND_METERS = 1.5;
+    private static final Duration LONGEST_STILL_ON_ITS_WAY_HOME = Duration.ofSeconds(90);
+    /** Before it is called home once more. */
+    private static final Duration BETWEEN_CALLS = Duration.ofSeconds(5);
+
+    private final Duration silence;
+
+    /** {@code silence}: so long a drone that is not heard counts as flying, beside what its mission still takes. */
+    public VirtualRunMachine(Duration silence) {
+        this.silence = silence;
+    }
+
+    public VirtualRunStep next(VirtualRun run, VirtualRunObservation sight) {
+        Assignment assignment = run.assignment();
+        if (assignment == null) {
+            return VirtualRunStep.stay(run);
+        }
+        DroneState drone = sight.drone();
+        if (drone == null) {
+            return replace(run, assignment, "The drone was taken away.", sight, VirtualRunStep.Release.FREE);
+        }
+        if (sight.takenBy() != null) {
+            return suspend(run, sight.takenBy(), sight.now());
+        }
+        if (drone.link().state() == LinkState.LOST) {
+            return unheard(run, assignment, drone, sight);
+        }
+        if (drone.link().state() != LinkState.LIVE || !drone.capabilities().known()) {
+            return VirtualRunStep.stay(run);
+        }
+        if (!sight.mayFly() && run.stage().compareTo(VirtualRunStage.RETURNING) < 0) {
+            return VirtualRunStep.stay(run.to(VirtualRunStage.STOPPING, "Its owner may not fly virtual drones any more.", sight.now()));
+        }
+        return sight.underWay() ? VirtualRunStep.stay(progress(run, assignment, drone)) : go(run, assignment, drone, sight);
+    }
+
+    /** Somebody who goes first commands the drone now: the run waits for its user. */
+    public static VirtualRunStep suspend(VirtualRun run, String why, Instant now) {
+        return VirtualRunStep.leave(
+                run.unbound(
+                        VirtualRunStage.SUSPENDED,
+                        "Somebody who goes first has taken the drone. Resume when another one shall go on, or stop.",
+                        why,
+                        now),
+                VirtualRunStep.Release.FREE);
+    }
+
+    /** The user wants it to end. */
+    public VirtualRun stop(VirtualRun run, Instant now) {
+        if (run.stage().isOver() || run.stage() == VirtualRunStage.STOPPING) {
+            return run;
+        }
+        return run.stage().isBound()
+                ? run.to(VirtualRunStage.STOPPING, "It is stopped: the drone comes home.", now)
+                : run.unbound(VirtualRunStage.STOPPED, "It was stopped.", run.detail(), now);
+    }
+
+    /** The user wants it to go on; empty when it does not wait for that. */
+    public Optional<VirtualRun> resume(VirtualRun run, Instant now) {
+        return run.stage() == VirtualRunStage.SUSPENDED || run.stage() == VirtualRunStage.FAILED
+                ? Optional.of(run.resumed(now))
+                : Optional.empty();
+    }
+
+    private VirtualRunStep go(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        return switch (run.stage()) {
+            case UPLOADING -> upload(run, assignment, drone, sight);
+            case ARMING -> arm(run, assignment, drone, sight);
+            case STARTING -> start(run, assignment, drone, sight);
+            case FLYING -> fly(run, assignment, drone, sight);
+            case RETURNING -> comeHome(run, assignment, drone, sight);
+            default -> bringHome(run, assignment, drone, sight);
+        };
+    }
+
+    private static VirtualRunStep upload(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        if (sight.outcome() instanceof Outcome.Succeeded) {
+            return VirtualRunStep.stay(run.to(VirtualRunStage.ARMING, "The drone has the mission and is armed.", sight.now()));
+        }
+        if (Boolean.TRUE.equals(drone.armed())) {
+            return replace(run, assignment, "The drone was armed by somebody else.", sight, VirtualRunStep.Release.FREE);
+        }
+        if (sight.outcome() != null) {
+            return tryAgain(run, assignment, drone, sight);
+        }
+        return VirtualRunStep.send(run, new Command.UploadMission(share(run, assignment).mission()));
+    }
+
+    private static VirtualRunStep arm(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        if (Boolean.TRUE.equals(drone.armed())) {
+            return VirtualRunStep.stay(run.to(VirtualRunStage.STARTING, assignment.tries(), "The drone starts.", sight.now()));
+        }
+        if (sight.outcome() != null && !(sight.outcome() instanceof Outcome.Succeeded)) {
+            return tryAgain(run, assignment, drone, sight);
+        }
+        boolean takesOrders = drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.ORDERS));
+        // After a flight it may stand in a mode in which it cannot be armed.
+        Optional<String> mode =
+                takesOrders ? Optional.empty() : drone.capabilities().mode(Steering.ORDERS);
+        return VirtualRunStep.send(run, mode.<Command>map(Command.SetMode::new).orElseGet(Command.Arm::new));
+    }
+
+    private static VirtualRunStep start(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        boolean armed = Boolean.TRUE.equals(drone.armed());
+        boolean up = assignment.takeOffMeters() == null || drone.airborne();
+        if (armed && isOnMission(drone) && up) {
+            return VirtualRunStep.stay(run.to(VirtualRunStage.FLYING, "The drone flies the mission.", sight.now()));
+        }
+        if (Boolean.FALSE.equals(drone.armed())) {
+            return armAgain(run, assignment, sight);
+        }
+        if (sight.outcome() instanceof Outcome.Succeeded) {
+            return since(assignment, sight).compareTo(UNTIL_SEEN) < 0
+                    ? VirtualRunStep.stay(run)
+                    : tryAgain(run, assignment, drone, sight);
+        }
+        if (sight.outcome() != null) {
+            return tryAgain(run, assignment, drone, sight);
+        }
+        return armed ? VirtualRunStep.send(run, new Command.StartMission(run.onCloudLoss())) : VirtualRunStep.stay(run);
+    }
+
+    /** Vehicles disarm by themselves, and take the order to start even then. */
+    private static VirtualRunStep armAgain(VirtualRun run, Assignment assignment, VirtualRunObservation sight) {
+        boolean started = sight.outcome() == null || sight.outcome() instanceof Outcome.Succeeded;
+        String why = started ? "It was disarmed before it started." : reason(sight.outcome());
+        return assignment.tries() + 1 < MOST_TRIES
+                ? VirtualRunStep.stay(run.to(VirtualRunStage.ARMING, assignment.tries() + 1, why, sight.now()))
+                : replace(
+                        run.failedTry(why, sight.now()),
+                        assignment,
+                        "The drone could not be made to fly.",
+                        sight,
+                        VirtualRunStep.Release.FREE);
+    }
+
+    private static VirtualRunStep fly(VirtualRun before, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        MissionProgress mission = drone.mission();
+        if (mission.items() == null || (mission.current() == null && !isBackFromAll(drone))) {
+            // After a restart, until the vehicle has been asked.
+            return VirtualRunStep.stay(before);
+        }
+        VirtualRun run = progress(before, assignment, drone);
+        if (run.flown() == run.total()) {
+            return VirtualRunStep.stay(run.to(VirtualRunStage.RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
+        }
+        if (Boolean.FALSE.equals(drone.armed())) {
+            return replace(run, assignment, "The drone came down before the end.", sight, VirtualRunStep.Release.FREE);
+        }
+        if (share(run, assignment).isOnBoard(drone.mission()).equals(Optional.of(false))) {
+            return giveUp(run, "The drone carries another mission now; it is called home.", sight);
+        }
+        Optional<Steering> steering = drone.capabilities().steering(drone.mode());
+        if (drone.capabilities().isSafe(drone.mode())) {
+            return replace(run, assignment, "The drone went home or down by itself.", sight, VirtualRunStep.Release.FREE);
+        }
+        if (steering.equals(Optional.of(Steering.STICKS))) {
+            // No mission ends in one: a pilot has it, who may not be called home by anybody.
+            return suspend(run, "Somebody steers the drone by hand.", sight.now());
+        }
+        if (!steering.isEmpty() && !isOnMission(drone)) {
+            return giveUp(run, "The drone left its mission; it is called home.", sight);
+        }
+        return isStuck(run, assignment, drone, sight)
+                ? giveUp(run, "The drone does not move on; it is called home.", sight)
+                : VirtualRunStep.stay(run);
+    }
+
+    /** It may have crashed: vehicles do not always notice that themselves. */
+    private static boolean isStuck(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        MissionItem.Waypoint next = run.tour().waypoints().get(run.flown());
+        Position position = drone.position();
+        Double above = position == null ? null : position.altitudeAboveHomeMeters();
+        boolean down = assignment.takeOffMeters() != null && above != null && above < ON_THE_GROUND_METERS;
+        Duration longest = LONGEST_STILL.plusSeconds(Math.round(next.holdSeconds()));
+        return sight.still().compareTo(down ? LONGEST_STILL_ON_THE_GROUND : longest) > 0;
+    }
+
+    private static VirtualRunStep comeHome(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        if (Boolean.FALSE.equals(drone.armed())) {
+            return VirtualRunStep.leave(
+                    run.unbound(VirtualRunStage.DONE, "Done: all waypoints are flown and the drone is back.", null, sight.now()),
+                    VirtualRunStep.Release.FREE);
+        }
+        if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
+            return VirtualRunStep.leave(
+                    run.unbound(
+                            VirtualRunStage.DONE, "All waypoints are flown; the drone is stuck on its way.", null, sight.now()),
+                    VirtualRunStep.Release.FREE);
+        }
+        boolean hangs = drone.mission().complete()
+                && drone.airborne()
+                && !drone.capabilities().isSafe(drone.mode());
+        return hangs && since(assignment, sight).compareTo(BETWEEN_CALLS) > 0
+                ? VirtualRunStep.send(run, homeward(drone))
+                : VirtualRunStep.stay(run);
+    }
+
+    private static VirtualRunStep bringHome(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        if (Boolean.FALSE.equals(drone.armed())) {
+            return run.stage() == VirtualRunStage.STOPPING
+                    ? VirtualRunStep.leave(
+                            run.unbound(VirtualRunStage.STOPPED, "It was stopped; the drone is down.", run.detail(), sight.now()),
+                            VirtualRunStep.Release.FREE)
+                    : replace(run, assignment, "The drone could not go on.", sight, VirtualRunStep.Release.FREE);
+        }
+        if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
+            return replace(run, assignment, "The drone is stuck on its way home.", sight, VirtualRunStep.Release.FREE);
+        }
+        boolean called =
+                assignment.command() != null && since(assignment, sight).compareTo(BETWEEN_CALLS) < 0;
+        boolean onItsWay = drone.capabilities().isSafe(drone.mode());
+        if (onItsWay && run.stage() == VirtualRunStage.GIVING_UP) {
+            String why = "The drone could not go on and is on its way home.";
+            return replace(run, assignment, why, sight, VirtualRunStep.Release.FREE);
+        }
+        if (called || onItsWay) {
+            return VirtualRunStep.stay(run);
+        }
+        return VirtualRunStep.send(run, drone.airborne() ? homeward(drone) : new Command.Disarm(false));
+    }
+
+    private static Command homeward(DroneState drone) {
+        return drone.capabilities().commands().contains(Capability.RETURN_TO_LAUNCH)
+                ? new Command.ReturnToLaunch()
+                : new Command.Land();
+    }
+
+    /** A silent drone is still flying: what was given to it stays its own until it must be down. */
+    private VirtualRunStep unheard(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        boolean neverArmed = run.stage().compareTo(VirtualRunStage.ARMING) <= 0 && !Boolean.TRUE.equals(drone.armed());
+        Duration patience = neverArmed ? PATIENCE_ON_THE_GROUND : silence.plus(remaining(run, drone));
+        if (sight.silence().compareTo(patience) <= 0) {
+            String words = neverArmed
+                    ? "Nothing is heard of the drone."
+                    : "Nothing is heard of the drone; it may still fly, and its waypoints stay its own.";
+            return VirtualRunStep.stay(run.saying(words, sight.now()));
+        }
+        VirtualRunStep.Release release = neverArmed ? VirtualRunStep.Release.FREE : VirtualRunStep.Release.RECALL;
+        return switch (run.stage()) {
+            case RETURNING ->
+                VirtualRunStep.leave(
+                        run.unbound(
+                                VirtualRunStage.DONE,
+                                "All waypoints are flown; the drone was not heard again on its way back.",
+                                null,
+                                sight.now()),
+                        release);
+            case STOPPING ->
+                VirtualRunStep.leave(
+                        run.unbound(
+                                VirtualRunStage.STOPPED,
+                                "It was stopped; the drone was not heard again.",
+                                run.detail(),
+                                sight.now()),
+                        release);
+            default -> replace(run, assignment, "The drone was not heard again.", sight, release);
+        };
+    }
+
+    /** What the mission may still take where a silent drone flies it to the end. */
+    private static Duration remaining(VirtualRun run, DroneState drone) {
+        Position position = drone.position();
+        Geodetic at = position == null ? null : position.point();
+        if (run.onCloudLoss() != MissionCloudLossPolicy.CONTINUE || at == null) {
+            return Duration.ZERO;
+        }
+        int next = Math.min(run.flown(), run.total() - 1);
+        return Duration.ofSeconds(
+                Math.round(TourEnergyEstimate.of(run.tour(), next, drone, at, null).minutes() * 60));
+    }
+
+    private static VirtualRun progress(VirtualRun run, Assignment assignment, DroneState drone) {
+        if (run.stage() != VirtualRunStage.FLYING && run.stage() != VirtualRunStage.STOPPING && run.stage() != VirtualRunStage.GIVING_UP) {
+            return run;
+        }
+        VirtualTourSection share = share(run, assignment);
+        return share.isOnBoard(drone.mission()).equals(Optional.of(true))
+                ? run.flown(isBackFromAll(drone) ? share.end() : share.flown(drone.mission()))
+                : run;
+    }
+
+    /** Flown to the end and put down, maybe while nobody here listened: then it names no item any more. */
+    private static boolean isBackFromAll(DroneState drone) {
+        return drone.mission().complete() && Boolean.FALSE.equals(drone.armed());
+    }
+
+    private static VirtualTourSection share(VirtualRun run, Assignment assignment) {
+        return run.tour().share(assignment.first(), assignment.takeOffMeters());
+    }
+
+    private static boolean isOnMission(DroneState drone) {
+        return drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.MISSION));
+    }
+
+    private static Duration since(Assignment assignment, VirtualRunObservation sight) {
+        return Duration.between(assignment.changedAt(), sight.now());
+    }
+
+    private static VirtualRunStep tryAgain(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+        String why = reason(sight.outcome());
+        if (assignment.tries() + 1 < MOST_TRIES) {
+            return VirtualRunStep.stay(run.failedTry(why, sight.now()));
+        }
+        VirtualRun failed = run.failedTry(why, sight.now());
+        return Boolean.FALSE.equals(drone.armed())
+                ? replace(failed, assignment, "The drone could not be made to fly.", sight, VirtualRunStep.Release.FREE)
+                : giveUp(failed, "The drone could not be made to fly; it is brought to rest.", sight);
+    }
+
+    private static String reason(@Nullable Outcome outcome) {
+        String why = outcome == null ? null : outcome.reason();
+        return why == null ? "It did not show in time." : why;
+    }
+
+    private static VirtualRunStep giveUp(VirtualRun run, String why, VirtualRunObservation sight) {
+        return VirtualRunStep.stay(run.to(VirtualRunStage.GIVING_UP, why, sight.now()));
+    }
+
+    /** Another drone shall do the rest. */
+    private static VirtualRunStep replace(VirtualRun run, Assignment assignment, String why, VirtualRunObservation sight, VirtualRunStep.Release release) {
+        if (run.stage() == VirtualRunStage.STOPPING) {
+            return VirtualRunStep.leave(run.unbound(VirtualRunStage.STOPPED, "It was stopped. " + why, run.detail(), sight.now()), release);
+        }
+        if (run.failures() + 1 >= MOST_FAILURES) {
+            return VirtualRunStep.leave(
+                    run.unbound(
+                            VirtualRunStage.FAILED,
+                            MOST_FAILURES + " drones could not go on; look at why, then resume. " + why,
+                            run.detail(),
+                            sight.now()),
+                    release);
+        }
+        return VirtualRunStep.leave(
+                run.requeued(
+                        assignment.drone(),
+                        sight.now().plus(AVOIDED),
+                        why + " Another one is looked for; it begins at waypoint " + (run.flown() + 1) + ".",
+                        sight.now()),
+                release);
+    }
+
+    /** Drones that are not asked again yet. */
+    public static boolean avoids(VirtualRun run, DroneState drone, Instant now) {
+        Instant until = run.avoided().get(drone.id());
+        return until != null && until.isAfter(now);
+    }
+}

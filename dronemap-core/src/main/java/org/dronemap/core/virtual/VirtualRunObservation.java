@@ -1,0 +1,28 @@
+package org.dronemap.core.virtual;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneState;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Observation of the drone that serves a run.
+ *
+ * @param drone null: it was removed
+ * @param takenBy why the run has no control of it, as a sentence; null: it has
+ * @param outcome of the last command; null: it has none yet, or there was no command
+ * @param underWay the last command has no outcome yet
+ * @param silence for how long nothing was heard
+ * @param still for how long it has not moved from its place
+ * @param mayFly the owner still may
+ */
+public record VirtualRunObservation(
+        @Nullable DroneState drone,
+        @Nullable String takenBy,
+        @Nullable Outcome outcome,
+        boolean underWay,
+        Duration silence,
+        Duration still,
+        boolean mayFly,
+        Instant now) {}

@@ -1,0 +1,32 @@
+package org.dronemap.core.virtual;
+
+import org.dronemap.core.command.Command;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Step of the run machine: next run, command to send, and release of the drone.
+ *
+ * @param send null: nothing
+ */
+public record VirtualRunStep(VirtualRun run, @Nullable Command send, Release release) {
+    /** What becomes of control of the drone. */
+    public enum Release {
+        KEEP,
+        /** Given back. */
+        FREE,
+        /** Kept until the drone is heard again, is called home, and is back. */
+        RECALL
+    }
+
+    static VirtualRunStep stay(VirtualRun run) {
+        return new VirtualRunStep(run, null, Release.KEEP);
+    }
+
+    static VirtualRunStep send(VirtualRun run, Command command) {
+        return new VirtualRunStep(run, command, Release.KEEP);
+    }
+
+    static VirtualRunStep leave(VirtualRun run, Release release) {
+        return new VirtualRunStep(run, null, release);
+    }
+}

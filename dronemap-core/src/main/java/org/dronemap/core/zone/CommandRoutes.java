@@ -1,0 +1,72 @@
+package org.dronemap.core.zone;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.mission.MissionItem;
+
+/** Derives the route that a command sends a drone along. */
+public final class CommandRoutes {
+    private CommandRoutes() {}
+
+    /** {@link Route#NONE} for what moves nothing, and for what brings it down or home: that is never kept from it. */
+    public static Route of(DroneState drone, Command command) {
+        return switch (command.kind().movement()) {
+            case NONE, STANDS, TURNS, COMES_DOWN -> Route.NONE;
+            case CLIMBS -> new MissionRouteBuilder(drone).takeOff(((Command.TakeOff) command).altitudeMeters(), "The take-off");
+            case GOES -> to(drone, (Command.GoTo) command);
+            case GOES_ON_ITS_MAP -> new Route(List.of(), "Where the vehicle's own map lies on the Earth is not known");
+            case TAKES_MISSION ->
+                uploaded(drone, ((Command.UploadMission) command).mission().items());
+            case FLIES_MISSION -> onBoard(drone);
+            case CHANGES_MODE -> inMode(drone, ((Command.SetMode) command).mode());
+        };
+    }
+
+    /**
+     * Where a setpoint leads a drone within a short time, said as the command that leads there; empty when it leads nowhere, or
+     * when sticks are moved and nobody knows where the drone is: without GPS they are what is left.
+     */
+    public static Optional<Command> ahead(DroneState drone, Setpoint setpoint) {
+        return setpoint.isStill() ? Optional.empty() : new SetpointPredictor(drone).of(setpoint);
+    }
+
+    /** The way home and down, which is only warned of. */
+    public static Route home(DroneState drone) {
+        return new MissionRouteBuilder(drone).through(List.of(new MissionItem.ReturnToLaunch()), 0);
+    }
+
+    /** Straight down. */
+    public static Route down(DroneState drone) {
+        return new MissionRouteBuilder(drone).through(List.of(new MissionItem.Land()), 0);
+    }
+
+    private static Route to(DroneState drone, Command.GoTo goTo) {
+        return new MissionRouteBuilder(drone).flyTo(goTo.point(), goTo.altitude(), "the place");
+    }
+
+    private static Route inMode(DroneState drone, String mode) {
+        return drone.capabilities().steering(mode).equals(Optional.of(Steering.MISSION)) ? onBoard(drone) : Route.NONE;
+    }
+
+    private static Route uploaded(DroneState drone, List<MissionItem> items) {
+        MissionRouteBuilder walk = new MissionRouteBuilder(drone);
+        boolean placed = drone.position() != null && drone.position().point() != null;
+        return (placed || drone.airborne() ? walk : walk.fromAnywhere()).through(items, 0);
+    }
+
+    private static Route onBoard(DroneState drone) {
+        MissionProgress mission = drone.mission();
+        List<MissionItem> items = mission.items();
+        if (items == null) {
+            return new Route(List.of(), "Which mission is on the vehicle is not known");
+        }
+        Integer current = mission.current();
+        int next = current == null || mission.complete() || !drone.airborne() ? 0 : current;
+        return new MissionRouteBuilder(drone).through(items, next);
+    }
+}

@@ -1,0 +1,18 @@
+package org.dronemap.proxy.endpoint;
+
+/** The way out to one peer. Any thread; never waits for the other side. */
+@FunctionalInterface
+interface FrameSender {
+    /** Puts one whole frame on its way; false when there was no room and it was dropped. */
+    boolean send(byte[] frame);
+
+    /** Frames that wait to be sent. */
+    default int waiting() {
+        return 0;
+    }
+
+    /** The peer has lost its place. */
+    default void close() {
+        // A datagram socket serves others too.
+    }
+}

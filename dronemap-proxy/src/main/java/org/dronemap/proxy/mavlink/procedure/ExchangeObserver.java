@@ -1,0 +1,12 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+/** Hears how far an exchange is. */
+public interface ExchangeObserver {
+    ExchangeObserver NONE = new ExchangeObserver() {};
+
+    /** The vehicle took it and is at it. */
+    default void accepted() {}
+
+    /** Steps done of steps in all. */
+    default void progress(int done, int total) {}
+}

@@ -1,0 +1,64 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.mavlink.Frame;
+import org.jspecify.annotations.Nullable;
+
+/** Runs a second exchange when the first one ends with an outcome that {@code tryOther} accepts. */
+public final class FallbackExchange implements Exchange {
+    private final Predicate<Outcome> tryOther;
+    private @Nullable Supplier<Exchange> other;
+    private Exchange current;
+
+    public FallbackExchange(Exchange first, Predicate<Outcome> tryOther, Supplier<Exchange> other) {
+        this.current = first;
+        this.tryOther = tryOther;
+        this.other = other;
+    }
+
+    @Override
+    public void start(long nowNanos) {
+        current.start(nowNanos);
+        change(nowNanos);
+    }
+
+    @Override
+    public void heard(Frame frame, long nowNanos) {
+        current.heard(frame, nowNanos);
+        change(nowNanos);
+    }
+
+    @Override
+    public void said(Severity severity, String text, long nowNanos) {
+        current.said(severity, text, nowNanos);
+    }
+
+    @Override
+    public void tick(long nowNanos) {
+        current.tick(nowNanos);
+        change(nowNanos);
+    }
+
+    @Override
+    public void cancel(long nowNanos) {
+        current.cancel(nowNanos);
+    }
+
+    @Override
+    public @Nullable Outcome outcome() {
+        return current.outcome();
+    }
+
+    private void change(long nowNanos) {
+        Outcome ended = current.outcome();
+        Supplier<Exchange> next = other;
+        if (ended != null && next != null && tryOther.test(ended)) {
+            other = null;
+            current = next.get();
+            current.start(nowNanos);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import java.util.concurrent.CompletableFuture;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.mavlink.Frame;
+import org.jspecify.annotations.Nullable;
+
+/** Waits for something of the cloud's own, which the vehicle has no part in. */
+public final class FutureExchange implements Exchange {
+    private static final long LONGEST_NANOS = 3_000_000_000L;
+
+    private final CompletableFuture<Void> awaited;
+    private final String otherwise;
+    private long startedNanos;
+    private @Nullable Outcome outcome;
+
+    /** {@code otherwise}: a sentence for when it fails, or takes too long. */
+    public FutureExchange(CompletableFuture<Void> awaited, String otherwise) {
+        this.awaited = awaited;
+        this.otherwise = otherwise;
+    }
+
+    @Override
+    public void start(long nowNanos) {
+        startedNanos = nowNanos;
+        tick(nowNanos);
+    }
+
+    @Override
+    public void heard(Frame frame, long nowNanos) {}
+
+    @Override
+    public void tick(long nowNanos) {
+        if (outcome != null) {
+            return;
+        }
+        if (awaited.isDone() && !awaited.isCompletedExceptionally()) {
+            outcome = new Outcome.Succeeded();
+        } else if (awaited.isDone() || nowNanos - startedNanos > LONGEST_NANOS) {
+            outcome = new Outcome.Failed(otherwise);
+        }
+    }
+
+    @Override
+    public @Nullable Outcome outcome() {
+        return outcome;
+    }
+}

@@ -1,0 +1,18 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+/** MAV_MISSION_TYPE: what a list of items on a vehicle is. */
+public enum MavMissionType {
+    MISSION(0),
+    FENCE(1),
+    RALLY(2);
+
+    private final int number;
+
+    MavMissionType(int number) {
+        this.number = number;
+    }
+
+    public int number() {
+        return number;
+    }
+}

@@ -1,0 +1,141 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.ParamRequestList;
+import org.dronemap.mavlink.message.ParamRequestRead;
+import org.dronemap.mavlink.message.ParamValue;
+import org.jspecify.annotations.Nullable;
+
+/** Reads all parameters of a vehicle: asks for the list, then for its gaps one by one; goes on after a break of the link. */
+public final class ParameterDownload implements Exchange {
+    static final int MOST_PARAMETERS = 10_000;
+    private static final long IDLE_NANOS = 1_000_000_000L;
+    private static final int IN_FLIGHT = 16;
+
+    private final MavlinkTarget target;
+    private final ParameterCodec codec;
+    private final ExchangeObserver observer;
+    private final SortedMap<Integer, Parameter> byIndex = new TreeMap<>();
+    private RequestWindow<Integer> gaps;
+    private RetrySchedule pace = new RetrySchedule(0, 0, 0);
+    private int count = -1;
+    private final TransferTimeout patience = new TransferTimeout();
+    private int tries;
+    private long lastSentNanos;
+    private @Nullable Outcome outcome;
+
+    public ParameterDownload(MavlinkTarget target, ParameterCodec codec, ExchangeObserver observer) {
+        this.target = target;
+        this.codec = codec;
+        this.observer = observer;
+        this.gaps = new RequestWindow<>(0, pace, index -> {});
+    }
+
+    /** What was read, in the order of the vehicle. */
+    public List<Parameter> parameters() {
+        return List.copyOf(byIndex.values());
+    }
+
+    @Override
+    public void start(long nowNanos) {
+        pace = RetrySchedule.of(target.roundTrip(), 0);
+        gaps = new RequestWindow<>(IN_FLIGHT, pace, this::askFor);
+        patience.begin(nowNanos);
+        ask(nowNanos);
+    }
+
+    private void ask(long nowNanos) {
+        target.send(new ParamRequestList(target.systemId(), target.componentId()));
+        patience.asked(nowNanos);
+        tries++;
+        lastSentNanos = nowNanos;
+    }
+
+    private void askFor(int index) {
+        target.send(new ParamRequestRead(target.systemId(), target.componentId(), "", index));
+    }
+
+    @Override
+    public void heard(Frame frame, long nowNanos) {
+        if (outcome != null) {
+            return;
+        }
+        patience.heard(nowNanos);
+        if (frame.messageId() == ParamValue.ID) {
+            took(ParamValue.decode(frame), nowNanos);
+        }
+    }
+
+    /** Answers to a write carry no index; they are no part of the list. */
+    private void took(ParamValue message, long nowNanos) {
+        int index = message.paramIndex();
+        if (index >= message.paramCount() || message.paramId().isEmpty()) {
+            return;
+        }
+        if (message.paramCount() > MOST_PARAMETERS) {
+            outcome = new Outcome.Failed("The vehicle says it has " + message.paramCount() + " parameters.");
+            return;
+        }
+        if (message.paramCount() != count) {
+            count = message.paramCount();
+            byIndex.tailMap(count).clear();
+        }
+        gaps.answered(index);
+        if (byIndex.put(index, codec.decode(message)) == null) {
+            patience.news(nowNanos);
+            observer.progress(byIndex.size(), count);
+        }
+        if (byIndex.size() == count) {
+            outcome = new Outcome.Succeeded();
+        }
+    }
+
+    @Override
+    public void tick(long nowNanos) {
+        if (outcome != null) {
+            return;
+        }
+        if (patience.isBrokenOff(nowNanos)) {
+            outcome = new Outcome.TimedOut("Nothing more came within 60 s; " + byIndex.size() + " of "
+                    + Math.max(count, 0) + " parameters were read.");
+        } else if (count < 0) {
+            askAgain(nowNanos);
+        } else {
+            if (gaps.isEmpty() && patience.sinceNewsNanos(nowNanos) >= Math.max(IDLE_NANOS, pace.firstNanos())) {
+                gaps.add(missing());
+            }
+            gaps.tick(nowNanos, patience.isAudible(nowNanos));
+        }
+    }
+
+    private void askAgain(long nowNanos) {
+        if (nowNanos - lastSentNanos < Math.max(IDLE_NANOS, pace.pauseNanos(tries))) {
+            return;
+        }
+        outcome = patience.end(nowNanos);
+        if (outcome == null) {
+            ask(nowNanos);
+        }
+    }
+
+    private List<Integer> missing() {
+        List<Integer> missing = new ArrayList<>();
+        for (int index = 0; index < count; index++) {
+            if (!byIndex.containsKey(index)) {
+                missing.add(index);
+            }
+        }
+        return missing;
+    }
+
+    @Override
+    public @Nullable Outcome outcome() {
+        return outcome;
+    }
+}

@@ -1,0 +1,71 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import org.dronemap.core.command.Outcome;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The timeout of a transfer: short while the vehicle is heard but does not answer, long while the link is cut. Times in
+ * ns.
+ */
+final class TransferTimeout {
+    /** A break of the link may last so long. */
+    static final long LONGEST_BREAK_NANOS = 60_000_000_000L;
+
+    static final int TRIES = 9;
+    private static final long AUDIBLE_NANOS = 2_000_000_000L;
+
+    private long lastHeardNanos;
+    private long lastNewsNanos;
+    private int tries;
+
+    void begin(long nowNanos) {
+        lastHeardNanos = nowNanos;
+        news(nowNanos);
+    }
+
+    /** Any frame of the vehicle. */
+    void heard(long nowNanos) {
+        lastHeardNanos = nowNanos;
+    }
+
+    /** The transfer has come a step forward. */
+    void news(long nowNanos) {
+        lastNewsNanos = nowNanos;
+        tries = 0;
+    }
+
+    /** The vehicle has said something to the matter, though nothing new. */
+    void answered() {
+        tries = 0;
+    }
+
+    /** Was asked (again); what nobody can hear is no try. */
+    void asked(long nowNanos) {
+        if (isAudible(nowNanos)) {
+            tries++;
+        }
+    }
+
+    boolean isAudible(long nowNanos) {
+        return nowNanos - lastHeardNanos < AUDIBLE_NANOS;
+    }
+
+    long sinceNewsNanos(long nowNanos) {
+        return nowNanos - lastNewsNanos;
+    }
+
+    /** True when the break has become too long. */
+    boolean isBrokenOff(long nowNanos) {
+        return nowNanos - lastNewsNanos >= LONGEST_BREAK_NANOS;
+    }
+
+    /** Null while it is worth going on. */
+    @Nullable
+    Outcome end(long nowNanos) {
+        boolean ignored = tries >= TRIES && isAudible(nowNanos);
+        return ignored || isBrokenOff(nowNanos)
+                ? CommandExchange.noAnswer(
+                        Math.max(1, sinceNewsNanos(nowNanos) / 1_000_000_000L) * 1_000_000_000L, tries)
+                : null;
+    }
+}

@@ -1,0 +1,347 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.RestoreParameters;
+import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetReturnHeight;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.Wind;
+import org.dronemap.proxy.mavlink.procedure.CommandExchange;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.ExchangeObserver;
+import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
+import org.dronemap.proxy.mavlink.procedure.FallbackExchange;
+import org.dronemap.proxy.mavlink.procedure.MavCommandRequest;
+import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
+import org.dronemap.proxy.mavlink.procedure.PositionTargetExchange;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * ArduPilot's ways: numbered modes, GUIDED before take-off and go-to, home as mission item 0, a mission that is
+ * overwritten in place.
+ */
+final class ArduPilotAdapter implements AutopilotAdapter {
+    private static final String AUTO = "AUTO";
+    private static final String GUIDED = "GUIDED";
+    private static final String RTL = "RTL";
+    private static final int NAV_TAKEOFF = 22;
+    private static final int CONDITION_YAW = 115;
+    private static final float RELATIVE = 1f;
+    private static final int FRAME_RELATIVE = 6;
+    private static final int FRAME_GLOBAL = 5;
+    private static final int STANDBY = 3;
+    private static final int ACTIVE = 4;
+    static final int HOME_ITEMS = 1;
+    private static final long WIND_MICROS = 5_000_000;
+    private static final MissionCodec.Form FORM = new MissionCodec.Form(true, 0f, 0, 0);
+
+    /** In m since ArduCopter 4.7, in cm before. */
+    private static final ReturnHeightExchanges.Setting RETURN_HEIGHT =
+            ReturnHeightExchanges.Setting.of(new ReturnHeightExchanges.Name("RTL_ALT_M", 1), new ReturnHeightExchanges.Name("RTL_ALT", 100));
+
+    private static final CloudLossExchanges.Setting CLOUD_LOSS = new CloudLossExchanges.Setting("FS_GCS_ENABLE", Set.of(0), 1, false);
+
+    private static final Set<Capability> ALWAYS = Set.of(
+            Capability.ARM,
+            Capability.DISARM,
+            Capability.SET_MODE,
+            Capability.TAKE_PICTURE,
+            Capability.SET_RELAY,
+            Capability.READ_PARAMETERS,
+            Capability.SET_PARAMETERS,
+            Capability.READ_LOGS,
+            Capability.FENCE,
+            Capability.RALLY_POINTS,
+            Capability.SET_HOME,
+            Capability.READ_HOME);
+
+    private static final Set<Capability> IN_AUTO = Set.of(
+            Capability.UPLOAD_MISSION,
+            Capability.CLEAR_MISSION,
+            Capability.START_MISSION,
+            Capability.HOLD,
+            Capability.PAUSE_MISSION);
+
+    private final VehicleKind kind;
+    private final ModeTable table;
+
+    ArduPilotAdapter(int type) {
+        kind = VehicleType.kind(type);
+        table = switch (kind) {
+            case MULTICOPTER, HELICOPTER -> ModeTable.COPTER;
+            case FIXED_WING, VTOL -> ModeTable.PLANE;
+            case ROVER, BOAT -> ModeTable.ROVER;
+            case SUBMARINE -> ModeTable.SUB;
+            case AIRSHIP -> ModeTable.BLIMP;
+            case UNKNOWN -> ModeTable.EMPTY;
+        };
+    }
+
+    @Override
+    public String family() {
+        return "ArduPilot";
+    }
+
+    @Override
+    public String vehicle() {
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER -> "ArduCopter";
+            case FIXED_WING, VTOL -> "ArduPlane";
+            case ROVER, BOAT -> "ArduRover";
+            case SUBMARINE -> "ArduSub";
+            case AIRSHIP -> "Blimp";
+            case UNKNOWN -> "ArduPilot";
+        };
+    }
+
+    @Override
+    public String modeName(Heartbeat heartbeat) {
+        String name = (heartbeat.baseMode() & 1) != 0 ? table.name(heartbeat.customMode()) : null;
+        return name != null ? name : UnknownAutopilotAdapter.unnamed(heartbeat);
+    }
+
+    @Override
+    public Map<Integer, Long> ownMessages() {
+        return Map.of(Wind.ID, WIND_MICROS);
+    }
+
+    @Override
+    public List<String> modes() {
+        return table.names();
+    }
+
+    @Override
+    public Capabilities capabilities() {
+        return Capabilities.of(can(), modes(), table.steering(), table.usual(), table.arming());
+    }
+
+    /** What is not here it cannot. */
+    private Set<Capability> can() {
+        boolean copter = table == ModeTable.COPTER;
+        boolean led = copter || table == ModeTable.ROVER;
+        Map<Capability, Boolean> by = Map.of(
+                Capability.GO_TO,
+                table.has(GUIDED),
+                Capability.RETURN_TO_LAUNCH,
+                table.has(RTL),
+                Capability.LAND,
+                kind != VehicleKind.FIXED_WING && (table.has("LAND") || table.has("QLAND")),
+                Capability.TAKE_OFF,
+                copter || kind == VehicleKind.VTOL,
+                Capability.TURN,
+                copter,
+                Capability.VELOCITY,
+                led,
+                Capability.TRACK,
+                led,
+                Capability.STICKS,
+                led || table == ModeTable.PLANE || table == ModeTable.SUB);
+        EnumSet<Capability> can = EnumSet.copyOf(ALWAYS);
+        by.forEach((capability, does) -> {
+            if (does) {
+                can.add(capability);
+            }
+        });
+        if (table.has(AUTO)) {
+            can.addAll(IN_AUTO);
+        }
+        return can;
+    }
+
+    @Override
+    public boolean parametersAsBits() {
+        return false;
+    }
+
+    @Override
+    public int itemsBeforeMission() {
+        return HOME_ITEMS;
+    }
+
+    /** Copter and Plane call standing on the ground STANDBY and flying ACTIVE; the others mean something else. */
+    @Override
+    public @Nullable FlightPhase phase(Heartbeat heartbeat) {
+        if (table != ModeTable.COPTER && table != ModeTable.PLANE) {
+            return null;
+        }
+        return switch (heartbeat.systemStatus()) {
+            case STANDBY -> FlightPhase.ON_GROUND;
+            case ACTIVE -> FlightPhase.IN_AIR;
+            default -> null;
+        };
+    }
+
+    @Override
+    public Exchange plan(Command command, CommandContext cockpit) {
+        return switch (command.kind()) {
+            case SET_MODE -> mode(cockpit, ((Command.SetMode) command).mode(), cockpit.observer());
+            case TAKE_OFF -> takeOff(cockpit, (Command.TakeOff) command);
+            case LAND -> mode(cockpit, kind == VehicleKind.VTOL ? "QLAND" : "LAND", cockpit.observer());
+            case RETURN_TO_LAUNCH -> returnToLaunch(cockpit);
+            case HOLD, PAUSE_MISSION -> hold(cockpit, cockpit.observer());
+            case GO_TO -> goTo(cockpit, (Command.GoTo) command);
+            case TURN -> turn(cockpit, ((Command.Turn) command).degrees());
+            case UPLOAD_MISSION ->
+                upload(cockpit, ((Command.UploadMission) command).mission().items());
+            case START_MISSION ->
+                MissionStartExchanges.begin(
+                        cockpit, (Command.StartMission) command, kind, observer -> mode(cockpit, AUTO, observer));
+            case CLEAR_MISSION -> new MissionExchanges(cockpit, HOME_ITEMS).clear();
+            case SET_RELAY -> BasicExchanges.relay(cockpit, (Command.SetRelay) command);
+            case SET_RETURN_HEIGHT -> ReturnHeightExchanges.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
+            case RETURN_ON_LOSS -> CloudLossExchanges.comeHome(cockpit, kind, CLOUD_LOSS);
+            case SET_CLOUD_LOSS ->
+                CloudLossExchanges.set(cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
+            case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
+            case ARM -> BasicExchanges.arm(cockpit);
+            case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
+            case TAKE_PICTURE -> BasicExchanges.picture(cockpit);
+            case SET_HOME -> HomeExchanges.set(cockpit, (Command.SetHome) command);
+            case READ_HOME -> HomeExchanges.read(cockpit);
+            case READ_PARAMETERS -> TransferExchanges.readParameters(cockpit);
+            case SET_PARAMETERS -> TransferExchanges.set(cockpit, (Command.SetParameters) command);
+            case READ_LOGS -> TransferExchanges.readLogs(cockpit);
+            case DOWNLOAD_LOG -> TransferExchanges.download(cockpit, (Command.DownloadLog) command);
+            case READ_FENCE -> FenceExchanges.readFence(cockpit);
+            case SET_FENCE -> FenceExchanges.set(cockpit, (Command.SetFence) command);
+            case READ_RALLY_POINTS -> FenceExchanges.readRally(cockpit);
+            case SET_RALLY_POINTS -> FenceExchanges.set(cockpit, (Command.SetRallyPoints) command);
+            default -> BasicExchanges.cannot(command);
+        };
+    }
+
+    @Override
+    public Optional<Message> steer(Setpoint setpoint, MavlinkTarget target) {
+        return new SetpointEncoder(target, kind).say(setpoint);
+    }
+
+    private Exchange mode(CommandContext cockpit, String name, ExchangeObserver observer) {
+        return table.number(name)
+                .map(number -> BasicExchanges.mode(cockpit, name, number, 0f, observer))
+                .orElseGet(() -> BasicExchanges.refuse(OutcomeCode.MODE_UNKNOWN, "This vehicle has no mode " + name + "."));
+    }
+
+    /** BRAKE needs no pilot's throttle; where it is not to be had, the mode that every vehicle of the kind knows. */
+    private Exchange hold(CommandContext cockpit, ExchangeObserver observer) {
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER -> either(cockpit, "BRAKE", "LOITER", observer);
+            case ROVER, BOAT, AIRSHIP -> mode(cockpit, "HOLD", observer);
+            case SUBMARINE -> either(cockpit, "POSHOLD", "ALT_HOLD", observer);
+            case VTOL -> either(cockpit, "QLOITER", "LOITER", observer);
+            case FIXED_WING, UNKNOWN -> mode(cockpit, "LOITER", observer);
+        };
+    }
+
+    private Exchange either(CommandContext cockpit, String first, String second, ExchangeObserver observer) {
+        return new FallbackExchange(
+                mode(cockpit, first, observer), ArduPilotAdapter::isOtherwise, () -> mode(cockpit, second, observer));
+    }
+
+    /** Whether the vehicle has said that it does not: who is silent is not asked for something else. */
+    private static boolean isOtherwise(Outcome outcome) {
+        return switch (outcome.kind()) {
+            case REFUSED, FAILED -> true;
+            case SUCCEEDED, TIMED_OUT, SUPERSEDED, UNKNOWN -> false;
+        };
+    }
+
+    private ExchangeSequence.Step guided(CommandContext cockpit) {
+        return ExchangeSequence.Step.when(() -> !cockpit.status().inMode(GUIDED), () -> mode(cockpit, GUIDED, ExchangeObserver.NONE));
+    }
+
+    private Exchange takeOff(CommandContext cockpit, Command.TakeOff command) {
+        float[] parameters = {0f, 0f, 0f, 0f, 0f, 0f, (float) command.altitudeMeters()};
+        return new ExchangeSequence(List.of(
+                guided(cockpit),
+                ExchangeSequence.Step.of(() -> new CommandExchange(
+                        cockpit.target(),
+                        MavCommandRequest.ofLong(
+                                cockpit.target(),
+                                NAV_TAKEOFF,
+                                parameters,
+                                MavCommandRequest.Retry.VERIFY_FIRST,
+                                BasicExchanges.climbing(cockpit.status())),
+                        cockpit.observer()))));
+    }
+
+    private Exchange turn(CommandContext cockpit, double degrees) {
+        float direction = degrees < 0 ? -1f : 1f;
+        return new ExchangeSequence(List.of(
+                guided(cockpit),
+                ExchangeSequence.Step.of(() ->
+                        BasicExchanges.once(cockpit, CONDITION_YAW, (float) Math.abs(degrees), 0f, direction, RELATIVE))));
+    }
+
+    private Exchange goTo(CommandContext cockpit, Command.GoTo command) {
+        boolean relative = command.altitude().reference() == Altitude.Reference.HOME;
+        CommandInt message = new CommandInt(
+                cockpit.target().systemId(),
+                cockpit.target().componentId(),
+                relative ? FRAME_RELATIVE : FRAME_GLOBAL,
+                BasicExchanges.DO_REPOSITION,
+                0,
+                0,
+                -1f,
+                1f,
+                0f,
+                Float.NaN,
+                MissionCodec.e7(command.point().latitudeDegrees()),
+                MissionCodec.e7(command.point().longitudeDegrees()),
+                (float) command.altitude().meters());
+        CommandExchange reposition = new CommandExchange(
+                cockpit.target(), MavCommandRequest.ofInt(message, MavCommandRequest.Retry.REPEATABLE), cockpit.observer());
+        return new ExchangeSequence(List.of(
+                guided(cockpit),
+                ExchangeSequence.Step.of(() -> new FallbackExchange(
+                        reposition,
+                        refused -> reposition.isUnknownToVehicle(),
+                        () -> new PositionTargetExchange(cockpit.target(), message)))));
+    }
+
+    /** ArduPilot overwrites item by item: one that flies its mission holds first. */
+    private Exchange upload(CommandContext cockpit, List<MissionItem> mission) {
+        return new ExchangeSequence(List.of(
+                ExchangeSequence.Step.when(
+                        () -> cockpit.status().armed() && cockpit.status().inMode(AUTO),
+                        () -> hold(cockpit, ExchangeObserver.NONE)),
+                ExchangeSequence.Step.of(() -> new MissionExchanges(cockpit, HOME_ITEMS)
+                        .inAnyOrder()
+                        .uploadInParts(
+                                mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), FORM)))));
+    }
+
+    private Exchange returnToLaunch(CommandContext cockpit) {
+        return switch (kind) {
+            case FIXED_WING -> PlaneReturnExchanges.begin(cockpit, () -> mode(cockpit, RTL, cockpit.observer()));
+            case VTOL -> mode(cockpit, "QRTL", cockpit.observer());
+            case MULTICOPTER, HELICOPTER, ROVER, BOAT, SUBMARINE, AIRSHIP, UNKNOWN ->
+                mode(cockpit, RTL, cockpit.observer());
+        };
+    }
+
+    private @Nullable CloudLossParameters policy(int seconds) {
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER -> CloudLossParameterSets.copter(seconds, RETURN_HEIGHT);
+            case FIXED_WING -> CloudLossParameterSets.plane(seconds);
+            case VTOL -> CloudLossParameterSets.quadPlane(seconds);
+            case ROVER, BOAT -> CloudLossParameterSets.rover(seconds);
+            case SUBMARINE, AIRSHIP, UNKNOWN -> null;
+        };
+    }
+}

@@ -1,0 +1,96 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.mission.CountText;
+import org.dronemap.core.mission.MissionComparison;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
+import org.dronemap.proxy.mavlink.procedure.FallbackExchange;
+import org.dronemap.proxy.mavlink.procedure.ImmediateExchange;
+import org.dronemap.proxy.mavlink.procedure.MavMissionType;
+import org.dronemap.proxy.mavlink.procedure.MissionClear;
+import org.dronemap.proxy.mavlink.procedure.MissionDownload;
+import org.dronemap.proxy.mavlink.procedure.MissionUpload.Span;
+import org.dronemap.proxy.mavlink.procedure.MissionUpload;
+import org.dronemap.proxy.mavlink.procedure.PartialProgress;
+
+/** Missions written, whole or where they differ, read back and compared; and taken away. Made for one command. */
+final class MissionExchanges {
+    private final CommandContext cockpit;
+    private final int itemsBefore;
+    private boolean itemsInAnyOrder;
+
+    /** {@code itemsBefore}: how many items stand on the wire before the mission's own. */
+    MissionExchanges(CommandContext cockpit, int itemsBefore) {
+        this.cockpit = cockpit;
+        this.itemsBefore = itemsBefore;
+    }
+
+    /** The vehicle gives items in any order. */
+    MissionExchanges inAnyOrder() {
+        itemsInAnyOrder = true;
+        return this;
+    }
+
+    /** Writes, reads back, compares; once more when something else was found. */
+    Exchange upload(List<MissionItem> mission, List<MissionItemInt> wire) {
+        Supplier<Exchange> whole = () -> verified(mission, wire, new Span(0, wire.size() - 1));
+        return new FallbackExchange(whole.get(), Outcome.Failed.class::isInstance, whole);
+    }
+
+    /** The same, but writes only what differs when that is little; whole where the vehicle does not take that. */
+    Exchange uploadInParts(List<MissionItem> mission, List<MissionItemInt> wire) {
+        Optional<Span> changed = WireMissionItems.difference(cockpit.status().mission(), wire, itemsBefore)
+                .filter(span -> span.size() * 2 <= wire.size() - itemsBefore);
+        return changed.<Exchange>map(span -> new FallbackExchange(
+                        verified(mission, wire, span),
+                        outcome -> !(outcome instanceof Outcome.Succeeded),
+                        () -> upload(mission, wire)))
+                .orElseGet(() -> upload(mission, wire));
+    }
+
+    private Exchange verified(List<MissionItem> mission, List<MissionItemInt> wire, Span span) {
+        int steps = span.size() + wire.size();
+        MissionDownload readBack = MissionDownload.whole(
+                cockpit.target(), MavMissionType.MISSION, new PartialProgress(cockpit.observer(), span.size(), steps));
+        if (itemsInAnyOrder) {
+            readBack.inAnyOrder();
+        }
+        return new ExchangeSequence(List.of(
+                ExchangeSequence.Step.of(() -> MissionUpload.part(
+                        cockpit.target(), MavMissionType.MISSION, wire, span, new PartialProgress(cockpit.observer(), 0, steps))),
+                ExchangeSequence.Step.of(() -> readBack),
+                ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> compare(mission, readBack)))));
+    }
+
+    private Outcome compare(List<MissionItem> mission, MissionDownload readBack) {
+        List<MissionItem> found = MissionCodec.fromWire(readBack.items(), itemsBefore);
+        return MissionComparison.difference(mission, found)
+                .<Outcome>map(difference ->
+                        new Outcome.Failed("The vehicle holds another mission than the one sent: " + difference + "."))
+                .orElseGet(() -> {
+                    cockpit.missionRead().accept(readBack);
+                    return new Outcome.Succeeded();
+                });
+    }
+
+    Exchange clear() {
+        MissionDownload readBack = MissionDownload.whole(cockpit.target(), MavMissionType.MISSION);
+        return new ExchangeSequence(List.of(
+                ExchangeSequence.Step.of(() -> new MissionClear(cockpit.target(), MavMissionType.MISSION)),
+                ExchangeSequence.Step.of(() -> readBack),
+                ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
+                    if (readBack.count() > itemsBefore) {
+                        return new Outcome.Failed("The vehicle still has "
+                                + CountText.of(readBack.count() - itemsBefore, "mission item") + ".");
+                    }
+                    cockpit.missionRead().accept(readBack);
+                    return new Outcome.Succeeded();
+                }))));
+    }
+}

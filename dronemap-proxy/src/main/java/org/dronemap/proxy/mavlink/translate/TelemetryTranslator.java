@@ -1,0 +1,188 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.MissionPhase;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.AutopilotVersion;
+import org.dronemap.mavlink.message.BatteryStatus;
+import org.dronemap.mavlink.message.ExtendedSysState;
+import org.dronemap.mavlink.message.GlobalPositionInt;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.HomePosition;
+import org.dronemap.mavlink.message.MissionCurrent;
+import org.dronemap.mavlink.message.MissionItemReached;
+import org.dronemap.mavlink.message.ServoOutputRaw;
+import org.dronemap.mavlink.message.Statustext;
+import org.dronemap.mavlink.message.SysStatus;
+import org.dronemap.mavlink.message.VfrHud;
+import org.dronemap.mavlink.message.Wind;
+import org.dronemap.mavlink.message.WindCov;
+import org.jspecify.annotations.Nullable;
+
+/** Turns what an autopilot says into events, and keeps what commands depend on. Owned by the drone's lane. */
+public final class TelemetryTranslator {
+    private final AutopilotAdapter autopilot;
+    private final VehicleStatus status;
+    private final Consumer<DroneEvent> out;
+    private final TelemetryDecoder readings = new TelemetryDecoder();
+    private final StatustextJoiner texts;
+    private boolean phaseTold;
+
+    public TelemetryTranslator(AutopilotAdapter autopilot, VehicleStatus status, Consumer<DroneEvent> out) {
+        this.autopilot = autopilot;
+        this.status = status;
+        this.out = out;
+        this.texts = new StatustextJoiner((severity, text) -> out.accept(new DroneEvent.TextReported(severity, text)));
+    }
+
+    /** A frame of the vehicle's autopilot. */
+    public void heard(Frame frame, long nowNanos) {
+        switch (frame.messageId()) {
+            case Heartbeat.ID -> heartbeat(Heartbeat.decode(frame));
+            case SysStatus.ID -> sysStatus(SysStatus.decode(frame));
+            case BatteryStatus.ID ->
+                readings.battery(BatteryStatus.decode(frame))
+                        .ifPresent(battery -> out.accept(new DroneEvent.BatteryReported(battery)));
+            case GlobalPositionInt.ID -> position(GlobalPositionInt.decode(frame));
+            case org.dronemap.mavlink.message.GpsRawInt.ID ->
+                readings.gps(org.dronemap.mavlink.message.GpsRawInt.decode(frame))
+                        .ifPresent(gps -> out.accept(new DroneEvent.GpsReported(gps)));
+            case org.dronemap.mavlink.message.Attitude.ID ->
+                readings.attitude(org.dronemap.mavlink.message.Attitude.decode(frame))
+                        .ifPresent(attitude -> out.accept(new DroneEvent.AttitudeReported(attitude)));
+            case VfrHud.ID ->
+                readings.motion(VfrHud.decode(frame))
+                        .ifPresent(motion -> out.accept(new DroneEvent.MotionReported(motion)));
+            case Statustext.ID -> texts.heard(frame, nowNanos);
+            default -> rare(frame);
+        }
+    }
+
+    private void rare(Frame frame) {
+        switch (frame.messageId()) {
+            case ExtendedSysState.ID -> landedState(ExtendedSysState.decode(frame));
+            case HomePosition.ID -> home(HomePosition.decode(frame));
+            case MissionCurrent.ID -> missionCurrent(MissionCurrent.decode(frame));
+            case MissionItemReached.ID -> reached(MissionItemReached.decode(frame));
+            case AutopilotVersion.ID -> {
+                status.version(AutopilotVersion.decode(frame));
+                identified();
+            }
+            case Wind.ID -> wind(TelemetryDecoder.wind(Wind.decode(frame)));
+            case WindCov.ID -> wind(TelemetryDecoder.wind(WindCov.decode(frame)));
+            case ServoOutputRaw.ID ->
+                PayloadTranslator.outputs(ServoOutputRaw.decode(frame)).ifPresent(out);
+            default -> PayloadTranslator.heard(frame).ifPresent(out);
+        }
+    }
+
+    /** On the ground its estimate says nothing. */
+    private void wind(Optional<DroneEvent> heard) {
+        if (status.airborne()) {
+            heard.ifPresent(out);
+        }
+    }
+
+    /** Another component of the same vehicle, such as a camera or a computer beside the autopilot. */
+    public void overheard(Frame frame, long nowNanos) {
+        if (frame.messageId() == Statustext.ID) {
+            texts.heard(frame, nowNanos);
+        } else {
+            PayloadTranslator.heard(frame).ifPresent(out);
+        }
+    }
+
+    public void tick(long nowNanos) {
+        texts.tick(nowNanos);
+    }
+
+    /** Says who the vehicle is and what it can do. */
+    public void identified() {
+        out.accept(new DroneEvent.Identified(
+                IdentificationReader.of(autopilot, status.type(), status.version()), autopilot.capabilities()));
+    }
+
+    private void heartbeat(Heartbeat heartbeat) {
+        String mode = autopilot.modeName(heartbeat);
+        status.heartbeat(heartbeat, mode);
+        out.accept(new DroneEvent.ModeReported(mode, status.armed()));
+        if (!phaseTold) {
+            phase(autopilot.phase(heartbeat));
+        }
+    }
+
+    private void landedState(ExtendedSysState state) {
+        FlightPhase phase = switch (state.landedState()) {
+            case 1 -> FlightPhase.ON_GROUND;
+            case 2 -> FlightPhase.IN_AIR;
+            case 3 -> FlightPhase.TAKING_OFF;
+            case 4 -> FlightPhase.LANDING;
+            default -> null;
+        };
+        if (phase != null) {
+            phaseTold = true;
+        }
+        phase(phase);
+    }
+
+    private void phase(@Nullable FlightPhase phase) {
+        if (phase != null && phase != status.phase()) {
+            status.phase(phase);
+            out.accept(new DroneEvent.PhaseReported(phase));
+        }
+    }
+
+    private void sysStatus(SysStatus message) {
+        readings.battery(message).ifPresent(battery -> out.accept(new DroneEvent.BatteryReported(battery)));
+        TelemetryDecoder.readyToArm(message).ifPresent(ready -> out.accept(new DroneEvent.ReadinessReported(ready)));
+    }
+
+    private void position(GlobalPositionInt message) {
+        readings.position(message).ifPresent(position -> {
+            status.position(position);
+            out.accept(new DroneEvent.PositionReported(position));
+        });
+    }
+
+    private void home(HomePosition message) {
+        TelemetryDecoder.home(message).ifPresent(home -> {
+            status.home(message.latitude(), message.longitude(), home.altitudeAmslMeters());
+            out.accept(new DroneEvent.HomeReported(home));
+        });
+    }
+
+    private void missionCurrent(MissionCurrent message) {
+        status.current(message.seq());
+        int index = message.seq() - autopilot.itemsBeforeMission();
+        Integer heading = index < 0 || status.hasNoMission() ? null : (Integer) index;
+        out.accept(new DroneEvent.MissionCurrentReported(heading, phase(message.missionState())));
+    }
+
+    /** MISSION_STATE; ArduPilot says NOT_STARTED also of a mission that it left in the middle. */
+    private static @Nullable MissionPhase phase(int missionState) {
+        return switch (missionState) {
+            case 2 -> MissionPhase.STOPPED;
+            case 3 -> MissionPhase.RUNNING;
+            case 4 -> MissionPhase.PAUSED;
+            case 5 -> MissionPhase.COMPLETE;
+            default -> null;
+        };
+    }
+
+    private void reached(MissionItemReached message) {
+        status.reached(message.seq());
+        int index = message.seq() - autopilot.itemsBeforeMission();
+        if (index >= 0) {
+            out.accept(new DroneEvent.MissionItemReached(index));
+        }
+    }
+
+    /** Something the cloud has to say about this drone, among the drone's own sentences. */
+    public void remark(String sentence) {
+        out.accept(new DroneEvent.TextReported(Severity.WARNING, sentence));
+    }
+}

@@ -1,0 +1,32 @@
+package org.dronemap.proxy.outlet;
+
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.Message;
+
+/** A request of a client about a drone that it sees and that is in contact. Owned by the outlet's thread. */
+record ClientRequest(OutletClient client, DroneId drone, VehicleTap vehicle, Frame frame) {
+    /** In which it is answered. */
+    private AutopilotSender voice() {
+        return new AutopilotSender(client, drone, vehicle);
+    }
+
+    /** Answers in the name of the drone's autopilot. */
+    void answer(Message message) {
+        voice().say(message);
+    }
+
+    /** Who asked, as an answer is addressed. */
+    int fromSystem() {
+        return frame.systemId();
+    }
+
+    int fromComponent() {
+        return frame.componentId();
+    }
+
+    /** Says why not, in as many parts as that takes. */
+    void explain(String sentence) {
+        voice().explain(sentence);
+    }
+}

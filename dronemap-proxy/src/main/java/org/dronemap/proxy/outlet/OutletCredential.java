@@ -1,0 +1,20 @@
+package org.dronemap.proxy.outlet;
+
+import org.dronemap.core.access.Principal;
+import org.dronemap.mavlink.FrameSigner;
+import org.jspecify.annotations.Nullable;
+
+/** The credential that a program was admitted by: its user's key, or a personal port. Any thread. */
+sealed interface OutletCredential permits UserKey, PersonalPort {
+    String user();
+
+    /** It is no longer good. */
+    boolean isWithdrawn();
+
+    /** Signs what goes there; null: nothing does. */
+    @Nullable
+    FrameSigner signer();
+
+    /** What of its user's rights comes along. */
+    Principal rights(Principal user);
+}

@@ -1,0 +1,17 @@
+package org.dronemap.proxy.outlet;
+
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseStep;
+
+/** Does what users of clients want with the control of drones, and takes it down. Any thread; may wait for the store. */
+@FunctionalInterface
+public interface OutletLeaseAuthority {
+    /**
+     * Whether this user may is asked before.
+     *
+     * @throws org.dronemap.core.cloud.UnknownDroneException when there is no such drone (any more)
+     */
+    LeaseStep act(Principal by, DroneId drone, LeaseEvent event);
+}

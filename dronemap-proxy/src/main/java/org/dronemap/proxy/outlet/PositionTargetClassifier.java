@@ -1,0 +1,49 @@
+package org.dronemap.proxy.outlet;
+
+import org.dronemap.core.command.Setpoint;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Tells a place that is gone to from places that lead: programs say a place once, or a few times to be sure; others say where to
+ * be all the time, and mean to stay at the helm. One client's at one drone.
+ */
+final class PositionTargetClassifier {
+    /** Places that come slower than that are gone to one by one. */
+    static final long STREAM_NANOS = 1_000_000_000L;
+    /** Who says the same place for so long, that often, leads by it. */
+    static final long REPEATED_NANOS = 2_000_000_000L;
+
+    private static final long OFTEN_NANOS = 300_000_000L;
+
+    private Setpoint.@Nullable Track place;
+    private long heardNanos;
+    private long sinceNanos;
+    private int times;
+    private boolean leads;
+
+    /** The meaning of one position target: a go-to, a repetition of it, or part of a stream. */
+    enum Meaning {
+        GO_TO,
+        SAID_AGAIN,
+        LEADS
+    }
+
+    Meaning heard(Setpoint.Track said, long nowNanos) {
+        boolean goesOn = place != null && nowNanos - heardNanos < STREAM_NANOS;
+        boolean same = said.equals(place);
+        place = said;
+        heardNanos = nowNanos;
+        if (!goesOn || !same) {
+            leads = goesOn;
+            sinceNanos = nowNanos;
+            times = 0;
+        }
+        times++;
+        if (!goesOn) {
+            return Meaning.GO_TO;
+        }
+        long repeated = nowNanos - sinceNanos;
+        leads |= repeated >= REPEATED_NANOS && repeated / times <= OFTEN_NANOS;
+        return leads ? Meaning.LEADS : Meaning.SAID_AGAIN;
+    }
+}

@@ -1,0 +1,25 @@
+package org.dronemap.proxy.record;
+
+import java.util.concurrent.atomic.AtomicLong;
+
+/** A budget of bytes that may wait in memory for the disk, over all recording buffers. Any thread. */
+final class BufferBudget {
+    private final AtomicLong free;
+
+    BufferBudget(long bytes) {
+        free = new AtomicLong(bytes);
+    }
+
+    /** False, and nothing is taken, when there is not so much. */
+    boolean take(int bytes) {
+        if (free.addAndGet(-bytes) >= 0) {
+            return true;
+        }
+        free.addAndGet(bytes);
+        return false;
+    }
+
+    void giveBack(int bytes) {
+        free.addAndGet(bytes);
+    }
+}

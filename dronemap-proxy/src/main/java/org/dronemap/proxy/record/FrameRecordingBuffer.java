@@ -1,0 +1,40 @@
+package org.dronemap.proxy.record;
+
+import java.time.Clock;
+import org.dronemap.core.cloud.SendAuthority;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.session.FrameTap;
+
+/** A recording buffer for the frames of one vehicle session, driven by the autopilot's armed state. Any thread. */
+final class FrameRecordingBuffer extends RecordingBuffer implements FrameTap {
+    private static final int HALF_BYTES = 32_768;
+    private static final int LONGEST = 512;
+    private static final int ARMED = 128;
+
+    private final int autopilot;
+
+    FrameRecordingBuffer(Clock clock, BufferBudget room, int autopilot, boolean always) {
+        super(clock, room, always, HALF_BYTES, LONGEST);
+        this.autopilot = autopilot;
+    }
+
+    @Override
+    public void heard(Frame frame) {
+        hears();
+        if (frame.messageId() == Heartbeat.ID && frame.componentId() == autopilot && frame.verified()) {
+            arming((Heartbeat.decode(frame).baseMode() & ARMED) != 0);
+        }
+        keep(frame.length(), (stretch, now) -> stretch.heard(now, frame));
+    }
+
+    @Override
+    public void said(byte[] frame, SendAuthority mandate) {
+        keep(frame.length, (stretch, now) -> stretch.said(now, frame, mandate));
+    }
+
+    @Override
+    String ending() {
+        return RecordingFiles.FRAMES;
+    }
+}

@@ -1,0 +1,31 @@
+package org.dronemap.proxy.roslink;
+
+import java.util.function.Consumer;
+import org.dronemap.proxy.roslink.wire.RobotOrder;
+
+/**
+ * The cloud's own heartbeat for one robot, once a second, as the protocol asks of both ends: a robot may have a fail-safe that
+ * acts when it is missed. It goes by the ticks of the robot's lane and by nothing else, so that it ends with whatever else the
+ * robot would be told. Without I/O; owned by the session's lane.
+ */
+final class CloudHeartbeatSender {
+    private static final long BETWEEN_NANOS = 1_000_000_000L;
+    private static final RobotOrder HEARTBEAT = new RobotOrder.Heartbeat();
+
+    private final Consumer<RobotOrder> send;
+    private boolean begun;
+    private long saidNanos;
+
+    CloudHeartbeatSender(Consumer<RobotOrder> send) {
+        this.send = send;
+    }
+
+    /** What was left out while the lane stood still is not made up for. */
+    void tick(long nowNanos) {
+        if (!begun || nowNanos - saidNanos >= BETWEEN_NANOS) {
+            begun = true;
+            saidNanos = nowNanos;
+            send.accept(HEARTBEAT);
+        }
+    }
+}

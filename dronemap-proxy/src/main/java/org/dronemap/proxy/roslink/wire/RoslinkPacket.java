@@ -1,0 +1,4 @@
+package org.dronemap.proxy.roslink.wire;
+
+/** One message of a robot. */
+public record RoslinkPacket(RoslinkHeader header, RobotMessage message) {}

@@ -1,0 +1,8 @@
+package org.dronemap.proxy.roslink.wire;
+
+/**
+ * A word that some bridges write as a string and others as a number. Two are the same word when their texts are.
+ *
+ * @param number it came as a number: bridges compare strictly, so it goes back as one
+ */
+public record StringOrNumber(String text, boolean number) {}

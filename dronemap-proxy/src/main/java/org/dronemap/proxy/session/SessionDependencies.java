@@ -1,0 +1,22 @@
+package org.dronemap.proxy.session;
+
+import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.process.PeerCrashGuard;
+import org.dronemap.proxy.signing.KeyringRegistry;
+
+/** The services and settings that every session depends on. */
+public record SessionDependencies(
+        CloudManager cloud,
+        Lanes lanes,
+        LongSupplier nanoTime,
+        KeyringRegistry keyrings,
+        FrameTap.Factory taps,
+        Enrolment enrolment,
+        IdentificationRateLimiter asks,
+        PeerCrashGuard watch) {
+    long now() {
+        return nanoTime.getAsLong();
+    }
+}

@@ -1,0 +1,78 @@
+package org.dronemap.sim.flight;
+
+/** GPS receiver and position estimate: milliseconds of the vehicle's clock. Owned by its vehicle. */
+public final class NavigationEstimator {
+    /** How long the estimate is trusted without GPS, as seen on a real autopilot. */
+    public static final long LOSS_MILLIS = 8_000;
+
+    private static final long REGAIN_MILLIS = 1_200;
+    /** When the steps of starting up are done, as shares of the time until the estimate stands; seen on a real autopilot. */
+    private static final double FIX_SHARE = 0.21;
+
+    private static final double ACCELEROMETERS_SHARE = 0.3;
+    private static final double ORIGIN_SHARE = 0.465;
+    private static final double GYROS_SHARE = 0.55;
+
+    private final long readyAfterMillis;
+    private boolean receiving = true;
+    private long lostSince;
+    private long regainedSince;
+    private boolean estimate;
+    private long startedAt;
+    private long now;
+
+    public NavigationEstimator(long readyAfterMillis) {
+        this.readyAfterMillis = readyAfterMillis;
+    }
+
+    public void step(long nowMillis) {
+        now = nowMillis;
+        if (!receiving) {
+            estimate = estimate && nowMillis - lostSince < LOSS_MILLIS;
+        } else if (!estimate && nowMillis - startedAt >= readyAfterMillis) {
+            estimate = regainedSince == 0 || nowMillis - regainedSince >= REGAIN_MILLIS;
+        }
+    }
+
+    /** Power comes back: everything has to be found again. */
+    public void restart() {
+        startedAt = now;
+        estimate = false;
+        regainedSince = 0;
+    }
+
+    public void setReceiving(boolean on) {
+        if (on && !receiving) {
+            regainedSince = now;
+        } else if (!on && receiving) {
+            lostSince = now;
+        }
+        receiving = on;
+    }
+
+    public boolean hasFix() {
+        return receiving && started(FIX_SHARE);
+    }
+
+    /** The accelerometers agree with each other. */
+    public boolean accelerometersSettled() {
+        return started(ACCELEROMETERS_SHARE);
+    }
+
+    public boolean gyrosSettled() {
+        return started(GYROS_SHARE);
+    }
+
+    /** The place that everything is measured from is known; home is there until something is armed. */
+    public boolean hasOrigin() {
+        return estimate || (receiving && started(ORIGIN_SHARE));
+    }
+
+    private boolean started(double share) {
+        return now - startedAt >= readyAfterMillis * share;
+    }
+
+    public boolean hasEstimate() {
+        return estimate;
+    }
+}

@@ -1,0 +1,21 @@
+package org.dronemap.sim.physics;
+
+/** A setpoint for the motors until the next step. */
+public sealed interface MotionSetpoint {
+    /** Motors stopped: stands on the ground, or falls. */
+    record Still() implements MotionSetpoint {}
+
+    /** Fly to a place and stay there; speeds in m/s, yaw in radians, NaN keeps the present yaw. */
+    record Reach(NeuPosition target, double horizontalSpeed, double climbSpeed, double sinkSpeed, double yaw)
+            implements MotionSetpoint {
+        public Reach slowerThan(double metersPerSecond) {
+            return new Reach(target, Math.min(horizontalSpeed, metersPerSecond), climbSpeed, sinkSpeed, yaw);
+        }
+    }
+
+    /** Fly with a velocity in m/s. */
+    record Velocity(double north, double east, double up, double yaw) implements MotionSetpoint {}
+
+    /** Be at a place that moves with a velocity in m/s, and come up to it with the speeds of {@code place}. */
+    record Track(Reach place, double north, double east, double up) implements MotionSetpoint {}
+}

@@ -1,0 +1,30 @@
+package org.dronemap.sim.robot;
+
+import java.util.Map;
+import tools.jackson.databind.JsonNode;
+
+/** The machine behind a bridge: what is true of it, what it reports and what it does when told. Owned by the fleet's thread. */
+interface RobotMachine {
+    /** The number of its kind in heartbeats. */
+    int type();
+
+    void move(double seconds);
+
+    /** Where it truly is, and how fast: metres and m/s. */
+    RobotFleet.GroundTruth truth();
+
+    Map<String, Object> status();
+
+    Map<String, Object> motion();
+
+    /** By the number of the message, further ones that are sent now and then. */
+    Map<Integer, Map<String, Object>> sights();
+
+    /** The answer to a question for its map; empty where it has none. */
+    Map<String, Object> map();
+
+    void obey(int order, JsonNode body);
+
+    /** Nobody is there any more who would stop it: makes itself safe. */
+    void leftAlone();
+}

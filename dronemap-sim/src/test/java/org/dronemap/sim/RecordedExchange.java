@@ -1,0 +1,53 @@
+package org.dronemap.sim;
+
+import java.util.Locale;
+
+/** The recorded exchanges: at which height above home each began, and what had been done before. */
+enum RecordedExchange {
+    ARMING_REFUSED(0, "power-up"),
+    MODES_REFUSED(0, "power-up"),
+    MODES_REFUSED_ARMED(0, "without GPS and checks"),
+    GPS_MISSING_ON_GROUND(0, "without GPS"),
+    MESSAGES_ASKED_FOR(0, ""),
+    COMMANDS_ODD(0, ""),
+    COMMANDS_TWICE(0, "guided"),
+    ARM_AND_DISARM(0, ""),
+    ARMING_BY_MODE(0, ""),
+    TAKEOFF_REFUSED(0, ""),
+    GUIDED_TAKEOFF(0, ""),
+    MISSION_UPLOAD(0, ""),
+    MISSION_UPLOAD_REFUSED(0, ""),
+    MISSION_FLIGHT(0, "six items"),
+    MISSION_FROM_THE_AIR(20, "five items"),
+    MISSION_CLEARED_IN_FLIGHT(20, "in AUTO"),
+    HOLD_IN_FLIGHT(30, ""),
+    SPEED_AND_HOME(20, ""),
+    GO_TO_BY_SETPOINT(20, ""),
+    LED_BY_PLACES(20, ""),
+    GO_TO_BY_REPOSITION(20, ""),
+    DISARM_IN_FLIGHT(20, ""),
+    MODES_REFUSED_IN_FLIGHT(20, ""),
+    RTL_FROM_20_M(20, ""),
+    RTL_FROM_8_M(8, ""),
+    RTL_CLOSE_TO_HOME(8, ""),
+    BATTERY_LOW(20, "battery"),
+    BATTERY_CRITICAL(20, "battery"),
+    BATTERY_LOW_BY_DEFAULT(20, ""),
+    GPS_LOST(20, ""),
+    GROUND_STATION_LOST(20, "ground station"),
+    GROUND_STATION_LOST_BY_DEFAULT(20, ""),
+    GROUND_STATION_LOST_IN_AUTO(20, "in AUTO, ground station"),
+    MOTOR_FAILURE(30, "");
+
+    final double height;
+    final String preparation;
+
+    RecordedExchange(double height, String preparation) {
+        this.height = height;
+        this.preparation = preparation;
+    }
+
+    String fileName() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,14 @@
+package org.dronemap.store;
+
+import java.util.Comparator;
+import org.dronemap.core.mission.SavedMission;
+
+/** The sort order of the mission library, the same in every adapter. */
+public final class MissionOrdering {
+    public static final Comparator<SavedMission> BY_NAME = Comparator.comparing(
+                    SavedMission::name, String.CASE_INSENSITIVE_ORDER)
+            .thenComparing(SavedMission::name)
+            .thenComparing(SavedMission::id);
+
+    private MissionOrdering() {}
+}

@@ -1,0 +1,25 @@
+package org.dronemap.store.postgres;
+
+import java.time.Instant;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Tells whose things went to which account when a name of before there were ids had been of two. */
+final class ReusedAccountNames {
+    private static final Logger LOG = LoggerFactory.getLogger(ReusedAccountNames.class);
+
+    private record Reused(String name, Instant removedAt) {}
+
+    private ReusedAccountNames() {}
+
+    static void tell(SqlTransactions sql) {
+        sql.list(
+                        "SELECT name, removed_at FROM reused_name ORDER BY name",
+                        row -> new Reused(row.text("name"), row.time("removed_at")))
+                .forEach(one -> LOG.warn(
+                        "The name {} was of two users: virtual drones and operations from before {} belong to the one who was"
+                                + " removed then, and are no longer today's user's; a supervisor sees them.",
+                        one.name(),
+                        one.removedAt()));
+    }
+}

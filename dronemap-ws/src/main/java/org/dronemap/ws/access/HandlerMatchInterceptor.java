@@ -1,0 +1,39 @@
+package org.dronemap.ws.access;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import org.springframework.boot.webmvc.error.ErrorController;
+import org.springframework.web.method.HandlerMethod;
+import org.springframework.web.servlet.HandlerInterceptor;
+
+/**
+ * Lets only that handler run whose {@link Access} the filters have acted on. They find it by themselves, before the dispatcher
+ * does; should the two ever differ, the request fails instead of being carried out unjudged.
+ */
+public final class HandlerMatchInterceptor implements HandlerInterceptor {
+    private final RestOperations operations;
+
+    public HandlerMatchInterceptor(RestOperations operations) {
+        this.operations = operations;
+    }
+
+    @Override
+    public boolean preHandle(HttpServletRequest request, HttpServletResponse response, Object handler) {
+        Access access = handler instanceof HandlerMethod method && !isToldOfAnError(method)
+                ? method.getMethodAnnotation(Access.class)
+                : null;
+        if (access != null) {
+            RestOperation judged = operations.rule(request).operation();
+            if (judged == null || !judged.access().equals(access)) {
+                throw new IllegalStateException("A request was judged as one for "
+                        + (judged == null ? "nothing" : judged.name()) + ", and dispatched to " + handler);
+            }
+        }
+        return true;
+    }
+
+    /** It carries nothing out, and comes after the handler that was judged: not always by a dispatch of its own type. */
+    private static boolean isToldOfAnError(HandlerMethod method) {
+        return ErrorController.class.isAssignableFrom(method.getBeanType());
+    }
+}

@@ -1,0 +1,141 @@
+package org.dronemap.ws.follow;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.dronemap.cognitive.operation.follow.FollowOrder;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.Refusal;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Wind;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.lease.ControlState;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.virtual.Against;
+import org.dronemap.core.virtual.DroneRequirements;
+import org.dronemap.core.virtual.DroneSelection;
+import org.dronemap.core.virtual.ServiceDemand;
+import org.dronemap.core.virtual.VirtualTour;
+import org.dronemap.core.virtual.VirtualTourSection;
+import org.dronemap.ws.problem.CommandProblem;
+import org.dronemap.ws.problem.NotFoundProblem;
+import org.dronemap.ws.problem.OperationProblem;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
+import org.jspecify.annotations.Nullable;
+
+/** Finds the drone that follows a phone, by the same reckoning as for virtual drones, and what binds it. */
+final class FollowDroneSelector {
+    private static final double SECONDS = 60;
+    private static final DroneRequirements NEEDS =
+            new DroneRequirements(null, Set.of(Capability.TAKE_OFF, Capability.TRACK, Capability.RETURN_TO_LAUNCH), null, null);
+
+    private final CloudManager cloud;
+
+    FollowDroneSelector(CloudManager cloud) {
+        this.cloud = cloud;
+    }
+
+    /** What it has to do: come, stay for so many minutes, go home. */
+    record Task(Geodetic near, FollowOrder.RelativePlace place, double minutes) {
+        private ServiceDemand demand(@Nullable Wind wind) {
+            Altitude height = new Altitude(place.heightMeters(), Altitude.Reference.HOME);
+            MissionItem.Waypoint there = new MissionItem.Waypoint(near, height, minutes * SECONDS);
+            return new ServiceDemand(NEEDS, new VirtualTour(place.heightMeters(), List.of(there), false), 0, wind);
+        }
+    }
+
+    /** {@code chosen}: empty, and {@code why} each cannot. */
+    record Found(Optional<FollowOrder.ChosenDrone> chosen, String why) {}
+
+    /** Among these; a conflict with why each cannot when none can. */
+    FollowOrder.ChosenDrone choose(Principal principal, List<DroneState> drones, Task task, Instant now) {
+        Found found = find(principal, drones, task, now);
+        return found.chosen()
+                .orElseThrow(() -> Rejection.of(
+                        OperationProblem.NO_DRONE_TO_FOLLOW,
+                        drones.isEmpty()
+                                ? "The warehouse has no drone that you may command. Name one that you look after."
+                                : "No drone can follow now. " + found.why()));
+    }
+
+    Found find(Principal principal, List<DroneState> drones, Task task, Instant now) {
+        Wind wind = Wind.near(task.near(), seen(principal), now).orElse(null);
+        DroneSelection selection =
+                DroneSelection.of(task.demand(wind), drones, (drone, share) -> objection(principal, drone, share));
+        Function<DroneId, String> names = id -> drones.stream()
+                .filter(drone -> drone.id().equals(id))
+                .map(DroneState::name)
+                .findFirst()
+                .orElse(id.value());
+        return new Found(
+                selection.choice().map(choice -> chosen(choice.chosen(), choice.sentence(names))),
+                selection.unfit().stream()
+                        .map(one -> names.apply(one.drone()) + ": " + one.why().sentence())
+                        .collect(Collectors.joining(" ")));
+    }
+
+    private FollowOrder.ChosenDrone chosen(DroneId id, String why) {
+        DroneState drone = cloud.drone(id).orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, id.value()));
+        Home home = drone.home();
+        if (home == null) {
+            throw Rejection.of(
+                    new CommandProblem(OutcomeCode.HOME_UNKNOWN),
+                    "Where the home of " + drone.name() + " is, is not known any more.",
+                    ProblemParameter.DRONE.is(id.value()));
+        }
+        return new FollowOrder.ChosenDrone(id, drone.name(), home.point(), home.altitudeAmslMeters(), why);
+    }
+
+    private Optional<Against> objection(Principal principal, DroneState drone, VirtualTourSection share) {
+        ControlState control = cloud.controls().control(drone.id());
+        if (control.tenure() != null && !control.isHeldBy(principal.name())) {
+            return Optional.of(Against.of(new Refusal(OutcomeCode.CONTROL_HELD, control.sentence())));
+        }
+        // Whether zones let it go there and back.
+        return cloud.gate()
+                .whyNot(principal, drone, new Command.UploadMission(share.mission()))
+                .map(Against::of);
+    }
+
+    /** It stands in the air and waits for what it is told, and nobody has control of it. */
+    boolean isLeftAloft(DroneId id) {
+        return cloud.controls().control(id).tenure() == null
+                && cloud.drone(id)
+                        .filter(DroneState::airborne)
+                        .filter(drone -> drone.capabilities()
+                                .steering(drone.mode())
+                                .filter(Steering::takesOrders)
+                                .isPresent())
+                        .isPresent();
+    }
+
+    /** In the hands of no one, nor of their user. */
+    boolean isFree(DroneId id) {
+        return cloud.controls().control(id).tenure() == null;
+    }
+
+    List<DroneState> commandable(Principal principal) {
+        return seen(principal).stream()
+                .filter(drone -> principal.may(Role.OPERATOR, drone.id()))
+                .toList();
+    }
+
+    private List<DroneState> seen(Principal principal) {
+        return cloud.drones().stream()
+                .filter(drone -> principal.sees(drone.id()))
+                .toList();
+    }
+}

@@ -1,0 +1,194 @@
+package org.dronemap.ws.follow;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.dronemap.cognitive.operation.follow.Endurance;
+import org.dronemap.cognitive.operation.follow.FollowInput;
+import org.dronemap.cognitive.operation.follow.FollowOrder;
+import org.dronemap.cognitive.operation.follow.FollowStage;
+import org.dronemap.cognitive.operation.follow.FollowState;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.Operations.Snapshot;
+import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.TargetReport;
+import org.dronemap.core.time.ScheduledTask;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Finds, for each follow whose drone runs low, another one, early enough that it is there in time. What comes of that is the
+ * follow's own. One thread.
+ */
+public final class FollowReliefScheduler implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(FollowReliefScheduler.class);
+    private static final Duration PAUSE = Duration.ofSeconds(1);
+
+    /** Nothing is so far away that it is looked for earlier. */
+    private static final double EARLIEST_SECONDS = 600;
+    /** Nobody is told earlier that none can come: one may be free by then. */
+    private static final double TOLD_SECONDS = 180;
+    /** That much has to be in another one's battery to stay. */
+    private static final double LEAST_MINUTES = 5;
+
+    /** Ways are longer than they are reckoned, and percentages coarse. */
+    private static final double LONGER = 1.3;
+
+    private static final double SPARE_SECONDS = 45;
+
+    private final Operations operations;
+    private final OperationKind<FollowState, FollowInput> kind;
+    private final CloudManager cloud;
+    private final FollowDroneSelector drones;
+    private final FollowService.Warehouse warehouse;
+    private final Owners owners;
+    private final Clock clock;
+    private final Map<OperationId, String> troubles = new HashMap<>();
+    private final Worker thread;
+
+    /** Users with what they may do now. */
+    @FunctionalInterface
+    public interface Owners {
+        /** Empty: nothing. */
+        Optional<Principal> find(String account);
+    }
+
+    public FollowReliefScheduler(FollowService.OperationContext conduct, FollowService.Warehouse warehouse, Owners owners, Time time) {
+        this.operations = conduct.operations();
+        this.kind = conduct.kind();
+        this.cloud = conduct.cloud();
+        this.drones = new FollowDroneSelector(conduct.cloud());
+        this.warehouse = warehouse;
+        this.owners = owners;
+        this.clock = time.clock();
+        this.thread = time.worker("follow-reliefs", 1);
+    }
+
+    /** Looks at all follows from now on. */
+    public void start() {
+        ScheduledTask begun = thread.every(PAUSE, PAUSE, this::look);
+        LOG.debug("Looking for drones that run low begins: {}", begun);
+    }
+
+    private void look() {
+        List<Snapshot<FollowState>> all = operations.underWay(kind);
+        troubles.keySet()
+                .retainAll(all.stream().map(follow -> follow.saved().id()).collect(Collectors.toSet()));
+        for (Snapshot<FollowState> follow : all) {
+            try {
+                look(follow);
+                troubles.remove(follow.saved().id());
+            } catch (Operations.Refused late) {
+                LOG.debug("{} has changed meanwhile: {}", follow.saved().id(), late.why());
+            } catch (RuntimeException e) {
+                said(follow.saved().id(), e);
+            }
+        }
+    }
+
+    /** The same each second is said once. */
+    private void said(OperationId follow, RuntimeException e) {
+        String why = String.valueOf(e.getMessage());
+        if (!why.equals(troubles.put(follow, why))) {
+            LOG.warn("Whether {} needs another drone is not known; it is looked again", follow, e);
+        }
+    }
+
+    private void look(Snapshot<FollowState> follow) {
+        FollowState state = follow.state();
+        double left = state.isRelievable() ? secondsLeft(state) : Double.POSITIVE_INFINITY;
+        if (left > EARLIEST_SECONDS) {
+            return;
+        }
+        Optional<Principal> owner = owners.find(follow.saved().account());
+        if (owner.isEmpty()) {
+            // The follow itself ends for that.
+            return;
+        }
+        Geodetic near = operations
+                .sighting(kind, follow.saved().id())
+                .map(TargetReport::point)
+                .orElse(state.order().near());
+        Instant now = clock.instant().truncatedTo(ChronoUnit.MICROS);
+        List<DroneState> candidates = candidates(owner.get(), state);
+        FollowDroneSelector.Found found = drones.find(
+                owner.get(),
+                candidates,
+                new FollowDroneSelector.Task(near, state.order().place(), LEAST_MINUTES),
+                now);
+        if (found.chosen().isPresent()) {
+            FollowOrder.ChosenDrone chosen = found.chosen().get();
+            if (left <= secondsNeeded(chosen, near, state)) {
+                tell(follow, new FollowInput.SendRelief(now, chosen));
+            }
+        } else if (left <= TOLD_SECONDS && !state.crew().alone()) {
+            tell(follow, new FollowInput.NoReliefAvailable(now, why(candidates, found)));
+        }
+    }
+
+    private void tell(Snapshot<FollowState> follow, FollowInput what) {
+        Snapshot<FollowState> unused = operations.wish(kind, follow.saved().id(), what);
+    }
+
+    private static String why(List<DroneState> candidates, FollowDroneSelector.Found found) {
+        return candidates.isEmpty() ? "No other drone of the warehouse is free." : found.why();
+    }
+
+    /** Until its drone has to fly home; 0 when it does already, and infinite when that is not known. */
+    private double secondsLeft(FollowState state) {
+        if (state.stage() == FollowStage.RETURNING) {
+            return 0;
+        }
+        DroneState drone = cloud.drone(state.drone()).orElse(null);
+        Battery battery = drone == null ? null : drone.battery();
+        Position position = drone == null ? null : drone.position();
+        Integer percent = battery == null ? null : battery.percent();
+        Geodetic point = position == null ? null : position.point();
+        return percent == null || point == null
+                ? Double.POSITIVE_INFINITY
+                : Endurance.secondsLeft(
+                        percent,
+                        Geodesy.distanceMeters(point, state.order().chosen().home()));
+    }
+
+    /** The other one stands at its home, or not far from it. */
+    private static double secondsNeeded(FollowOrder.ChosenDrone chosen, Geodetic near, FollowState state) {
+        double meters = Geodesy.distanceMeters(chosen.home(), near);
+        return LONGER * Endurance.secondsToCome(meters, state.order().place().heightMeters()) + SPARE_SECONDS;
+    }
+
+    /** Nobody looks after it, nobody has it in hand, and it has not failed at this. */
+    private List<DroneState> candidates(Principal owner, FollowState state) {
+        Set<DroneId> waiting = warehouse.drones();
+        return drones.commandable(owner).stream()
+                .filter(drone -> waiting.contains(drone.id()) && drones.isFree(drone.id()))
+                .filter(drone -> !drone.id().equals(state.drone())
+                        && !state.crew().failed().contains(drone.id())
+                        && state.crew().others().stream()
+                                .noneMatch(other -> other.drone().equals(drone.id())))
+                .toList();
+    }
+
+    @Override
+    public void close() {
+        thread.close();
+    }
+}

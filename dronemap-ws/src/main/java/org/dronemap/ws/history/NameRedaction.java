@@ -1,0 +1,51 @@
+package org.dronemap.ws.history;
+
+import java.util.List;
+import java.util.regex.Pattern;
+import org.dronemap.core.history.Flight;
+import org.dronemap.core.history.HistoryEvent;
+
+/** Takes names of people, and the words that they wrote, out of what a drone did while it belonged to others. */
+final class NameRedaction {
+    /** Stands for whoever it was. */
+    static final String OTHERS = "another organisation";
+
+    /** Earlier versions kept messages about control without saying whom they name. */
+    private static final Pattern OF_CONTROL = Pattern.compile("handed control over to |took control over from"
+            + "|, who had control, |Nobody took control after | and has control now");
+
+    private NameRedaction() {}
+
+    static Flight flight(Flight flight) {
+        return new Flight(
+                flight.id(),
+                flight.drone(),
+                flight.droneName(),
+                flight.start(),
+                flight.end(),
+                flight.state(),
+                flight.heard(),
+                flight.measures(),
+                flight.users().isEmpty() ? List.of() : List.of(OTHERS),
+                null,
+                flight.notice(),
+                "");
+    }
+
+    static HistoryEvent event(HistoryEvent event) {
+        boolean names = event.kind() == HistoryEvent.Kind.CONTROL
+                || (event.kind() == HistoryEvent.Kind.MESSAGE
+                        && (event.by() != null
+                                || OF_CONTROL.matcher(event.text()).find()));
+        return new HistoryEvent(
+                event.drone(),
+                event.at(),
+                event.kind(),
+                names ? "Control changed." : event.text(),
+                event.severity(),
+                event.by() == null ? null : OTHERS,
+                event.command(),
+                event.result(),
+                null);
+    }
+}

@@ -1,0 +1,22 @@
+package org.dronemap.ws.history;
+
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.file.Files;
+import org.springframework.http.HttpHeaders;
+
+/** Hands out a file that was made for this one answer. */
+final class TemporaryFileResponse {
+    private TemporaryFileResponse() {}
+
+    static void send(TelemetryExporter.Export export, HttpServletResponse response) throws IOException {
+        try {
+            response.setContentType(export.mediaType());
+            response.setHeader(HttpHeaders.CONTENT_DISPOSITION, "attachment; filename=\"" + export.name() + "\"");
+            response.setContentLengthLong(Files.size(export.file()));
+            Files.copy(export.file(), response.getOutputStream());
+        } finally {
+            Files.deleteIfExists(export.file());
+        }
+    }
+}

@@ -1,0 +1,22 @@
+package org.dronemap.ws.http;
+
+import java.lang.annotation.Documented;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+
+/** Declares the statuses of an operation beyond those that follow from its signature, for the description. */
+@Documented
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.METHOD)
+@interface ResponseStatuses {
+    /** Of success, where it decides that itself. */
+    int[] value() default {};
+
+    /** Of refusals, beside what follows from who may call it, what it takes and whether it changes anything. */
+    int[] refuses() default {};
+
+    /** Of refusals that follow from these, and that it has no reason for. */
+    int[] never() default {};
+}

@@ -1,0 +1,10 @@
+package org.dronemap.ws.journal;
+
+import tools.jackson.databind.JsonNode;
+
+/** Writes and reads values of one type; text in another form is refused with an IllegalArgumentException. */
+interface ValueCodec {
+    JsonNode write(Object value);
+
+    Object read(JsonNode node);
+}

@@ -1,0 +1,42 @@
+package org.dronemap.ws.link;
+
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.ws.problem.ProblemCode;
+import org.jspecify.annotations.Nullable;
+
+/** The security of links of drones, as the links themselves know it. Any thread. */
+public interface LinkSecurityGateway {
+    /** What is done to the key on a vehicle. */
+    enum Change {
+        INSTALL,
+        ROTATE,
+        REVOKE
+    }
+
+    /** Why something was not done, with a code that tells of a drone. */
+    record Fault(ProblemCode code, String sentence) {}
+
+    LinkSecurityView view(DroneId drone);
+
+    /** Why the policy cannot be that now; empty: it is, durably. */
+    Optional<Fault> policy(DroneId drone, LinkPolicy policy);
+
+    /** Keeps a key that the vehicle does not have yet; false when it uses one already. */
+    boolean put(DroneId drone, LinkKey key);
+
+    /**
+     * Changes the key on the vehicle; ends with why that did not come about, or empty.
+     *
+     * @param newKey for a rotation
+     * @param confirmed the asker vouches that nobody listens on the link
+     */
+    CompletableFuture<Optional<Fault>> change(
+            DroneId drone, Change change, @Nullable LinkKey newKey, boolean confirmed);
+
+    /** Forgets the key here; the vehicle keeps it. */
+    void forget(DroneId drone);
+}

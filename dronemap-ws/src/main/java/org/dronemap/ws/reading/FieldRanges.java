@@ -1,0 +1,143 @@
+package org.dronemap.ws.reading;
+
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ValueProblem;
+import org.jspecify.annotations.Nullable;
+
+/** Checks numbers against the range of their field. */
+final class FieldRanges {
+    /** Degrees, on either side of the equator. */
+    static final int LATITUDE = 90;
+    /** Degrees, on either side of Greenwich. */
+    static final int LONGITUDE = 180;
+    /** Metres above home, up to which a drone takes off. */
+    static final int LEAST_TAKE_OFF = 1;
+
+    static final int MOST_TAKE_OFF = 500;
+    /** Degrees, either way. */
+    static final int MOST_TURN = 360;
+    /** Metres, either way. */
+    static final int MOST_ON_MAP = 100_000;
+
+    static final int LAST_RELAY = 15;
+    /** Seconds that a drone stays somewhere. */
+    static final int MOST_SECONDS = 3600;
+    /** Metres of a circle. */
+    static final int LEAST_RADIUS = 1;
+
+    static final int MOST_RADIUS = 100_000;
+    private static final double LEAST_WAIT_SECONDS = 0.1;
+
+    private FieldRanges() {}
+
+    static double latitude(String field, @Nullable Double value) {
+        return checked(field, value, -LATITUDE, LATITUDE, "degrees");
+    }
+
+    static double longitude(String field, @Nullable Double value) {
+        return checked(field, value, -LONGITUDE, LONGITUDE, "degrees");
+    }
+
+    /** {@code at} is what stands before the names of its fields, such as {@code center.}. */
+    static Geodetic point(String at, @Nullable Double latitude, @Nullable Double longitude) {
+        return new Geodetic(latitude(at + "latitude", latitude), longitude(at + "longitude", longitude));
+    }
+
+    static double takeOffAltitude(String field, @Nullable Double value) {
+        return checked(field, value, LEAST_TAKE_OFF, MOST_TAKE_OFF, "m");
+    }
+
+    static double altitude(String field, @Nullable Double value) {
+        return checked(field, value, Altitude.LOWEST_PLANNED_METERS, Altitude.HIGHEST_PLANNED_METERS, "m");
+    }
+
+    static double turn(String field, @Nullable Double value) {
+        double degrees = checked(field, value, -MOST_TURN, MOST_TURN, "degrees");
+        if (degrees == 0) {
+            throw outside(field, "-360 to 360 degrees, not 0", degrees, -360, 360, "degrees");
+        }
+        return degrees;
+    }
+
+    /** Metres on a map of a vehicle's own. */
+    static double onMap(String field, @Nullable Double value) {
+        return checked(field, value, -MOST_ON_MAP, MOST_ON_MAP, "m");
+    }
+
+    static int relay(String field, @Nullable Integer value) {
+        return checked(field, value, 0, LAST_RELAY, "");
+    }
+
+    static double holdSeconds(String field, double value) {
+        return checked(field, value, 0, MOST_SECONDS, "seconds");
+    }
+
+    /** Less would be waiting for a time of day. */
+    static double waitSeconds(String field, @Nullable Double value) {
+        double seconds = checked(field, value, 0, MOST_SECONDS, "seconds");
+        if (seconds < LEAST_WAIT_SECONDS) {
+            throw outside(field, "0.1 to 3600 seconds", seconds, LEAST_WAIT_SECONDS, 3600, "seconds");
+        }
+        return seconds;
+    }
+
+    /** Of a circle, in metres. */
+    static double radius(String field, @Nullable Double value) {
+        return checked(field, value, LEAST_RADIUS, MOST_RADIUS, "m");
+    }
+
+    static int output(String field, @Nullable Integer value) {
+        return checked(field, value, 1, MissionItem.SetServo.MOST_OUTPUTS, "");
+    }
+
+    static int pulse(String field, @Nullable Integer value) {
+        return checked(
+                field,
+                value,
+                MissionItem.SetServo.SHORTEST_MICROS,
+                MissionItem.SetServo.LONGEST_MICROS,
+                " microseconds");
+    }
+
+    static int checked(String field, @Nullable Integer value, int least, int most, String unit) {
+        String allowed = least + " to " + most + unit;
+        if (value == null) {
+            throw InvalidInput.missing(field, allowed);
+        }
+        if (value < least || value > most) {
+            throw outside(field, allowed, value, least, most, unit);
+        }
+        return value;
+    }
+
+    static double checked(String field, @Nullable Double value, int least, int most, String unit) {
+        String allowed = least + " to " + most + " " + unit;
+        if (value == null) {
+            throw InvalidInput.missing(field, allowed);
+        }
+        if (!(value >= least && value <= most)) {
+            throw outside(field, allowed, value, least, most, unit);
+        }
+        return value;
+    }
+
+    private static InvalidInput outside(
+            String field, String allowed, Object value, double least, int most, String unit) {
+        ProblemParameter.Given from = ProblemParameter.LEAST.is(least);
+        ProblemParameter.Given to = ProblemParameter.MOST.is(most);
+        return unit.isEmpty()
+                ? InvalidInput.outside(ValueProblem.VALUE_OUT_OF_RANGE, field, allowed, value, from, to)
+                : InvalidInput.outside(
+                        ValueProblem.VALUE_OUT_OF_RANGE,
+                        field,
+                        allowed,
+                        value,
+                        from,
+                        to,
+                        ProblemParameter.UNIT.is(unit.strip()));
+    }
+}

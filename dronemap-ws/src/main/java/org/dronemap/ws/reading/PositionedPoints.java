@@ -1,0 +1,44 @@
+package org.dronemap.ws.reading;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.history.TelemetryPoint;
+
+/** Points that say where they are. */
+final class PositionedPoints {
+    private PositionedPoints() {}
+
+    static List<TelemetryPoint> of(List<TelemetryPoint> points) {
+        return points.stream()
+                .filter(point -> point.position() != null && point.position().point() != null)
+                .toList();
+    }
+
+    /** Of one of those. */
+    static Geodetic place(TelemetryPoint point) {
+        Position position = Objects.requireNonNull(point.position());
+        return Objects.requireNonNull(position.point());
+    }
+
+    /** The last of them by then, or else the first one; empty: there is none. */
+    static Optional<TelemetryPoint> at(List<TelemetryPoint> placed, Instant time) {
+        if (placed.isEmpty()) {
+            return Optional.empty();
+        }
+        int low = 0;
+        int high = placed.size() - 1;
+        while (low < high) {
+            int middle = (low + high + 1) >>> 1;
+            if (placed.get(middle).at().isAfter(time)) {
+                high = middle - 1;
+            } else {
+                low = middle;
+            }
+        }
+        return Optional.of(placed.get(low));
+    }
+}

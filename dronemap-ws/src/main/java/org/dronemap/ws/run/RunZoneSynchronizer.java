@@ -1,0 +1,102 @@
+package org.dronemap.ws.run;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.cognitive.operation.run.RunDrone;
+import org.dronemap.cognitive.operation.run.RunInput;
+import org.dronemap.cognitive.operation.run.RunState;
+import org.dronemap.cognitive.operation.run.RunWaypoint;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.core.conduct.Operations.Snapshot;
+import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneRegistry;
+import org.dronemap.ws.plan.PlanBarriers;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Tells mission runs of zones that came since they were planned, as if somebody had added them to the run: their plans lead
+ * round them, before a drone is stopped there. One thread at a time.
+ */
+public final class RunZoneSynchronizer {
+    private static final Logger LOG = LoggerFactory.getLogger(RunZoneSynchronizer.class);
+
+    private final Operations operations;
+    private final OperationKind<RunState, RunInput> kind;
+    private final ZoneRegistry book;
+    private final Clock clock;
+    /** Not to be told again. */
+    private final Set<Notice> refused = new HashSet<>();
+
+    private record Notice(OperationId run, Barrier barrier) {}
+
+    public RunZoneSynchronizer(Operations operations, OperationKind<RunState, RunInput> kind, ZoneRegistry book, Clock clock) {
+        this.operations = operations;
+        this.kind = kind;
+        this.book = book;
+        this.clock = clock;
+    }
+
+    /** Compares what binds now with what each run keeps to, so that it does not matter when, and over which restart, it came. */
+    public void tell() {
+        List<Snapshot<RunState>> runs = operations.underWay(kind);
+        refused.removeIf(one -> runs.stream().noneMatch(run -> run.saved().id().equals(one.run())));
+        runs.forEach(this::tell);
+    }
+
+    private void tell(Snapshot<RunState> run) {
+        RunState state = run.state();
+        Instant now = clock.instant().truncatedTo(ChronoUnit.MICROS);
+        List<Barrier> binding = PlanBarriers.of(
+                run.saved().owner(),
+                book,
+                state.targets().stream().map(RunWaypoint::waypoint).toList(),
+                state.drones().stream().map(RunDrone::craft).toList(),
+                now);
+        for (Barrier barrier : binding) {
+            Notice notice = new Notice(run.saved().id(), barrier);
+            boolean isKept = state.setting().barriers().stream().anyMatch(kept -> covers(kept, barrier));
+            if (!isKept && !refused.contains(notice)) {
+                deliver(notice, new RunInput.AddBarrier(now, author(barrier), barrier));
+            }
+        }
+    }
+
+    private void deliver(Notice notice, RunInput.AddBarrier input) {
+        try {
+            operations.wish(kind, notice.run(), input);
+        } catch (Operations.Refused e) {
+            refused.add(notice);
+            LOG.warn(
+                    "The mission run {} does not plan round {}: {}",
+                    notice.run(),
+                    notice.barrier().words(),
+                    e.why());
+        }
+    }
+
+    private static boolean covers(Barrier kept, Barrier barrier) {
+        boolean bindsAll = kept.drones().isEmpty()
+                || (!barrier.drones().isEmpty() && kept.drones().containsAll(barrier.drones()));
+        return bindsAll
+                && kept.words().equals(barrier.words())
+                && kept.shape().equals(barrier.shape())
+                && kept.band().equals(barrier.band());
+    }
+
+    private String author(Barrier barrier) {
+        return book.zones().stream()
+                .filter(zone ->
+                        zone.words().equals(barrier.words()) && zone.shape().equals(barrier.shape()))
+                .map(Zone::changedBy)
+                .findFirst()
+                .orElse("Somebody");
+    }
+}

@@ -1,0 +1,32 @@
+package org.dronemap.ws.security;
+
+import java.time.Instant;
+import org.dronemap.core.access.Principal;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An authenticated caller and how the identity was proved.
+ *
+ * @param tokenHash the hash of the session's token or of the key; null for a password
+ * @param until when the proof ends by itself; null: it does not
+ * @param passwordSeen the user still has a password that somebody else has seen
+ */
+public record AuthenticatedCaller(
+        Principal principal,
+        Proof proof,
+        @Nullable String tokenHash,
+        @Nullable Instant until,
+        boolean passwordSeen) {
+
+    /** What the caller showed. */
+    public enum Proof {
+        SESSION,
+        KEY,
+        PASSWORD
+    }
+
+    /** The hash of the session's token; null for a key or a password. */
+    public @Nullable String sessionHash() {
+        return proof == Proof.SESSION ? tokenHash : null;
+    }
+}

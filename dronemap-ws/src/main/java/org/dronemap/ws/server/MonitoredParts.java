@@ -1,0 +1,43 @@
+package org.dronemap.ws.server;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.StoreWriter;
+import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.VirtualDrones;
+import org.dronemap.proxy.endpoint.EndpointRegistry;
+import org.dronemap.proxy.roslink.RoslinkProxy;
+import org.dronemap.ws.system.ServerPart;
+
+/** The threads and ways in that have to work, each by a name of its own. */
+record MonitoredParts(
+        Lanes lanes,
+        StoreWriter journal,
+        VirtualDrones virtuals,
+        Operations operations,
+        EndpointRegistry vehicles,
+        RoslinkProxy robots) {
+    /** A lane does nothing that takes long. */
+    private static final Duration LONGEST_ON_A_LANE = Duration.ofSeconds(2);
+    /** Who writes waits for the database, which answers within five seconds or is told to be down. */
+    private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
+
+    List<ServerPart> all() {
+        List<ServerPart> parts = new ArrayList<>();
+        lanes.all().forEach(lane -> parts.add(ServerPart.thread(lane.name(), LONGEST_ON_A_LANE, lane::atTheSame)));
+        parts.add(ServerPart.thread("conductor", LONGEST_WRITE, virtuals::busyFor));
+        parts.add(ServerPart.thread("operations", LONGEST_WRITE, operations::busyFor));
+        parts.add(ServerPart.thread("journal", LONGEST_WRITE, journal::busyFor));
+        parts.add(new ServerPart("endpoints", this::endpointTrouble));
+        return List.copyOf(parts);
+    }
+
+    private Optional<String> endpointTrouble() {
+        List<String> broken = new ArrayList<>(vehicles.broken());
+        broken.addAll(robots.broken());
+        return broken.isEmpty() ? Optional.empty() : Optional.of("No longer open: " + String.join(", ", broken) + ".");
+    }
+}

@@ -1,0 +1,38 @@
+package org.dronemap.ws.server;
+
+import java.util.List;
+import org.dronemap.cognitive.follow.FollowSeparation;
+import org.dronemap.cognitive.operation.follow.FollowInput;
+import org.dronemap.cognitive.operation.follow.FollowOperation;
+import org.dronemap.cognitive.operation.follow.FollowState;
+import org.dronemap.cognitive.operation.run.MissionRunOperation;
+import org.dronemap.cognitive.operation.run.RunInput;
+import org.dronemap.cognitive.operation.run.RunState;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.OperationRights;
+import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.time.Time;
+import org.dronemap.ws.journal.FollowCodec;
+import org.dronemap.ws.journal.RunCodec;
+
+/** Operations and their kinds: mission runs and follows. */
+public record OperationComponents(
+        Operations operations,
+        OperationKind<RunState, RunInput> kind,
+        OperationKind<FollowState, FollowInput> follows) {
+    /** Stored with each mission run. */
+    private static final String MISSION_RUN = "missionRun";
+
+    /** Stored with each follow. */
+    private static final String FOLLOW = "follow";
+
+    /** Not started yet; {@code apart}: what drones that follow keep from others. */
+    public static OperationComponents of(CloudManager cloud, OperationStore store, OperationRights rights, FollowSeparation apart, Time time) {
+        OperationKind<RunState, RunInput> kind = new OperationKind<>(MISSION_RUN, new MissionRunOperation(), new RunCodec());
+        OperationKind<FollowState, FollowInput> follows =
+                new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowCodec());
+        return new OperationComponents(new Operations(cloud, store, rights, time, List.of(kind, follows)), kind, follows);
+    }
+}

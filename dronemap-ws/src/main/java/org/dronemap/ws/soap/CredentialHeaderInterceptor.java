@@ -1,0 +1,25 @@
+package org.dronemap.ws.soap;
+
+import java.util.Set;
+import javax.xml.namespace.QName;
+import org.apache.cxf.binding.soap.SoapMessage;
+import org.apache.cxf.binding.soap.interceptor.AbstractSoapInterceptor;
+import org.apache.cxf.phase.Phase;
+import org.dronemap.ws.soap.xml.SoapNamespaces;
+
+/** Says that headers with who calls are understood: clients may insist on that. */
+final class CredentialHeaderInterceptor extends AbstractSoapInterceptor {
+    CredentialHeaderInterceptor() {
+        super(Phase.PRE_PROTOCOL);
+    }
+
+    @Override
+    public Set<QName> getUnderstoodHeaders() {
+        return Set.of(new QName(UsernameTokenReader.SECURITY, "Security"), new QName(SoapNamespaces.URI, "accessKey"));
+    }
+
+    @Override
+    public void handleMessage(SoapMessage message) {
+        // They are read when it has to be known who calls.
+    }
+}

@@ -1,0 +1,39 @@
+package org.dronemap.ws.soap;
+
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+import org.apache.cxf.interceptor.Fault;
+import org.apache.cxf.interceptor.StaxInInterceptor;
+import org.apache.cxf.message.Message;
+import org.apache.cxf.phase.AbstractPhaseInterceptor;
+import org.apache.cxf.phase.Phase;
+
+/** Turns documents with a DOCTYPE away before anything of them is read. */
+final class DoctypeRejectionInterceptor extends AbstractPhaseInterceptor<Message> {
+    DoctypeRejectionInterceptor() {
+        super(Phase.POST_STREAM);
+        addAfter(StaxInInterceptor.class.getName());
+    }
+
+    @Override
+    public void handleMessage(Message message) throws Fault {
+        XMLStreamReader reader = message.getContent(XMLStreamReader.class);
+        if (reader == null) {
+            return;
+        }
+        try {
+            while (reader.getEventType() != XMLStreamConstants.START_ELEMENT) {
+                if (reader.getEventType() == XMLStreamConstants.DTD) {
+                    throw FaultTextInterceptor.unreadable("A SOAP message must not have a DOCTYPE.");
+                }
+                if (!reader.hasNext()) {
+                    return;
+                }
+                reader.next();
+            }
+        } catch (XMLStreamException e) {
+            throw FaultTextInterceptor.unreadable("This is not well-formed XML.");
+        }
+    }
+}

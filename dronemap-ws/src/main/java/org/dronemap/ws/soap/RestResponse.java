@@ -1,0 +1,112 @@
+package org.dronemap.ws.soap;
+
+import jakarta.servlet.ServletOutputStream;
+import jakarta.servlet.WriteListener;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import org.dronemap.ws.problem.RejectionKind;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.springframework.mock.web.MockHttpServletResponse;
+import org.springframework.web.context.request.async.AsyncRequestNotUsableException;
+
+/** The complete response of REST, bounded by the size of one SOAP message. */
+final class RestResponse extends MockHttpServletResponse {
+    /** A file of this size is a message of 6 MB. */
+    static final int LONGEST_BYTES = 4 << 20;
+
+    private static final Logger LOG = LoggerFactory.getLogger(RestResponse.class);
+    private static final int OWN_FAULT = 500;
+
+    // The mock's own takes one byte at a time.
+    private final ByteArrayOutputStream content = new ByteArrayOutputStream();
+    private final ServletOutputStream bounded = new Bounded();
+    private @Nullable PrintWriter writer;
+    private boolean tooLong;
+
+    @Override
+    public ServletOutputStream getOutputStream() {
+        return bounded;
+    }
+
+    @Override
+    public PrintWriter getWriter() {
+        PrintWriter texts = writer;
+        if (texts == null) {
+            texts = new PrintWriter(bounded, false, StandardCharsets.UTF_8);
+            writer = texts;
+        }
+        return texts;
+    }
+
+    @Override
+    public byte[] getContentAsByteArray() {
+        if (writer != null) {
+            writer.flush();
+        }
+        return content.toByteArray();
+    }
+
+    @Override
+    public void resetBuffer() {
+        super.resetBuffer();
+        content.reset();
+    }
+
+    @Override
+    public int getStatus() {
+        return tooLong ? RejectionKind.TOO_LARGE.status() : super.getStatus();
+    }
+
+    /** There is more of it: what is here is to be thrown away. */
+    boolean tooLong() {
+        return tooLong;
+    }
+
+    void failed(Exception why) {
+        if (tooLong) {
+            return;
+        }
+        LOG.error("A request of SOAP to REST failed", why);
+        setStatus(OWN_FAULT);
+    }
+
+    String text() {
+        return new String(getContentAsByteArray(), StandardCharsets.UTF_8);
+    }
+
+    private final class Bounded extends ServletOutputStream {
+        @Override
+        public void write(int letter) throws IOException {
+            take(1);
+            content.write(letter);
+        }
+
+        @Override
+        public void write(byte[] bytes, int from, int length) throws IOException {
+            take(length);
+            content.write(bytes, from, length);
+        }
+
+        private void take(int more) throws IOException {
+            if (content.size() + more > LONGEST_BYTES) {
+                tooLong = true;
+                // As if the client had gone: that is no fault of the server.
+                throw new AsyncRequestNotUsableException("the answer is longer than a message may be");
+            }
+        }
+
+        @Override
+        public boolean isReady() {
+            return true;
+        }
+
+        @Override
+        public void setWriteListener(WriteListener listener) {
+            throw new IllegalStateException("this answer is written at once");
+        }
+    }
+}

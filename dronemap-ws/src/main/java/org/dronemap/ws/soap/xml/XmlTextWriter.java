@@ -1,0 +1,71 @@
+package org.dronemap.ws.soap.xml;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.jspecify.annotations.Nullable;
+
+/** Writes XML for people to read: an element a line, indented. Owned by who makes it. */
+final class XmlTextWriter {
+    private final StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    private final Deque<String> open = new ArrayDeque<>();
+
+    /** {@code attributes}: names and values in turn; one whose value is null is left out. */
+    XmlTextWriter open(String element, @Nullable String... attributes) {
+        start(element, attributes).append(">\n");
+        open.push(element);
+        return this;
+    }
+
+    XmlTextWriter close() {
+        String element = open.pop();
+        indent().append("</").append(element).append(">\n");
+        return this;
+    }
+
+    XmlTextWriter empty(String element, @Nullable String... attributes) {
+        start(element, attributes).append("/>\n");
+        return this;
+    }
+
+    XmlTextWriter leaf(String element, String words) {
+        start(element)
+                .append('>')
+                .append(escaped(words))
+                .append("</")
+                .append(element)
+                .append(">\n");
+        return this;
+    }
+
+    private StringBuilder start(String element, @Nullable String... attributes) {
+        indent().append('<').append(element);
+        for (int i = 0; i < attributes.length; i += 2) {
+            String value = attributes[i + 1];
+            if (value != null) {
+                text.append(' ')
+                        .append(attributes[i])
+                        .append("=\"")
+                        .append(escaped(value))
+                        .append('"');
+            }
+        }
+        return text;
+    }
+
+    private StringBuilder indent() {
+        return text.append("  ".repeat(open.size()));
+    }
+
+    private static String escaped(String words) {
+        return JsonToXml.plain(words)
+                .replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
+    }
+
+    @Override
+    public String toString() {
+        return text.toString();
+    }
+}

@@ -1,0 +1,111 @@
+package org.dronemap.ws.stream;
+
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import org.dronemap.core.operation.ReporterState;
+import org.java_websocket.framing.CloseFrame;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The phones that are followed and say so on the stream, and how each is reached: a page that stands still leaves its
+ * connection answering, a network that is gone does not, a page that is closed ends it. Any thread: what is told last of a
+ * phone is what is known last, so one at a time; rounds belong to the pump.
+ */
+final class PhoneReachability {
+    /** With this code a page ends a connection that seems dead to it, to connect anew. */
+    static final int CONNECTS_ANEW = 4000;
+
+    private static final long ROUND_NANOS = TimeUnit.SECONDS.toNanos(1);
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(2_500);
+    private static final long DEAF_NANOS = TimeUnit.MILLISECONDS.toNanos(3_500);
+
+    private final ReachabilityListener follows;
+    private final Map<String, Phone> phones = new HashMap<>();
+    // Owned by the pump.
+    private long roundNanos = System.nanoTime();
+
+    /** Who wants to know how phones are reached. */
+    @FunctionalInterface
+    interface ReachabilityListener {
+        /** False when that follow is not under way. */
+        boolean reached(String follow, ReporterState how);
+    }
+
+    /** {@code told}: how it was said to be reached last; null: not yet. */
+    private record Phone(
+            StreamClient client, long saidNanos, @Nullable ReporterState told) {
+        Phone told(ReporterState reach) {
+            return new Phone(client, saidNanos, reach);
+        }
+    }
+
+    PhoneReachability(ReachabilityListener follows) {
+        this.follows = follows;
+    }
+
+    /** This client said where the phone of that follow is, or that it is there. */
+    synchronized void spoke(StreamClient client, String follow, long nowNanos) {
+        Phone before = phones.put(follow, new Phone(client, nowNanos, ReporterState.SPEAKS));
+        if (before == null || before.told() != ReporterState.SPEAKS) {
+            follows.reached(follow, ReporterState.SPEAKS);
+        }
+    }
+
+    /**
+     * Its connection has ended; {@code remote}: at its own wish. One that breaks off right after it has answered was ended
+     * at the phone: a network that is gone says nothing at all.
+     */
+    synchronized void left(StreamClient client, int code, boolean remote, long nowNanos) {
+        boolean broken = !remote && code == CloseFrame.ABNORMAL_CLOSE;
+        if (code == CONNECTS_ANEW || (!remote && !broken)) {
+            // It did not wish to go: it is back soon, or rounds find out that it is not.
+            return;
+        }
+        for (Iterator<Map.Entry<String, Phone>> all = phones.entrySet().iterator(); all.hasNext(); ) {
+            Map.Entry<String, Phone> one = all.next();
+            Phone phone = one.getValue();
+            // One that has connected anew meanwhile is not gone.
+            if (phone.client() == client) {
+                all.remove();
+                follows.reached(
+                        one.getKey(), broken && nowNanos - answered(phone) >= DEAF_NANOS ? ReporterState.CUT : ReporterState.GONE);
+            }
+        }
+    }
+
+    /** Asks each connection for a sign of life once a second, and says what has changed. */
+    synchronized void round(long nowNanos) {
+        if (nowNanos - roundNanos < ROUND_NANOS) {
+            return;
+        }
+        roundNanos = nowNanos;
+        for (Iterator<Map.Entry<String, Phone>> all = phones.entrySet().iterator(); all.hasNext(); ) {
+            Map.Entry<String, Phone> one = all.next();
+            Phone phone = one.getValue();
+            phone.client().probe();
+            ReporterState reach = reach(phone, nowNanos);
+            if (reach != phone.told()) {
+                one.setValue(phone.told(reach));
+            }
+            if (!follows.reached(one.getKey(), reach)) {
+                all.remove();
+            }
+        }
+    }
+
+    private static ReporterState reach(Phone phone, long nowNanos) {
+        if (nowNanos - phone.saidNanos() < QUIET_NANOS) {
+            return ReporterState.SPEAKS;
+        }
+        long answered = answered(phone);
+        // A browser reads no further for a page that stands still, and a phone that sleeps ends its network some time.
+        boolean slept = answered - phone.saidNanos() >= DEAF_NANOS;
+        return slept || nowNanos - answered < DEAF_NANOS ? ReporterState.ASLEEP : ReporterState.CUT;
+    }
+
+    private static long answered(Phone phone) {
+        return Math.max(phone.saidNanos(), phone.client().answeredNanos());
+    }
+}

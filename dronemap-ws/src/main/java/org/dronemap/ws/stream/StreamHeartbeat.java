@@ -1,0 +1,33 @@
+package org.dronemap.ws.stream;
+
+import java.time.Clock;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.dronemap.ws.reading.JsonReader;
+
+/**
+ * The sign of life that every client is sent once a second: a browser sees no pings of the protocol, and a page shall
+ * tell within three seconds that its line is cut. Owned by the pump.
+ */
+final class StreamHeartbeat {
+    private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(1);
+
+    private final JsonReader json;
+    private final Clock clock;
+    private long lastNanos;
+
+    StreamHeartbeat(JsonReader json, Clock clock, long nowNanos) {
+        this.json = json;
+        this.clock = clock;
+        this.lastNanos = nowNanos;
+    }
+
+    /** The message, written once for all clients, when it is time for it. */
+    Optional<String> due(long nowNanos) {
+        if (nowNanos - lastNanos < PERIOD_NANOS) {
+            return Optional.empty();
+        }
+        lastNanos = nowNanos;
+        return Optional.of(json.write(new StreamMessage.Ping(clock.instant())));
+    }
+}

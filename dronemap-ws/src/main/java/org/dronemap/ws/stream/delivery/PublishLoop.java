@@ -1,0 +1,85 @@
+package org.dronemap.ws.stream.delivery;
+
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One thread that works off rounds: soon after somebody asks for one, or when the last one said. Any thread may ask. */
+final class PublishLoop implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(PublishLoop.class);
+    private static final long LONGEST_NANOS = 40_000_000L;
+
+    private final Pass work;
+    private final Thread thread;
+    private final AtomicBoolean asked = new AtomicBoolean();
+    private volatile boolean closed;
+
+    /** A round of work. */
+    interface Pass {
+        Pause round(long nowNanos);
+    }
+
+    /** How long to rest after a round at least, whoever asks, and at most. */
+    record Pause(long leastNanos, long mostNanos) {
+        /** However long others want. */
+        public static final Pause ANY = new Pause(Long.MAX_VALUE, Long.MAX_VALUE);
+
+        /** As long as both allow. */
+        Pause and(Pause other) {
+            return new Pause(Math.min(leastNanos, other.leastNanos), Math.min(mostNanos, other.mostNanos));
+        }
+    }
+
+    PublishLoop(String name, Pass work) {
+        this.work = work;
+        thread = new Thread(this::run, name);
+        thread.setDaemon(true);
+    }
+
+    void start() {
+        thread.start();
+    }
+
+    /** Asks for a round; cheap when one is asked for already. */
+    void wake() {
+        if (!asked.get() && asked.compareAndSet(false, true)) {
+            LockSupport.unpark(thread);
+        }
+    }
+
+    private void run() {
+        while (!closed) {
+            long began = System.nanoTime();
+            asked.set(false);
+            Pause pause = round(began);
+            rest(began + pause.leastNanos(), false);
+            rest(began + Math.min(LONGEST_NANOS, pause.mostNanos()), true);
+        }
+    }
+
+    private Pause round(long now) {
+        try {
+            return work.round(now);
+        } catch (RuntimeException e) {
+            LOG.error("A round of {} failed", thread.getName(), e);
+            return new Pause(LONGEST_NANOS, LONGEST_NANOS);
+        }
+    }
+
+    private void rest(long untilNanos, boolean untilAsked) {
+        while (!closed && !(untilAsked && asked.get())) {
+            long left = untilNanos - System.nanoTime();
+            if (left <= 0) {
+                return;
+            }
+            LockSupport.parkNanos(this, left);
+        }
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        LockSupport.unpark(thread);
+    }
+}

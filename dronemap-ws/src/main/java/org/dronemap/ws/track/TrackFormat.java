@@ -1,0 +1,82 @@
+package org.dronemap.ws.track;
+
+import java.io.IOException;
+import java.io.Writer;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dronemap.core.history.HistoryEvent;
+import org.dronemap.core.history.TelemetryPoint;
+import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ValueProblem;
+import org.dronemap.ws.reading.WireNames;
+
+/** Forms of text that a track is taken along in. */
+enum TrackFormat {
+    /** All numbers, for spreadsheets. */
+    CSV("text/csv;charset=UTF-8", false) {
+        @Override
+        void write(Track track, Writer out) throws IOException {
+            CsvTrackWriter.write(track, out);
+        }
+    },
+    GEOJSON("application/geo+json", true) {
+        @Override
+        void write(Track track, Writer out) throws IOException {
+            GeoJsonTrackWriter.write(track, out);
+        }
+    },
+    KML("application/vnd.google-earth.kml+xml", true) {
+        @Override
+        void write(Track track, Writer out) throws IOException {
+            XmlTrackWriter.kml(track, out);
+        }
+    },
+    GPX("application/gpx+xml", false) {
+        @Override
+        void write(Track track, Writer out) throws IOException {
+            XmlTrackWriter.gpx(track, out);
+        }
+    };
+
+    private final String mediaType;
+    private final boolean hasEvents;
+
+    /** Points in the order of time. */
+    record Track(String name, List<TelemetryPoint> points, List<HistoryEvent> events) {}
+
+    TrackFormat(String mediaType, boolean hasEvents) {
+        this.mediaType = mediaType;
+        this.hasEvents = hasEvents;
+    }
+
+    /** {@code others}: forms that are made in another way, for the sentence of a refusal. */
+    static TrackFormat named(String form, List<String> others) {
+        return Arrays.stream(values())
+                .filter(one -> one.ending().equals(form))
+                .findFirst()
+                .orElseThrow(() -> InvalidInput.outside(
+                        ValueProblem.VALUE_NOT_ALLOWED,
+                        "form",
+                        Stream.concat(Arrays.stream(values()).map(TrackFormat::ending), others.stream())
+                                .collect(Collectors.joining(", ")),
+                        "\"" + form + "\""));
+    }
+
+    /** Of a file's name. */
+    String ending() {
+        return WireNames.camel(this);
+    }
+
+    String mediaType() {
+        return mediaType;
+    }
+
+    /** What happened stands in it, too. */
+    boolean hasEvents() {
+        return hasEvents;
+    }
+
+    abstract void write(Track track, Writer out) throws IOException;
+}

@@ -1,0 +1,81 @@
+package org.dronemap.ws.lab;
+
+import java.util.Map;
+import java.util.stream.Stream;
+import org.dronemap.sim.personality.AutopilotKind;
+import org.dronemap.sim.personality.VehicleSettings;
+import org.dronemap.sim.personality.arducopter.SimulatedArduCopter;
+import org.dronemap.sim.personality.px4.SimulatedPx4;
+
+/**
+ * What a vehicle of the laboratory is made of.
+ *
+ * @param windSpeed m/s, towards north, with gusts
+ * @param readySeconds until its position estimate stands
+ * @param presets parameters that are not as its autopilot has them
+ * @param usb its link is its first channel, on which it takes unsigned messages even when it has a key
+ */
+public record VehicleSpec(
+        AutopilotKind kind,
+        int mavlinkVersion,
+        double windSpeed,
+        double readySeconds,
+        int parameters,
+        Map<String, Double> presets,
+        boolean usb) {
+    private static final double BY_ITSELF = -1;
+    private static final int MIDDLE = 1_500;
+
+    public static final VehicleSpec COPTER = new VehicleSpec(
+            new AutopilotKind("arducopter", "\n\nInit ArduCopter V4.5.5 (simulated)\n\n", SimulatedArduCopter::new),
+            2,
+            0,
+            1,
+            0,
+            Map.of(),
+            true);
+    public static final VehicleSpec PX4 =
+            new VehicleSpec(new AutopilotKind("px4", "", SimulatedPx4::new), 2, 0, 1, 0, Map.of(), true);
+
+    /** One of each. */
+    public static Stream<VehicleSpec> autopilots() {
+        return Stream.of(COPTER, PX4);
+    }
+
+    public boolean isPx4() {
+        return kind.name().equals("px4");
+    }
+
+    public VehicleSpec inWind(double speed) {
+        return new VehicleSpec(kind, mavlinkVersion, speed, readySeconds, parameters, presets, usb);
+    }
+
+    public VehicleSpec with(Map<String, Double> values) {
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, parameters, values, usb);
+    }
+
+    /** On a link where it insists on signatures once it has a key. */
+    public VehicleSpec insisting() {
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, parameters, presets, false);
+    }
+
+    /** With so many parameters as real ones have. */
+    public VehicleSpec withParameters(int count) {
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, count, presets, usb);
+    }
+
+    /** It speaks MAVLink 1. */
+    public VehicleSpec ofMavlink1() {
+        return new VehicleSpec(kind, 1, windSpeed, readySeconds, parameters, presets, usb);
+    }
+
+    @Override
+    public String toString() {
+        return kind.name();
+    }
+
+    VehicleSettings settings(int systemId, int hardware, long epochMicros) {
+        return new VehicleSettings(
+                systemId, hardware, mavlinkVersion, BY_ITSELF, MIDDLE, epochMicros, usb, parameters, presets);
+    }
+}

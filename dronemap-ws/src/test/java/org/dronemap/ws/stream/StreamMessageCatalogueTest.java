@@ -1,0 +1,131 @@
+package org.dronemap.ws.stream;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.fasterxml.jackson.annotation.JsonTypeName;
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.RecordAlternatives;
+import org.dronemap.ws.setting.SetupException;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Messages of topics that are declared beside their use cases: which they are, and which the server does not start with. */
+class StreamMessageCatalogueTest {
+    @JsonTypeName("painted")
+    @Schema(name = "StreamPainted", description = "A thing that was painted.")
+    record Painted(String id, String colour) implements StreamMessage.OfUseCase {}
+
+    @JsonTypeName("unpainted")
+    @Schema(name = "StreamUnpainted", description = "A thing that was bared.")
+    record Unpainted(String id) implements StreamMessage.OfUseCase {}
+
+    @JsonTypeName("painted")
+    @Schema(name = "StreamPaintedAgain", description = "Another one of the same type.")
+    record PaintedAgain(String id) implements StreamMessage.OfUseCase {}
+
+    @JsonTypeName("pong")
+    @Schema(name = "StreamTable", description = "One of a type that the cloud itself has.")
+    record Table(String id) implements StreamMessage.OfUseCase {}
+
+    @Schema(name = "StreamUntyped", description = "One without a type.")
+    record Untyped(String id) implements StreamMessage.OfUseCase {}
+
+    @JsonTypeName("nameless")
+    record Nameless(String id) implements StreamMessage.OfUseCase {}
+
+    private static Topic<String> topic(
+            Class<? extends StreamMessage> message, String kind, TopicRate rate, Topic.@Nullable Removal removal) {
+        return new Topic<>(
+                message,
+                rate,
+                new Topic.SubjectMapping<>(kind, thing -> thing),
+                Topic.Audience.of("everybody", (who, thing) -> true),
+                (thing, who) -> new Painted(thing, "red"),
+                List::of,
+                removal,
+                told -> {});
+    }
+
+    private static Topic<String> newest(Class<? extends StreamMessage> message, String kind) {
+        return topic(message, kind, new TopicRate.Newest(2), null);
+    }
+
+    @Test
+    void areThoseOfTheCloudAndThoseOfTopics() {
+        Topic<String> painted = topic(
+                Painted.class, "wall", new TopicRate.EveryChange(), new Topic.Removal(Unpainted.class, Unpainted::new));
+        StreamMessageCatalogue said = StreamMessageCatalogue.of(List.of(painted));
+
+        assertThat(said.ofUseCases())
+                .containsEntry("painted", Painted.class)
+                .containsEntry("unpainted", Unpainted.class)
+                .hasSize(2);
+        assertThat(said.records())
+                .containsAllEntriesOf(
+                        RecordAlternatives.of(StreamMessage.class).orElseThrow().records())
+                .containsAllEntriesOf(said.ofUseCases());
+    }
+
+    @Test
+    void areWrittenWithTheirTypeLikeAllOthers() {
+        JsonReader json = new JsonReader();
+
+        assertThat(json.write(new Painted("a", "red")))
+                .isEqualTo("{\"type\":\"painted\",\"id\":\"a\",\"colour\":\"red\"}");
+        assertThat(json.write(new StreamMessage.DroneRemoved("a")))
+                .isEqualTo("{\"type\":\"droneRemoved\",\"id\":\"a\"}");
+    }
+
+    @Test
+    void mayBeOfADroneThatOtherTopicsAreAboutToo() {
+        List<Topic<?>> topics = List.of(
+                newest(StreamMessage.Drone.class, "drone"),
+                topic(Painted.class, "drone", new TopicRate.EveryChange(), null));
+
+        assertThat(StreamMessageCatalogue.of(topics).ofUseCases()).containsOnlyKeys("painted");
+    }
+
+    record Faulty(List<Topic<?>> topics, String sentence) {}
+
+    static Stream<Faulty> faulty() {
+        String here = StreamMessageCatalogueTest.class.getName() + "$";
+        return Stream.of(
+                new Faulty(
+                        List.of(newest(Painted.class, "wall"), newest(PaintedAgain.class, "door")),
+                        "Two topics of the stream tell messages of the type painted: " + here + "Painted and " + here
+                                + "PaintedAgain; each message needs a type of its own."),
+                new Faulty(
+                        List.of(newest(Painted.class, "wall"), newest(Painted.class, "door")),
+                        "Two topics of the stream tell messages of the type painted: " + here + "Painted and " + here
+                                + "Painted; each message needs a type of its own."),
+                new Faulty(
+                        List.of(newest(Table.class, "table")),
+                        "Two topics of the stream tell messages of the type pong: " + StreamMessage.Pong.class.getName()
+                                + " and " + here + "Table; each message needs a type of its own."),
+                new Faulty(
+                        List.of(newest(Painted.class, "wall"), newest(Unpainted.class, "wall")),
+                        "Two topics of the stream are about things of the kind wall: those of " + here
+                                + "Painted and of " + here + "Unpainted; each topic needs a kind of its own."),
+                new Faulty(
+                        List.of(newest(Untyped.class, "wall")),
+                        here + "Untyped has no type for clients: say @JsonTypeName(...) there."),
+                new Faulty(
+                        List.of(newest(Nameless.class, "wall")),
+                        here + "Nameless has no name for clients that begins with Stream, or no description: say"
+                                + " @Schema(name = ..., description = ...) there."));
+    }
+
+    @ParameterizedTest
+    @MethodSource("faulty")
+    void doNotStartWhereTheyCouldNotBeToldFromEachOther(Faulty faulty) {
+        assertThatThrownBy(() -> StreamMessageCatalogue.of(faulty.topics()))
+                .isInstanceOf(SetupException.class)
+                .hasMessage(faulty.sentence());
+    }
+}
