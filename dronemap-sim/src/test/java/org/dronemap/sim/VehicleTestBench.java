@@ -15,7 +15,7 @@ import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.Statustext;
-import org.dronemap.sim.personality.SimulatedVehicle;
+import org.dronemap.sim.autopilot.SimulatedVehicle;
 
 /** A vehicle on a bench: real frames to and from it, no socket, a clock that the test turns. */
 final class VehicleTestBench {

@@ -11,12 +11,12 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.RecordingStreamClient;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.TestHttpClient;
-import org.dronemap.ws.house.TestServer;
-import org.dronemap.ws.house.TestTenant;
+import org.dronemap.ws.testserver.RecordingStreamClient;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.SoapClient;
+import org.dronemap.ws.testserver.TestHttpClient;
+import org.dronemap.ws.testserver.TestServer;
+import org.dronemap.ws.testserver.TestTenant;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -19,12 +19,12 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.ws.house.AuditRecordComparison;
-import org.dronemap.ws.house.ConditionWait;
-import org.dronemap.ws.house.OrganisationMember;
-import org.dronemap.ws.house.RecordingStreamClient;
-import org.dronemap.ws.house.SuccessfulCalls;
-import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.testserver.AuditRecordComparison;
+import org.dronemap.ws.testserver.ConditionWait;
+import org.dronemap.ws.testserver.OrganisationMember;
+import org.dronemap.ws.testserver.RecordingStreamClient;
+import org.dronemap.ws.testserver.SuccessfulCalls;
+import org.dronemap.ws.testserver.TestHttpClient;
 import org.junit.jupiter.api.Test;
 
 /**

@@ -8,9 +8,9 @@ import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.nio.file.Path;
 import java.util.List;
-import org.dronemap.ws.house.DedicatedServers;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.testserver.DedicatedServers;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.Test;
 
 /** Starting all faces takes longer than most tests: whoever does it for themselves says why, and all together stay few. */

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.dronemap.ws.house.SuccessfulCalls;
-import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.testserver.SuccessfulCalls;
+import org.dronemap.ws.testserver.TestHttpClient;
 import org.junit.jupiter.api.Test;
 
 /**

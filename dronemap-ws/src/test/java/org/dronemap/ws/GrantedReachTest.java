@@ -8,12 +8,12 @@ import java.util.Locale;
 import java.util.regex.Pattern;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.ExposedOperations;
-import org.dronemap.ws.house.OrganisationMember;
-import org.dronemap.ws.house.ResourceScopeTable.Whose;
-import org.dronemap.ws.house.RightsTable;
-import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.testserver.ExposedOperations;
+import org.dronemap.ws.testserver.OrganisationMember;
+import org.dronemap.ws.testserver.ResourceScopeTable.Whose;
+import org.dronemap.ws.testserver.RightsTable;
+import org.dronemap.ws.testserver.ScriptedVehicle;
+import org.dronemap.ws.testserver.TestHttpClient;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 

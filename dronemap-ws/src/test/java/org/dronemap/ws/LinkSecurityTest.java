@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.TestHttpClient;
-import org.dronemap.ws.house.TestServer;
-import org.dronemap.ws.house.TestTenant;
+import org.dronemap.ws.testserver.TestHttpClient;
+import org.dronemap.ws.testserver.TestServer;
+import org.dronemap.ws.testserver.TestTenant;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

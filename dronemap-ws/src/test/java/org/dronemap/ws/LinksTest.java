@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.http.HttpRequest;
 import java.util.HexFormat;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.FakeVehicleLinkGateway;
-import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHttpClient;
-import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.testserver.FakeVehicleLinkGateway;
+import org.dronemap.ws.testserver.ScriptedVehicle;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.TestHttpClient;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 

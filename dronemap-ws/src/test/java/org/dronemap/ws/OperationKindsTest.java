@@ -15,10 +15,10 @@ import java.util.Map;
 import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.OperationCodec;
 import org.dronemap.core.operation.OperationKind;
-import org.dronemap.ws.house.ExposedOperations;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestServer;
 import org.dronemap.ws.server.OperationComponents;
+import org.dronemap.ws.testserver.ExposedOperations;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 

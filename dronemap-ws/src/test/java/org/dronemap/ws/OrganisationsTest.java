@@ -6,11 +6,11 @@ import java.net.http.HttpRequest;
 import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.house.OrganisationMember;
-import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHttpClient;
-import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.testserver.OrganisationMember;
+import org.dronemap.ws.testserver.ScriptedVehicle;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.TestHttpClient;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 

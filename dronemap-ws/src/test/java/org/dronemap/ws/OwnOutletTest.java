@@ -11,9 +11,9 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHttpClient;
-import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.TestHttpClient;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 

@@ -8,12 +8,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.OrganisationFixture;
-import org.dronemap.ws.house.RecordingStreamClient;
-import org.dronemap.ws.house.ResourceScopeTable.Whose;
-import org.dronemap.ws.house.RightsTable.Caller;
-import org.dronemap.ws.house.RightsTable;
-import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.testserver.OrganisationFixture;
+import org.dronemap.ws.testserver.RecordingStreamClient;
+import org.dronemap.ws.testserver.ResourceScopeTable.Whose;
+import org.dronemap.ws.testserver.RightsTable.Caller;
+import org.dronemap.ws.testserver.RightsTable;
+import org.dronemap.ws.testserver.TestHttpClient;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 

@@ -7,10 +7,10 @@ import java.net.http.HttpRequest;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.SoapClient;
-import org.dronemap.ws.house.TestHttpClient;
-import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.SoapClient;
+import org.dronemap.ws.testserver.TestHttpClient;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 

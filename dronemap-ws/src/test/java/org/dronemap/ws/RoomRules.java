@@ -25,7 +25,7 @@ final class RoomRules {
 
     /** From below to above. */
     static final List<String> FLOORS =
-            List.of("setting", "problem", "reading", "budget", "account", "access", "security", "http");
+            List.of("environment", "problem", "reading", "budget", "account", "access", "security", "http");
 
     /** From a room to those that it sees. */
     static final Map<String, Set<String>> ARROWS = Stream.of(
@@ -49,7 +49,7 @@ final class RoomRules {
                     "virtual: drone mission run",
                     "zone: drone",
                     "stream: command control drone follow plan run virtual zone",
-                    "settings: guard user",
+                    "settings: limit user",
                     "server: audit follow journal link outlet recording robotkey settings system")
             .map(line -> line.split(": "))
             .collect(Collectors.toUnmodifiableMap(line -> line[0], line -> Set.of(line[1].split(" "))));

@@ -11,12 +11,12 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.house.OrganisationMember;
-import org.dronemap.ws.house.RecordingStreamClient;
-import org.dronemap.ws.house.ResourceScopeTable.Whose;
-import org.dronemap.ws.house.RightsTable.Caller;
-import org.dronemap.ws.house.RightsTable;
-import org.dronemap.ws.house.TestHttpClient;
+import org.dronemap.ws.testserver.OrganisationMember;
+import org.dronemap.ws.testserver.RecordingStreamClient;
+import org.dronemap.ws.testserver.ResourceScopeTable.Whose;
+import org.dronemap.ws.testserver.RightsTable.Caller;
+import org.dronemap.ws.testserver.RightsTable;
+import org.dronemap.ws.testserver.TestHttpClient;
 import org.junit.jupiter.api.Test;
 
 /**

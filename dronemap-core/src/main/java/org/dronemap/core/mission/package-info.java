@@ -1,4 +1,10 @@
-/** Missions: ordered items with altitudes that carry their reference. */
+/**
+ * Missions: ordered items with altitudes that carry their reference.
+ *
+ * <p>Enters: a kind of item, with its altitude's reference.
+ *
+ * <p>Never: how a vehicle takes it.
+ */
 @NullMarked
 package org.dronemap.core.mission;
 

@@ -1,4 +1,10 @@
-/** Ends of processes of this server that nobody had stopped, and how carefully the next one starts. */
+/**
+ * Ends of processes of this server that nobody had stopped, and how carefully the next one starts.
+ *
+ * <p>Enters: what is counted of ends of this server.
+ *
+ * <p>Never: how a process is ended.
+ */
 @NullMarked
 package org.dronemap.core.process;
 

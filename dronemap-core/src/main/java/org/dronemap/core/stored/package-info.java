@@ -1,4 +1,10 @@
-/** Names under which what is stored stays readable, whatever the code calls it. */
+/**
+ * Names under which what is stored stays readable, whatever the code calls it.
+ *
+ * <p>Enters: how a stored name is declared.
+ *
+ * <p>Never: what is stored.
+ */
 @NullMarked
 package org.dronemap.core.stored;
 

@@ -1,4 +1,10 @@
-/** Makes the records of MAVLink messages from their definitions; runs within the build, and never with the product. */
+/**
+ * Makes the records of MAVLink messages from their definitions; runs within the build, and never with the product.
+ *
+ * <p>Enters: what the records need.
+ *
+ * <p>Never: anything at run time.
+ */
 @NullMarked
 package org.dronemap.mavlink.generator;
 

@@ -1,4 +1,10 @@
-/** Recordings of links: a time in microseconds before each raw frame. */
+/**
+ * Recordings of links: a time in microseconds before each raw frame.
+ *
+ * <p>Enters: what reads or writes such files.
+ *
+ * <p>Never: sockets.
+ */
 @NullMarked
 package org.dronemap.mavlink.tlog;
 

@@ -1,4 +1,10 @@
-/** Recordings in: a tlog played through the same sessions as a live link, with nothing sent. */
+/**
+ * Recordings in: a tlog played through the same sessions as a live link, with nothing sent.
+ *
+ * <p>Enters: what plays or keeps recordings.
+ *
+ * <p>Never: live links.
+ */
 @NullMarked
 package org.dronemap.proxy.record;
 

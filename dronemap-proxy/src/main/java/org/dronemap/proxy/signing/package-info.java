@@ -1,4 +1,10 @@
-/** Keys of vehicles at work: which frames speak for a drone, how what goes out is signed, and how keys change. */
+/**
+ * Keys of vehicles at work: which frames speak for a drone, how what goes out is signed, and how keys change.
+ *
+ * <p>Enters: what happens to keys while vehicles fly.
+ *
+ * <p>Never: bytes of signatures.
+ */
 @NullMarked
 package org.dronemap.proxy.signing;
 

@@ -2,10 +2,10 @@ package org.dronemap.sim.control;
 
 import java.util.List;
 import java.util.Locale;
+import org.dronemap.sim.autopilot.CommandResult;
+import org.dronemap.sim.autopilot.SimulatedPayload;
+import org.dronemap.sim.autopilot.SimulatedVehicle;
 import org.dronemap.sim.flight.SimulatedCraft;
-import org.dronemap.sim.personality.CommandResult;
-import org.dronemap.sim.personality.SimulatedPayload;
-import org.dronemap.sim.personality.SimulatedVehicle;
 
 /** Understands a line of the control port and carries it out; each answer begins with "ok" or "err". On the fleet's thread. */
 public final class ControlPortCommands {

@@ -1,4 +1,10 @@
-/** Faults on order: a line protocol on a loopback port. */
+/**
+ * Faults on order: a line protocol on a loopback port.
+ *
+ * <p>Enters: an order to fail.
+ *
+ * <p>Never: how a vehicle flies.
+ */
 @NullMarked
 package org.dronemap.sim.control;
 

@@ -3,7 +3,7 @@ package org.dronemap.sim.link;
 import java.nio.ByteBuffer;
 import java.util.function.Consumer;
 import org.dronemap.mavlink.FrameReader;
-import org.dronemap.sim.personality.SimulatedVehicle;
+import org.dronemap.sim.autopilot.SimulatedVehicle;
 import org.jspecify.annotations.Nullable;
 
 /** A vehicle together with its link and its reader. Owned by the fleet's thread. */

@@ -12,7 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.dronemap.sim.personality.SimulatedVehicle;
+import org.dronemap.sim.autopilot.SimulatedVehicle;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -1,4 +1,10 @@
-/** Sockets of a whole fleet on one thread, and the clock that drives it. */
+/**
+ * Sockets of a whole fleet on one thread, and the clock that drives it.
+ *
+ * <p>Enters: how a fleet's bytes get out and in.
+ *
+ * <p>Never: vehicles.
+ */
 @NullMarked
 package org.dronemap.sim.link;
 

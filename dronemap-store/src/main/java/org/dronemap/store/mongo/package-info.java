@@ -1,4 +1,10 @@
-/** Telemetry in a MongoDB that somebody runs: time-series collections that expire by themselves. */
+/**
+ * Telemetry in a MongoDB that somebody runs: time-series collections that expire by themselves.
+ *
+ * <p>Enters: telemetry in MongoDB.
+ *
+ * <p>Never: anything that must not be lost.
+ */
 @NullMarked
 package org.dronemap.store.mongo;
 

@@ -1,4 +1,10 @@
-/** Telemetry as files of columns, for programs that reckon. */
+/**
+ * Telemetry as files of columns, for programs that reckon.
+ *
+ * <p>Enters: telemetry as Parquet.
+ *
+ * <p>Never: queries.
+ */
 @NullMarked
 package org.dronemap.store.parquet;
 

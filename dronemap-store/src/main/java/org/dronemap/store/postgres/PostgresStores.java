@@ -32,7 +32,7 @@ import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.CachedAccessStore;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.Stores;
-import org.dronemap.store.postgres.own.BundledPostgres;
+import org.dronemap.store.postgres.bundled.BundledPostgres;
 import org.dronemap.store.secret.SecretBox;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;

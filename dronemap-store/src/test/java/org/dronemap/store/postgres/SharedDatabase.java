@@ -10,8 +10,8 @@ import java.sql.SQLException;
 import java.sql.Statement;
 import java.time.Duration;
 import java.util.List;
-import org.dronemap.store.postgres.own.BundledPostgres;
-import org.dronemap.store.postgres.own.TestDatabaseDirectories;
+import org.dronemap.store.postgres.bundled.BundledPostgres;
+import org.dronemap.store.postgres.bundled.TestDatabaseDirectories;
 
 /**
  * One real PostgreSQL for all tests of a test JVM: starting one takes seconds. It does not wait for the disk, since no power cut

@@ -1,4 +1,10 @@
-/** Names of places near a position, from data that ships with the product. */
+/**
+ * Names of places near a position, from data that ships with the product.
+ *
+ * <p>Enters: names that ship with the product.
+ *
+ * <p>Never: a service of others.
+ */
 @NullMarked
 package org.dronemap.ws.place;
 

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.dronemap.store.postgres.DatabaseSettings;
 import org.dronemap.store.postgres.PostgresStores;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.ServerSettings;
 
 /** Opens the database that the settings name, or the server's own. */

@@ -19,7 +19,7 @@ import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.outlet.Outlet;
 import org.dronemap.proxy.outlet.OutletDependencies;
 import org.dronemap.proxy.outlet.OutletRights;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.OutletSettings;
 
 /** Builds where ground stations of other makers attach. */

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLContext;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.ServerSettings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

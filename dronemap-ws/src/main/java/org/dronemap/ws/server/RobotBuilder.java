@@ -7,7 +7,7 @@ import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.roslink.RoslinkProxy;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.RobotSettings;
 
 /** Builds where robots call in. */

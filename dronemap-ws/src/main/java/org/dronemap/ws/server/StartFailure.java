@@ -1,7 +1,7 @@
 package org.dronemap.ws.server;
 
 import org.dronemap.store.StoreException;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.boot.web.server.PortInUseException;

@@ -5,7 +5,7 @@ import java.util.Map;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.virtual.VirtualRunMachine;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
 
 /** Reads the settings of drone control from the environment. */
 final class ControlSettingsReader {

@@ -3,7 +3,7 @@ package org.dronemap.ws.settings;
 import java.util.Locale;
 import java.util.Map;
 import org.dronemap.cognitive.follow.FollowSeparation;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
 
 /** Reads the separation of following drones from the environment. */
 final class FollowSettingsReader {

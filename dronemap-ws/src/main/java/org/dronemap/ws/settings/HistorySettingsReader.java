@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.Map;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.history.Retention;
-import org.dronemap.ws.setting.EnvironmentVariables;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.EnvironmentVariables;
+import org.dronemap.ws.environment.SetupException;
 
 /** Reads the settings of the drones' history from the environment. */
 final class HistorySettingsReader {

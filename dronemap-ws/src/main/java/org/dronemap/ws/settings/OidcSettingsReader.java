@@ -8,8 +8,8 @@ import java.util.Locale;
 import java.util.Map;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.security.oidc.OidcSettings;
-import org.dronemap.ws.setting.SetupException;
 import org.jspecify.annotations.Nullable;
 
 /** Reads the OpenID Connect settings from the environment. */

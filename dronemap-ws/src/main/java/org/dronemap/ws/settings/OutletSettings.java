@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronemap.proxy.outlet.PortRange;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
 
 /**
  * Settings of the outlet, where ground stations of other makers attach.

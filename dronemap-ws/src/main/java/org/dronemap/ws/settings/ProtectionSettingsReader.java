@@ -5,8 +5,8 @@ import java.util.EnumMap;
 import java.util.Map;
 import org.dronemap.ws.budget.BudgetRates;
 import org.dronemap.ws.budget.WorkKind;
-import org.dronemap.ws.guard.ClientLimits;
-import org.dronemap.ws.setting.EnvironmentVariables;
+import org.dronemap.ws.environment.EnvironmentVariables;
+import org.dronemap.ws.limit.ClientLimits;
 
 /** Reads the limits on clients from the environment. */
 final class ProtectionSettingsReader {

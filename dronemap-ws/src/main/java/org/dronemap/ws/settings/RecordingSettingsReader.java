@@ -3,8 +3,8 @@ package org.dronemap.ws.settings;
 import java.util.Locale;
 import java.util.Map;
 import org.dronemap.core.recording.RecordingPolicy;
-import org.dronemap.ws.setting.EnvironmentVariables;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.EnvironmentVariables;
+import org.dronemap.ws.environment.SetupException;
 
 /** Reads the settings of recordings from the environment. */
 final class RecordingSettingsReader {

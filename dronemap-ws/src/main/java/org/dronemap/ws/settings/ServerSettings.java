@@ -14,9 +14,9 @@ import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.ws.budget.BudgetRates;
-import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.environment.SetupException;
+import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.security.oidc.OidcSettings;
-import org.dronemap.ws.setting.SetupException;
 import org.dronemap.ws.user.RegistrationPolicy;
 import org.jspecify.annotations.Nullable;
 

@@ -8,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.reading.RecordAlternatives;
-import org.dronemap.ws.setting.SetupException;
 
 /**
  * All messages that this server says, by their types: those of {@link StreamMessage}, and those that topics have of their own.

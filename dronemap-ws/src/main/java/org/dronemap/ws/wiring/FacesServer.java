@@ -2,8 +2,8 @@ package org.dronemap.ws.wiring;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.dronemap.ws.environment.EnvironmentVariables;
 import org.dronemap.ws.server.ServerComponents;
-import org.dronemap.ws.setting.EnvironmentVariables;
 import org.dronemap.ws.settings.ServerSettings;
 import org.springframework.boot.Banner;
 import org.springframework.boot.SpringApplication;

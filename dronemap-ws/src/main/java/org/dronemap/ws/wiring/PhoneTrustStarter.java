@@ -1,8 +1,8 @@
 package org.dronemap.ws.wiring;
 
 import java.io.IOException;
-import org.dronemap.ws.door.PhoneTrustServer;
-import org.dronemap.ws.setting.SetupException;
+import org.dronemap.ws.environment.SetupException;
+import org.dronemap.ws.plainhttp.PhoneTrustServer;
 import org.dronemap.ws.settings.ServerSettings;
 import org.jspecify.annotations.Nullable;
 

@@ -6,8 +6,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.dronemap.proxy.endpoint.BoundedWebSocketFactory;
 import org.dronemap.ws.budget.Budgets;
 import org.dronemap.ws.budget.WorkKind;
-import org.dronemap.ws.guard.BoundedHttpProtocol;
-import org.dronemap.ws.guard.HostConcurrencyFilter;
+import org.dronemap.ws.limit.BoundedHttpProtocol;
+import org.dronemap.ws.limit.HostConcurrencyFilter;
 import org.dronemap.ws.stream.StreamClientRegistry;
 import org.dronemap.ws.system.ServerMetrics;
 

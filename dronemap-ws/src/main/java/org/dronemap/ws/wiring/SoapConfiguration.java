@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 import org.apache.cxf.Bus;
 import org.apache.cxf.bus.extension.ExtensionManagerBus;
 import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
-import org.dronemap.ws.door.OriginalAddressFilter;
+import org.dronemap.ws.plainhttp.OriginalAddressFilter;
 import org.dronemap.ws.reading.JsonReader;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;

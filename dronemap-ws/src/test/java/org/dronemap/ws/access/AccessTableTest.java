@@ -8,7 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.dronemap.ws.house.GeneratedSection;
+import org.dronemap.ws.testserver.GeneratedSection;
 import org.junit.jupiter.api.Test;
 
 /** The table of docs/security.md says what the handlers say. {@code -Ddronemap.approve=true} writes it anew. */

@@ -3,7 +3,7 @@ package org.dronemap.ws.access;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import org.dronemap.ws.planted.HandlerViolations;
+import org.dronemap.ws.violation.HandlerViolations;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -50,7 +50,7 @@ class RestOperationsTest {
 
         assertThatThrownBy(forgetful::afterSingletonsInstantiated)
                 .hasMessage(
-                        "The handler org.dronemap.ws.planted.HandlerViolations$Forgetful$forgotten has no @Access; say"
+                        "The handler org.dronemap.ws.violation.HandlerViolations$Forgetful$forgotten has no @Access; say"
                                 + " there who may call it, and what it is about.");
     }
 

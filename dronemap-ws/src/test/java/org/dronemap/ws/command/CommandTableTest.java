@@ -7,9 +7,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.drone.Capability;
-import org.dronemap.ws.house.GeneratedSection;
 import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.reading.WireNames;
+import org.dronemap.ws.testserver.GeneratedSection;
 import org.junit.jupiter.api.Test;
 
 /** The table of commands in docs/security.md says what their kinds say; that the gate keeps to it is tried elsewhere. */

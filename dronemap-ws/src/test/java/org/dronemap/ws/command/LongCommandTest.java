@@ -11,11 +11,11 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Outcome;
-import org.dronemap.ws.house.ConditionWait;
-import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestServer;
 import org.dronemap.ws.lab.CommandRequests;
+import org.dronemap.ws.testserver.ConditionWait;
+import org.dronemap.ws.testserver.ScriptedVehicle;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

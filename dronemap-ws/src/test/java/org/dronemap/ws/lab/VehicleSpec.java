@@ -2,10 +2,10 @@ package org.dronemap.ws.lab;
 
 import java.util.Map;
 import java.util.stream.Stream;
-import org.dronemap.sim.personality.AutopilotKind;
-import org.dronemap.sim.personality.VehicleSettings;
-import org.dronemap.sim.personality.arducopter.SimulatedArduCopter;
-import org.dronemap.sim.personality.px4.SimulatedPx4;
+import org.dronemap.sim.autopilot.AutopilotKind;
+import org.dronemap.sim.autopilot.VehicleSettings;
+import org.dronemap.sim.autopilot.arducopter.SimulatedArduCopter;
+import org.dronemap.sim.autopilot.px4.SimulatedPx4;
 
 /**
  * What a vehicle of the laboratory is made of.

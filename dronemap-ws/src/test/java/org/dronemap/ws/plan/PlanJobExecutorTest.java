@@ -20,9 +20,9 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.RealTime;
 import org.dronemap.core.time.SteppedTime;
-import org.dronemap.ws.house.ConditionWait;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
+import org.dronemap.ws.testserver.ConditionWait;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

@@ -2,9 +2,9 @@ package org.dronemap.ws.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHttpClient;
-import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.TestHttpClient;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.Test;
 
 /** The description of REST that programs are written from, to the letter. */

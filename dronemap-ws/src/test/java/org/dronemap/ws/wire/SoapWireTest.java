@@ -8,10 +8,10 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.dronemap.ws.house.ExposedOperations;
-import org.dronemap.ws.house.SharedServer;
-import org.dronemap.ws.house.TestHttpClient;
-import org.dronemap.ws.house.TestServer;
+import org.dronemap.ws.testserver.ExposedOperations;
+import org.dronemap.ws.testserver.SharedServer;
+import org.dronemap.ws.testserver.TestHttpClient;
+import org.dronemap.ws.testserver.TestServer;
 import org.junit.jupiter.api.Test;
 
 /** The descriptions of SOAP that clients are made from, with all that they import, to the letter. */

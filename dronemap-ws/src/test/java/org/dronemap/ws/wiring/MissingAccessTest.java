@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.dronemap.ws.http.FallbackErrorController;
-import org.dronemap.ws.planted.HandlerViolations;
 import org.dronemap.ws.server.StartFailure;
+import org.dronemap.ws.violation.HandlerViolations;
 import org.junit.jupiter.api.Test;
 import org.springframework.boot.autoconfigure.EnableAutoConfiguration;
 import org.springframework.boot.builder.SpringApplicationBuilder;
@@ -23,7 +23,7 @@ class MissingAccessTest {
     void keepsTheServerFromStarting() {
         assertThatThrownBy(() -> start(HandlerViolations.Forgetful.class))
                 .hasMessage(
-                        "The handler org.dronemap.ws.planted.HandlerViolations$Forgetful$forgotten has no @Access; say"
+                        "The handler org.dronemap.ws.violation.HandlerViolations$Forgetful$forgotten has no @Access; say"
                                 + " there who may call it, and what it is about.")
                 .satisfies(failure -> assertThat(StartFailure.sentence(failure)).contains("Forgetful.forgotten"));
     }

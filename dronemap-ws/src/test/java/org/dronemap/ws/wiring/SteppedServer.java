@@ -26,7 +26,7 @@ import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.fence.FenceService;
 import org.dronemap.ws.follow.FollowReliefScheduler;
 import org.dronemap.ws.follow.FollowService;
-import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.log.OnboardLogArchive;
 import org.dronemap.ws.log.OnboardLogService;
 import org.dronemap.ws.parameter.ParameterService;

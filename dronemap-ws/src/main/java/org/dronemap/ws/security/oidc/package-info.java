@@ -1,4 +1,10 @@
-/** Sign-in by an OpenID Connect provider. */
+/**
+ * Sign-in by an OpenID Connect provider.
+ *
+ * <p>Enters: what a provider needs.
+ *
+ * <p>Never: users of this server alone.
+ */
 @NullMarked
 package org.dronemap.ws.security.oidc;
 

@@ -1,0 +1,15 @@
+package org.dronemap.sim.autopilot;
+
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Message;
+import org.dronemap.sim.flight.FlightEvent;
+import org.dronemap.sim.flight.SimulatedCraft;
+
+/** A kind of autopilot: its name, the banner on its link before the first frame, and its maker. */
+public record AutopilotKind(String name, String banner, Maker maker) {
+    /** Builds an autopilot around a craft. */
+    public interface Maker {
+        SimulatedAutopilot make(
+                SimulatedCraft craft, int systemId, Consumer<FlightEvent> events, Consumer<Message> out, Runnable modeAnnouncer);
+    }
+}

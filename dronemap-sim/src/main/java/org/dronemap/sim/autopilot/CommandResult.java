@@ -1,0 +1,25 @@
+package org.dronemap.sim.autopilot;
+
+/** MAV_RESULT: how an order was taken, with its number on the wire. */
+public enum CommandResult {
+    ACCEPTED(0),
+    TEMPORARILY_REJECTED(1),
+    DENIED(2),
+    UNSUPPORTED(3),
+    FAILED(4),
+    IN_PROGRESS(5);
+
+    private final int number;
+
+    CommandResult(int number) {
+        this.number = number;
+    }
+
+    public int number() {
+        return number;
+    }
+
+    public static CommandResult acceptedIf(boolean accepted) {
+        return accepted ? ACCEPTED : FAILED;
+    }
+}

@@ -1,0 +1,103 @@
+package org.dronemap.sim.autopilot;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.MissionAck;
+import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionRequestInt;
+import org.dronemap.sim.flight.StoredMissionItem;
+
+/** A fence or rally points: kept as they come, the old ones until the new ones are whole. Nothing heeds them. */
+final class FenceRallyProtocol {
+    private static final int ACCEPTED = 0;
+    private static final int INVALID = 5;
+    private static final int MOST = 254;
+    private static final long ASK_AGAIN_MILLIS = 1_000;
+    private static final long GIVE_UP_MILLIS = 8_000;
+
+    private final int missionType;
+    private final Consumer<Message> out;
+    private final List<StoredMissionItem> arriving = new ArrayList<>();
+    private List<StoredMissionItem> held = List.of();
+    private int total = -1;
+    private int peerSystem;
+    private int peerComponent;
+    private long lastItemAt;
+    private long askedAt;
+
+    FenceRallyProtocol(int missionType, Consumer<Message> out) {
+        this.missionType = missionType;
+        this.out = out;
+    }
+
+    void step(long nowMillis) {
+        if (total >= 0 && nowMillis - lastItemAt >= GIVE_UP_MILLIS) {
+            total = -1;
+        } else if (total >= 0 && nowMillis - askedAt >= ASK_AGAIN_MILLIS) {
+            ask(nowMillis);
+        }
+    }
+
+    void count(MissionCount message, int fromSystem, int fromComponent, long nowMillis) {
+        peerSystem = fromSystem;
+        peerComponent = fromComponent;
+        arriving.clear();
+        lastItemAt = nowMillis;
+        if (message.count() > MOST) {
+            acknowledge(INVALID);
+        } else if (message.count() == 0) {
+            clear(fromSystem, fromComponent);
+        } else {
+            total = message.count();
+            ask(nowMillis);
+        }
+    }
+
+    void item(MissionItemInt item, int fromSystem, long nowMillis) {
+        if (total < 0 || fromSystem != peerSystem) {
+            return;
+        }
+        if (item.seq() == arriving.size()) {
+            arriving.add(MissionItemMessages.read(item));
+            lastItemAt = nowMillis;
+        }
+        if (arriving.size() < total) {
+            ask(nowMillis);
+        } else {
+            held = List.copyOf(arriving);
+            total = -1;
+            acknowledge(ACCEPTED);
+        }
+    }
+
+    void sendCount(int toSystem, int toComponent) {
+        out.accept(new MissionCount(toSystem, toComponent, held.size(), missionType));
+    }
+
+    void sendItem(int seq, int toSystem, int toComponent) {
+        if (seq >= held.size()) {
+            out.accept(new MissionAck(toSystem, toComponent, INVALID, missionType));
+            return;
+        }
+        out.accept(
+                MissionItemMessages.write(held.get(seq), new MissionItemMessages.Address(seq, missionType, toSystem, toComponent)));
+    }
+
+    void clear(int toSystem, int toComponent) {
+        held = List.of();
+        total = -1;
+        out.accept(new MissionAck(toSystem, toComponent, ACCEPTED, missionType));
+    }
+
+    private void ask(long nowMillis) {
+        askedAt = nowMillis;
+        out.accept(new MissionRequestInt(peerSystem, peerComponent, arriving.size(), missionType));
+    }
+
+    private void acknowledge(int type) {
+        out.accept(new MissionAck(peerSystem, peerComponent, type, missionType));
+    }
+}

@@ -1,0 +1,47 @@
+package org.dronemap.sim.autopilot;
+
+import org.dronemap.mavlink.message.MissionItem;
+import org.dronemap.mavlink.message.MissionItemInt;
+
+/** The older MISSION_ITEM with degrees as floats, for clients that still use it. */
+final class FloatMissionItems {
+    private FloatMissionItems() {}
+
+    static MissionItem of(MissionItemInt item) {
+        return new MissionItem(
+                item.targetSystem(),
+                item.targetComponent(),
+                item.seq(),
+                item.frame(),
+                item.command(),
+                item.current(),
+                item.autocontinue(),
+                item.param1(),
+                item.param2(),
+                item.param3(),
+                item.param4(),
+                item.x() / 1e7f,
+                item.y() / 1e7f,
+                item.z(),
+                item.missionType());
+    }
+
+    static MissionItemInt toInt(MissionItem item) {
+        return new MissionItemInt(
+                item.targetSystem(),
+                item.targetComponent(),
+                item.seq(),
+                item.frame(),
+                item.command(),
+                item.current(),
+                item.autocontinue(),
+                item.param1(),
+                item.param2(),
+                item.param3(),
+                item.param4(),
+                (int) Math.round(item.x() * 1e7),
+                (int) Math.round(item.y() * 1e7),
+                item.z(),
+                item.missionType());
+    }
+}

@@ -1,0 +1,45 @@
+package org.dronemap.sim.autopilot;
+
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.sim.flight.StoredMissionItem;
+
+/** Items as they cross the wire, of missions, fences and rally points. */
+final class MissionItemMessages {
+    private MissionItemMessages() {}
+
+    /** To whom, and what it is the {@code seq}-th of. */
+    record Address(int seq, int missionType, int toSystem, int toComponent) {}
+
+    static StoredMissionItem read(MissionItemInt message) {
+        return new StoredMissionItem(
+                message.command(),
+                message.frame(),
+                message.autocontinue(),
+                message.param1(),
+                message.param2(),
+                message.param3(),
+                message.param4(),
+                message.x(),
+                message.y(),
+                message.z());
+    }
+
+    static MissionItemInt write(StoredMissionItem item, Address address) {
+        return new MissionItemInt(
+                address.toSystem(),
+                address.toComponent(),
+                address.seq(),
+                item.frame(),
+                item.command(),
+                0,
+                item.autocontinue(),
+                item.param1(),
+                item.param2(),
+                item.param3(),
+                item.param4(),
+                item.x(),
+                item.y(),
+                item.z(),
+                address.missionType());
+    }
+}

@@ -1,0 +1,97 @@
+package org.dronemap.sim.autopilot;
+
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.ManualControl;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
+import org.dronemap.sim.flight.FlightPlan;
+import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedCraft;
+
+/** A simulated autopilot: the commands that it accepts, its modes and its fail-safes. Owned by the fleet's thread. */
+public interface SimulatedAutopilot {
+    /** Flies on to {@code nowMillis} of the vehicle's clock. */
+    void step(long nowMillis, double seconds);
+
+    CommandResult obey(MavCommand order);
+
+    CommandResult setMode(int baseMode, long customMode);
+
+    /** SET_MODE is acknowledged by some autopilots as if it were a command. */
+    boolean acknowledgesSetMode();
+
+    void steer(SetPositionTargetGlobalInt target);
+
+    /** Speeds; an autopilot that flies by none takes no notice. */
+    default void steer(SetPositionTargetLocalNed target) {}
+
+    /** Sticks of a ground station; an autopilot that flies by none takes no notice. */
+    default void manual(ManualControl sticks, int fromSystem) {}
+
+    /** The throttle stick of the remote control, 1000 to 2000. */
+    void stick(int throttle);
+
+    /** A heartbeat of the ground station that the fail-safe listens to. */
+    void groundStationHeard(int systemId);
+
+    Heartbeat heartbeat();
+
+    /** MAV_LANDED_STATE. */
+    int landedState();
+
+    boolean readyToArm();
+
+    SimulatedCraft craft();
+
+    FlightPlan plan();
+
+    SimulatedPayload payload();
+
+    /** One picture; the answer is what it says of it. */
+    Message takePicture();
+
+    Parameters parameters();
+
+    /** A new signing key is taken in flight as well. */
+    boolean takesKeysWhenArmed();
+
+    /** Integer parameters travel as their bits in the float. */
+    boolean parametersAsBits();
+
+    /** A parameter has been written. */
+    void parameterChanged(String name);
+
+    /** Commands for a component that is not there are acted on. */
+    boolean heedsEveryComponent();
+
+    /** What is answered when somebody wants a rate for a message that it does not have. */
+    CommandResult refuseInterval(int messageId);
+
+    MissionProtocolStyle missionStyle();
+
+    /** The wire's number of the item that is flown or comes next. */
+    int currentItem();
+
+    /** MISSION_STATE: 1 no mission, 2 not started, 3 active, 4 paused, 5 complete. */
+    int missionState();
+
+    boolean inMissionMode();
+
+    boolean setCurrentItem(int index);
+
+    /** A mission may be cleared now. */
+    boolean mayClearMission();
+
+    /** The number of the mission in the plan, which another one never has; 0 when it numbers none. */
+    long missionStamp();
+
+    /** A new mission is in the plan. */
+    void missionChanged();
+
+    /** Firmware as in AUTOPILOT_VERSION: major, minor, patch and type in one number. */
+    long firmware();
+
+    /** Messages per second that flow before anybody has asked, by message number. */
+    double unaskedRate(int messageId);
+}

@@ -1,0 +1,236 @@
+package org.dronemap.sim.autopilot;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Instant;
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameWriter;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionCurrent;
+import org.dronemap.mavlink.message.MissionItemReached;
+import org.dronemap.mavlink.message.SetupSigning;
+import org.dronemap.mavlink.message.Statustext;
+import org.dronemap.mavlink.message.Timesync;
+import org.dronemap.sim.flight.FlightEvent;
+import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.TextSeverity;
+
+/**
+ * One vehicle on one link: frames in, frames out, time passed in as milliseconds of its own clock. Owned by the fleet's
+ * thread; knows nothing of sockets.
+ */
+public final class SimulatedVehicle {
+    private static final int COMPONENT = 1;
+    private static final int STEP_MILLIS = 50;
+    private static final long BEAT_MILLIS = 1_000;
+    private static final long REBOOT_MILLIS = 1_000;
+
+    private final VehicleSettings settings;
+    private final AutopilotKind kind;
+    private final SimulatedCraft craft;
+    private final FrameWriter writer;
+    private final Consumer<byte[]> link;
+    private final VehicleSigning signing;
+    private SimulatedAutopilot autopilot;
+    private VehicleMessageHandler desk;
+    private long now;
+    private long bootedAt;
+    private long nextBeat;
+    private long silentUntil = Long.MIN_VALUE;
+    private boolean deaf;
+    private boolean bannerDue;
+    private boolean newAddressDue;
+
+    public SimulatedVehicle(VehicleSettings settings, AutopilotKind kind, SimulatedCraft craft, Consumer<byte[]> link) {
+        this.settings = settings;
+        this.kind = kind;
+        this.craft = craft;
+        this.link = link;
+        this.writer = new FrameWriter(settings.systemId(), COMPONENT, settings.mavlinkVersion());
+        this.signing =
+                new VehicleSigning(settings.usb(), () -> Instant.ofEpochMilli(settings.epochMicros() / 1000 + now));
+        this.nextBeat = settings.systemId() * 37L % BEAT_MILLIS;
+        this.autopilot = makeAutopilot();
+        this.desk = new VehicleMessageHandler(autopilot, settings, 0, this::send, this::hear);
+        this.bannerDue = true;
+    }
+
+    private SimulatedAutopilot makeAutopilot() {
+        SimulatedAutopilot made = kind.maker().make(craft, settings.systemId(), this::hear, this::send, this::beatNow);
+        made.stick(settings.stick());
+        settings.presets().forEach((name, value) -> {
+            if (!made.parameters().set(name, value)) {
+                throw new IllegalArgumentException("this autopilot has no parameter '" + name + "'");
+            }
+        });
+        ParameterPadding.pad(made.parameters(), settings.parameters(), made.parametersAsBits());
+        return made;
+    }
+
+    /** Lives on to that time, in steps that the physics can take. */
+    public void advance(long untilMillis) {
+        while (now < untilMillis) {
+            long step = Math.min(STEP_MILLIS, untilMillis - now);
+            now += step;
+            autopilot.step(now, step / 1000.0);
+            talk();
+        }
+    }
+
+    private void talk() {
+        if (isSilent()) {
+            return;
+        }
+        if (bannerDue && !kind.banner().isEmpty()) {
+            link.accept(kind.banner().getBytes(StandardCharsets.US_ASCII));
+        }
+        bannerDue = false;
+        if (now >= nextBeat) {
+            // Beats that were missed while it could not speak are not made up for.
+            nextBeat += BEAT_MILLIS * ((now - nextBeat) / BEAT_MILLIS + 1);
+            beatNow();
+            send(new Timesync(0, now * 1_000_000, 0, 0));
+        }
+        desk.step(now);
+    }
+
+    private void beatNow() {
+        send(autopilot.heartbeat());
+    }
+
+    private void send(Message message) {
+        if (!isSilent()) {
+            link.accept(signing.frame(writer, message));
+        }
+    }
+
+    private void hear(FlightEvent event) {
+        if (event instanceof FlightEvent.Text text) {
+            send(new Statustext(text.severity().number(), text.text(), 0, 0));
+        } else if (event instanceof FlightEvent.Ordered ordered) {
+            obey(ordered.order());
+        } else if (event instanceof FlightEvent.ItemReached reached) {
+            send(new MissionItemReached(reached.index()));
+            desk.reached(reached.index());
+        } else if (event instanceof FlightEvent.ItemStarted started) {
+            desk.started(started);
+            send(desk.build(MissionCurrent.ID, now));
+        }
+    }
+
+    private void obey(StoredMissionItem order) {
+        boolean onePicture = (order.command() == StoredMissionItem.DIGICAM_CONTROL && order.x() == 1)
+                || (order.command() == MavCmd.IMAGE_START_CAPTURE && order.param3() == 1);
+        if (onePicture) {
+            send(autopilot.takePicture());
+        } else if (order.command() == StoredMissionItem.SET_SERVO
+                && !autopilot.payload().setServo((int) order.param1(), (int) order.param2())) {
+            say(TextSeverity.INFO, "ServoRelayEvent: Channel " + (int) order.param1() + " is already in use");
+        }
+    }
+
+    public void receive(Frame frame) {
+        if (deaf || isSilent() || !signing.accepts(frame)) {
+            return;
+        }
+        if (frame.messageId() == SetupSigning.ID) {
+            setUpSigning(SetupSigning.decode(frame));
+            return;
+        }
+        if (frame.messageId() == Heartbeat.ID) {
+            autopilot.groundStationHeard(frame.systemId());
+            return;
+        }
+        if (desk.receive(frame, now)) {
+            reboot();
+        }
+    }
+
+    private void setUpSigning(SetupSigning setup) {
+        if (setup.targetSystem() != settings.systemId()) {
+            return;
+        }
+        if (craft.armed() && !autopilot.takesKeysWhenArmed()) {
+            say(TextSeverity.WARNING, "ERROR: Won't setup signing when armed");
+            return;
+        }
+        signing.setUp(setup);
+    }
+
+    /** Switches off and on again: parameters, mission and battery stay, everything else is found anew. */
+    public void reboot() {
+        Parameters kept = autopilot.parameters();
+        var items = autopilot.plan().items();
+        craft.setArmed(false);
+        craft.repair();
+        craft.navigation().restart();
+        bootedAt = now;
+        autopilot = makeAutopilot();
+        for (int i = 0; i < kept.size(); i++) {
+            autopilot.parameters().set(kept.at(i).name(), kept.at(i).value());
+        }
+        autopilot.plan().replaceAll(items);
+        autopilot.step(now, 0.001);
+        desk = new VehicleMessageHandler(autopilot, settings, bootedAt, this::send, this::hear);
+        silentUntil = now + REBOOT_MILLIS;
+        nextBeat = now + REBOOT_MILLIS;
+        bannerDue = true;
+        newAddressDue = true;
+    }
+
+    /** True once after a reboot: a new socket has a new port. */
+    public boolean takeNewAddress() {
+        boolean due = newAddressDue && !isSilent();
+        newAddressDue &= !due;
+        return due;
+    }
+
+    private boolean isSilent() {
+        return now < silentUntil;
+    }
+
+    public void silence(long millis) {
+        silentUntil = now + millis;
+    }
+
+    /** Hears no more of what the ground says, though it goes on talking. */
+    public void setDeaf(boolean on) {
+        deaf = on;
+    }
+
+    public void say(TextSeverity severity, String text) {
+        hear(new FlightEvent.Text(severity, text));
+    }
+
+    /** What it keeps otherwise than it was told; a reboot forgets it. */
+    public StorageFaults alterations() {
+        return desk.alterations();
+    }
+
+    public SimulatedAutopilot autopilot() {
+        return autopilot;
+    }
+
+    public VehicleSigning signing() {
+        return signing;
+    }
+
+    public SimulatedCraft craft() {
+        return craft;
+    }
+
+    public int systemId() {
+        return settings.systemId();
+    }
+
+    public String kindName() {
+        return kind.name();
+    }
+
+    public long nowMillis() {
+        return now;
+    }
+}

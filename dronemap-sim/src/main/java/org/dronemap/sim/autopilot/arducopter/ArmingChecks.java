@@ -1,0 +1,74 @@
+package org.dronemap.sim.autopilot.arducopter;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.sim.flight.FlightPlan;
+import org.dronemap.sim.flight.NavigationEstimator;
+import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedCraft;
+
+/** The arming checks of ArduCopter, in its own sentences without "Arm: " or "PreArm: ". */
+final class ArmingChecks {
+    private final SimulatedCraft craft;
+    private final Parameters parameters;
+    private final FlightPlan plan;
+    private final BatteryFailsafe battery;
+
+    ArmingChecks(SimulatedCraft craft, Parameters parameters, FlightPlan plan, BatteryFailsafe battery) {
+        this.craft = craft;
+        this.parameters = parameters;
+        this.plan = plan;
+        this.battery = battery;
+    }
+
+    /** What keeps it from arming in {@code mode}; empty when all is well. */
+    List<String> complaints(CopterMode mode) {
+        List<String> found = new ArrayList<>();
+        if (parameters.value("ARMING_CHECK") != 0) {
+            checkSensors(found);
+            checkPosition(mode, found);
+            checkBattery(found);
+        }
+        if (craft.crashed() || craft.motorFailed()) {
+            found.add("Motors: Check frame class and type");
+        }
+        if (mode == CopterMode.AUTO && plan.size() <= 1) {
+            found.add("Mode requires mission");
+        }
+        return found;
+    }
+
+    private void checkSensors(List<String> found) {
+        if (!craft.navigation().accelerometersSettled()) {
+            found.add("Accels inconsistent");
+        } else if (!craft.navigation().gyrosSettled()) {
+            found.add("Gyros inconsistent");
+        }
+    }
+
+    /** Until the sensors have settled a mode that flies without a position says nothing about it. */
+    private void checkPosition(CopterMode mode, List<String> found) {
+        NavigationEstimator navigation = craft.navigation();
+        if (!mode.needsPosition && !found.isEmpty()) {
+            return;
+        }
+        if (!navigation.hasFix()) {
+            found.add("GPS 1: Bad fix");
+        } else if (!navigation.hasOrigin()) {
+            found.add("AHRS: waiting for home");
+        } else if (!navigation.hasEstimate()) {
+            found.add("Need Position Estimate");
+        }
+    }
+
+    private void checkBattery(List<String> found) {
+        if (battery.volts() < parameters.value("BATT_CRT_VOLT")) {
+            found.add("Battery 1 critical voltage failsafe");
+        } else if (battery.volts() < parameters.value("BATT_LOW_VOLT") || battery.tripped()) {
+            found.add("Battery 1 low voltage failsafe");
+        }
+        if (battery.tripped()) {
+            found.add("Battery failsafe");
+        }
+    }
+}

@@ -1,0 +1,246 @@
+package org.dronemap.sim.autopilot.arducopter;
+
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
+import org.dronemap.sim.autopilot.CommandResult;
+import org.dronemap.sim.autopilot.MavCmd;
+import org.dronemap.sim.autopilot.MavCommand;
+import org.dronemap.sim.autopilot.TelemetryBuilder;
+import org.dronemap.sim.flight.CruiseSpeeds;
+import org.dronemap.sim.flight.GoTo;
+import org.dronemap.sim.flight.MovingTargetManoeuvre;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.TextSeverity;
+import org.dronemap.sim.flight.TurnOnSpot;
+import org.dronemap.sim.flight.VelocityManoeuvre;
+import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.sim.physics.NeuPosition;
+
+/** Executes MAV_CMDs and position targets as ArduCopter does. Each copy of an order is acted on. */
+final class CopterCommands {
+    private static final int IGNORE_POSITION = 7;
+    private static final int IGNORE_VELOCITY = 7 << 3;
+    private static final int IGNORE_YAW = 1 << 10;
+    private static final int IGNORE_YAW_RATE = 1 << 11;
+    private static final int FRAME_BODY = 8;
+    private static final int FRAME_BODY_OFFSET = 9;
+    private static final float FORCE_ARM = 2989;
+    private static final double QUICKEST_TURN = 60;
+
+    private final SimulatedArduCopter copter;
+    private final CopterFlight flight;
+    private final SimulatedCraft craft;
+    private final Consumer<Message> out;
+
+    CopterCommands(SimulatedArduCopter copter, CopterFlight flight, Consumer<Message> out) {
+        this.copter = copter;
+        this.flight = flight;
+        this.craft = copter.craft();
+        this.out = out;
+    }
+
+    CommandResult obey(MavCommand order) {
+        return switch (order.command()) {
+            case MavCmd.ARM_DISARM -> armOrDisarm(order);
+            case MavCmd.SET_MODE -> copter.setMode((int) order.param1(), (long) order.param2());
+            case MavCmd.TAKEOFF -> CommandResult.acceptedIf(takeOff(order));
+            case MavCmd.LAND -> CommandResult.acceptedIf(copter.change(CopterMode.LAND));
+            case MavCmd.RETURN_TO_LAUNCH -> CommandResult.acceptedIf(copter.change(CopterMode.RTL));
+            case MavCmd.LOITER_UNLIMITED -> CommandResult.acceptedIf(copter.change(CopterMode.LOITER));
+            case MavCmd.REPOSITION -> reposition(order);
+            case MavCmd.CONDITION_YAW -> turn(order);
+            case MavCmd.CHANGE_SPEED -> changeSpeed(order);
+            case MavCmd.PAUSE_CONTINUE -> pauseOrContinue(order);
+            case MavCmd.MISSION_START -> startMission(order);
+            case MavCmd.SET_MISSION_CURRENT -> CommandResult.acceptedIf(copter.setCurrentItem((int) order.param1()));
+            case MavCmd.SET_HOME -> setHome(order);
+            case MavCmd.IMAGE_START_CAPTURE -> picture(order.param3() == 1);
+            case MavCmd.DIGICAM_CONTROL -> picture(order.shoots());
+            case MavCmd.SET_RELAY -> copter.payload().setRelay((int) order.param1(), (int) order.param2());
+            case MavCmd.RUN_PREARM_CHECKS -> runChecks();
+            default -> CommandResult.UNSUPPORTED;
+        };
+    }
+
+    private CommandResult armOrDisarm(MavCommand order) {
+        if (order.param1() == 1) {
+            return copter.arm(order.param2() == FORCE_ARM);
+        }
+        if (order.param1() == 0) {
+            return copter.disarm(order.param2() == MavCmd.FORCE);
+        }
+        return CommandResult.UNSUPPORTED;
+    }
+
+    private boolean takeOff(MavCommand order) {
+        boolean canTakeOff = flight.mode() == CopterMode.GUIDED || flight.mode() == CopterMode.LOITER;
+        if (!canTakeOff || !craft.armed() || !craft.landed() || order.altitude() <= craft.aboveHome()) {
+            return false;
+        }
+        flight.takeOff(order.altitude());
+        return true;
+    }
+
+    private CommandResult reposition(MavCommand order) {
+        if (!order.withFrame()) {
+            return CommandResult.UNSUPPORTED;
+        }
+        boolean mayChangeMode = ((int) order.param2() & 1) != 0;
+        if (!order.isOnEarth() || (flight.mode() != CopterMode.GUIDED && !mayChangeMode)) {
+            return CommandResult.DENIED;
+        }
+        if (!copter.change(CopterMode.GUIDED)) {
+            return CommandResult.FAILED;
+        }
+        goTo(order.latitude(), order.longitude(), order.altitude(), order.isAmsl());
+        if (order.param1() > 0) {
+            flight.cruise().setHorizontal(order.param1());
+        }
+        return CommandResult.ACCEPTED;
+    }
+
+    private void goTo(double latitude, double longitude, double altitude, boolean amsl) {
+        double above = amsl ? altitude - craft.home().altitudeAmsl() : altitude;
+        goTo(craft.locate(latitude, longitude, above), Double.NaN);
+    }
+
+    private void goTo(NeuPosition target, double yaw) {
+        // On the ground only a take-off lifts it; a target is taken and not flown.
+        if (craft.armed() && !craft.landed()) {
+            flight.goTo(target, yaw);
+        }
+    }
+
+    private CommandResult turn(MavCommand order) {
+        if (craft.landed() || flight.mode() != CopterMode.GUIDED) {
+            return CommandResult.acceptedIf(craft.landed() || flight.mode() == CopterMode.AUTO);
+        }
+        double angle = Math.toRadians(order.param1());
+        flight.follow(
+                order.param4() == 0
+                        ? new GoTo(craft.body().stoppingPoint(), flight.cruise(), angle)
+                        : new TurnOnSpot(
+                                craft, flight.cruise(), order.param3() < 0 ? -angle : angle, rate(order.param2())));
+        return CommandResult.ACCEPTED;
+    }
+
+    /** Radians a second; 0 asks for as quick as it may. */
+    private static double rate(double degreesPerSecond) {
+        return Math.toRadians(degreesPerSecond > 0 ? Math.min(degreesPerSecond, QUICKEST_TURN) : QUICKEST_TURN);
+    }
+
+    private CommandResult picture(boolean single) {
+        if (!single) {
+            return CommandResult.FAILED;
+        }
+        out.accept(copter.takePicture());
+        return CommandResult.ACCEPTED;
+    }
+
+    private CommandResult changeSpeed(MavCommand order) {
+        if (!(order.param2() > 0)) {
+            return CommandResult.DENIED;
+        }
+        CruiseSpeeds cruise = flight.cruise();
+        switch ((int) order.param1()) {
+            case 0, 1 -> cruise.setHorizontal(order.param2());
+            case 2 -> cruise.setClimb(order.param2());
+            case 3 -> cruise.setSink(order.param2());
+            default -> {
+                return CommandResult.DENIED;
+            }
+        }
+        return CommandResult.ACCEPTED;
+    }
+
+    private CommandResult pauseOrContinue(MavCommand order) {
+        boolean pause = order.param1() == 0;
+        if (pause ? flight.pause() : flight.resume()) {
+            return CommandResult.ACCEPTED;
+        }
+        copter.say(TextSeverity.INFO, pause ? "Failed to pause" : "Failed to resume");
+        return CommandResult.FAILED;
+    }
+
+    private CommandResult startMission(MavCommand order) {
+        if (order.param1() != 0 || order.param2() != 0) {
+            return CommandResult.DENIED;
+        }
+        if (!copter.change(CopterMode.AUTO)) {
+            return CommandResult.FAILED;
+        }
+        flight.letAutoStart();
+        return CommandResult.ACCEPTED;
+    }
+
+    private CommandResult setHome(MavCommand order) {
+        if (order.param1() == 1) {
+            if (!craft.navigation().hasEstimate()) {
+                return CommandResult.FAILED;
+            }
+            craft.setHomeHere();
+        } else if (!order.isOnEarth()) {
+            return CommandResult.DENIED;
+        } else {
+            // A COMMAND_LONG has no frame: ArduPilot takes a home's altitude as AMSL.
+            boolean amsl = order.isAmsl() || !order.withFrame();
+            double altitude = amsl ? order.altitude() : craft.home().altitudeAmsl() + order.altitude();
+            craft.setHome(new LocalFrame(order.latitude(), order.longitude(), altitude));
+        }
+        sendHome();
+        return CommandResult.ACCEPTED;
+    }
+
+    private CommandResult runChecks() {
+        if (craft.armed()) {
+            return CommandResult.TEMPORARILY_REJECTED;
+        }
+        copter.tellComplaintsNow();
+        return CommandResult.ACCEPTED;
+    }
+
+    void sendHome() {
+        out.accept(TelemetryBuilder.home(craft));
+    }
+
+    void steer(SetPositionTargetGlobalInt target) {
+        if (flight.mode() != CopterMode.GUIDED || !craft.armed() || craft.landed()) {
+            return;
+        }
+        double yaw = (target.typeMask() & IGNORE_YAW) == 0 ? target.yaw() : Double.NaN;
+        if ((target.typeMask() & IGNORE_POSITION) == 0) {
+            boolean amsl = target.coordinateFrame() == 0 || target.coordinateFrame() == 5;
+            double above = amsl ? target.alt() - craft.home().altitudeAmsl() : target.alt();
+            NeuPosition place = craft.locate(target.latInt() / 1e7, target.lonInt() / 1e7, above);
+            if ((target.typeMask() & IGNORE_VELOCITY) == 0) {
+                flight.pursue(new MovingTargetManoeuvre.Moving(place, target.vx(), target.vy(), -target.vz()), yaw);
+            } else {
+                goTo(place, yaw);
+            }
+        } else if ((target.typeMask() & IGNORE_VELOCITY) == 0) {
+            drive(new VelocityManoeuvre.Wanted(false, target.vx(), target.vy(), -target.vz(), yaw, 0));
+        }
+    }
+
+    /** Speeds in the frames 1 and 7 count from north, in 8 and 9 from its nose. */
+    void steer(SetPositionTargetLocalNed target) {
+        boolean speeds =
+                (target.typeMask() & IGNORE_POSITION) == IGNORE_POSITION && (target.typeMask() & IGNORE_VELOCITY) == 0;
+        if (flight.mode() != CopterMode.GUIDED || !craft.armed() || craft.landed() || !speeds) {
+            return;
+        }
+        drive(new VelocityManoeuvre.Wanted(
+                target.coordinateFrame() == FRAME_BODY || target.coordinateFrame() == FRAME_BODY_OFFSET,
+                target.vx(),
+                target.vy(),
+                -target.vz(),
+                (target.typeMask() & IGNORE_YAW) == 0 ? target.yaw() : Double.NaN,
+                (target.typeMask() & IGNORE_YAW_RATE) == 0 ? target.yawRate() : 0));
+    }
+
+    private void drive(VelocityManoeuvre.Wanted wanted) {
+        flight.follow(new VelocityManoeuvre(wanted, flight.cruise()));
+    }
+}

@@ -1,0 +1,141 @@
+package org.dronemap.sim.autopilot.arducopter;
+
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.TextSeverity;
+
+/** The fail-safes of ArduCopter for the loss of battery, ground station, GPS or a motor. */
+final class CopterFailsafes {
+    private static final int CONTINUE_AUTO_WITHOUT_GCS = 2;
+    private static final int CONTINUE_LANDING = 8;
+    private static final int CONTINUE_PILOTED_WITHOUT_GCS = 16;
+    private static final long THRUST_LOSS_MILLIS = 5_000;
+
+    private final SimulatedArduCopter copter;
+    private final SimulatedCraft craft;
+    private final BatteryFailsafe battery;
+    private long groundStationHeardAt = -1;
+    private boolean groundStationLost;
+    private boolean positionLost;
+    private boolean hadPosition;
+    private long motorFailedAt = -1;
+    private boolean thrustLossTold;
+
+    CopterFailsafes(SimulatedArduCopter copter, BatteryFailsafe battery) {
+        this.copter = copter;
+        this.craft = copter.craft();
+        this.battery = battery;
+    }
+
+    boolean any() {
+        return battery.tripped() || groundStationLost || positionLost;
+    }
+
+    void groundStationHeard(long nowMillis) {
+        groundStationHeardAt = nowMillis;
+    }
+
+    void check(long nowMillis) {
+        checkBattery(nowMillis);
+        checkGroundStation(nowMillis);
+        checkPosition();
+        checkMotors(nowMillis);
+    }
+
+    private void checkBattery(long nowMillis) {
+        if (!craft.armed()
+                && battery.tripped()
+                && battery.volts() > copter.parameters().value("BATT_LOW_VOLT") + 0.3) {
+            battery.reset();
+        }
+        BatteryFailsafe.Trip trip = battery.check(nowMillis);
+        if (trip == null) {
+            return;
+        }
+        copter.say(TextSeverity.WARNING, trip.text());
+        if (!craft.armed()) {
+            return;
+        }
+        copter.say(TextSeverity.WARNING, "Battery Failsafe");
+        act(trip.action());
+    }
+
+    /** 0 nothing, 1 land, 5 stop the motors, all others come back or else land. */
+    private void act(int action) {
+        if (action == 0) {
+            return;
+        }
+        if (craft.landed() || action == 5) {
+            copter.disarm(true);
+        } else if (action == 1 || !craft.navigation().hasEstimate()) {
+            copter.change(CopterMode.LAND);
+        } else {
+            copter.change(CopterMode.RTL);
+        }
+    }
+
+    private void checkGroundStation(long nowMillis) {
+        int action = (int) copter.parameters().value("FS_GCS_ENABLE");
+        if (action == 0 || groundStationHeardAt < 0) {
+            groundStationLost = false;
+            return;
+        }
+        long timeout = (long) (copter.parameters().value("FS_GCS_TIMEOUT") * 1000);
+        boolean lost = nowMillis - groundStationHeardAt >= timeout;
+        if (lost && !groundStationLost) {
+            groundStationLost = true;
+            groundStationFailed(action);
+        } else if (!lost && groundStationLost) {
+            groundStationLost = false;
+            copter.say(TextSeverity.WARNING, "GCS Failsafe Cleared");
+        }
+    }
+
+    private void groundStationFailed(int action) {
+        if (!craft.armed()) {
+            return;
+        }
+        int options = (int) copter.parameters().value("FS_OPTIONS");
+        CopterMode mode = copter.flight().mode();
+        if (mode == CopterMode.AUTO && (options & CONTINUE_AUTO_WITHOUT_GCS) != 0) {
+            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Auto Mode");
+        } else if (mode == CopterMode.LAND && (options & CONTINUE_LANDING) != 0) {
+            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Landing");
+        } else if (mode.followsStick() && (options & CONTINUE_PILOTED_WITHOUT_GCS) != 0) {
+            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Pilot Control");
+        } else {
+            copter.say(TextSeverity.WARNING, "GCS Failsafe");
+            act(action == 5 ? 1 : 2);
+        }
+    }
+
+    private void checkPosition() {
+        boolean has = craft.navigation().hasEstimate();
+        hadPosition |= has;
+        if (hadPosition && !has && !positionLost) {
+            positionLost = true;
+            if (craft.armed() && copter.flight().mode().needsPosition) {
+                copter.say(TextSeverity.CRITICAL, "EKF variance");
+                copter.change(CopterMode.LAND);
+                copter.say(TextSeverity.CRITICAL, "EKF Failsafe: changed to LAND Mode");
+            }
+        } else if (has && positionLost) {
+            positionLost = false;
+            copter.say(TextSeverity.CRITICAL, "EKF Failsafe Cleared");
+        }
+    }
+
+    private void checkMotors(long nowMillis) {
+        if (!craft.motorFailed() || !craft.armed()) {
+            motorFailedAt = -1;
+            thrustLossTold = false;
+            return;
+        }
+        if (motorFailedAt < 0) {
+            motorFailedAt = nowMillis;
+        }
+        if (!thrustLossTold && nowMillis - motorFailedAt >= THRUST_LOSS_MILLIS) {
+            thrustLossTold = true;
+            copter.say(TextSeverity.EMERGENCY, "Potential Thrust Loss (1)");
+        }
+    }
+}

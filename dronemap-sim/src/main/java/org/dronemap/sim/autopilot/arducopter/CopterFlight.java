@@ -1,0 +1,311 @@
+package org.dronemap.sim.autopilot.arducopter;
+
+import java.util.function.Consumer;
+import org.dronemap.sim.flight.CruiseSpeeds;
+import org.dronemap.sim.flight.FlightEvent;
+import org.dronemap.sim.flight.FlightPlan;
+import org.dronemap.sim.flight.GoTo;
+import org.dronemap.sim.flight.Grounded;
+import org.dronemap.sim.flight.Hover;
+import org.dronemap.sim.flight.Landing;
+import org.dronemap.sim.flight.Manoeuvre;
+import org.dronemap.sim.flight.MissionFlight;
+import org.dronemap.sim.flight.MovingTargetManoeuvre;
+import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.ReturnHome;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.TakeOff;
+import org.dronemap.sim.flight.VelocityManoeuvre;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
+import org.jspecify.annotations.Nullable;
+
+/** The mode that an ArduCopter is in and what it flies because of it. */
+final class CopterFlight {
+    private static final int STICK_MID = 1500;
+    private static final int STICK_LOW = 1100;
+    private static final VelocityManoeuvre.Wanted STANDING = new VelocityManoeuvre.Wanted(true, 0, 0, 0, Double.NaN, 0);
+
+    private final SimulatedCraft craft;
+    private final FlightPlan plan;
+    private final Parameters parameters;
+    private final Consumer<FlightEvent> events;
+    private final CruiseSpeeds cruise = new CruiseSpeeds(10, 2.5, 1.5, 0.5);
+    private CopterMode mode = CopterMode.STABILIZE;
+    private Manoeuvre manoeuvre = new Grounded();
+    private @Nullable MissionFlight mission;
+    private @Nullable Manoeuvre paused;
+    private int resumeItem;
+    private boolean completed;
+    private boolean autoStarted;
+    private int stick = STICK_MID;
+    private final ManualControlInput joystick;
+    private boolean byHand;
+
+    CopterFlight(SimulatedCraft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
+        this.craft = craft;
+        this.plan = plan;
+        this.parameters = parameters;
+        this.events = events;
+        this.joystick = new ManualControlInput(parameters);
+        readSpeeds();
+    }
+
+    void readSpeeds() {
+        cruise.set(
+                parameters.value("WPNAV_SPEED") / 100,
+                parameters.value("WPNAV_SPEED_UP") / 100,
+                parameters.value("WPNAV_SPEED_DN") / 100,
+                parameters.value("LAND_SPEED") / 100);
+    }
+
+    MotionSetpoint fly(long nowMillis) {
+        if (mode == CopterMode.AUTO && craft.landed() && !autoStarted) {
+            return new MotionSetpoint.Still();
+        }
+        if (isFlownByHand(nowMillis)) {
+            return byHand(nowMillis);
+        }
+        if (!isHeldDown()) {
+            return manoeuvre.fly(craft, nowMillis);
+        }
+        if (manoeuvre instanceof TakeOff && craft.body().onGround()) {
+            // The motors spool up, but the pilot does not let it climb.
+            manoeuvre.fly(craft, nowMillis);
+            return new MotionSetpoint.Still();
+        }
+        return craft.landed() ? manoeuvre.fly(craft, nowMillis) : sink();
+    }
+
+    private boolean isFlownByHand(long nowMillis) {
+        boolean held = mode.followsStick() && !craft.landed() && joystick.isHeld(nowMillis);
+        if (byHand && !held && mode.followsStick()) {
+            // It stays where the hands left it.
+            manoeuvre = new Hover(craft, cruise);
+        }
+        byHand = held;
+        return held;
+    }
+
+    private MotionSetpoint byHand(long nowMillis) {
+        VelocityManoeuvre.Wanted wanted = joystick.wanted(nowMillis);
+        return new VelocityManoeuvre(wanted == null ? STANDING : wanted, cruise).fly(craft, nowMillis);
+    }
+
+    private boolean isHeldDown() {
+        return mode.followsStick() && stick < STICK_LOW;
+    }
+
+    /** The throttle stick at its bottom means "down" in every mode that a pilot flies. */
+    private MotionSetpoint sink() {
+        double speed = mode == CopterMode.STABILIZE ? 8 : parameters.value("PILOT_SPEED_DN") / 100;
+        return new MotionSetpoint.Velocity(
+                0, 0, -Math.min(speed, Math.max(0.5, craft.body().up() / 2)), Double.NaN);
+    }
+
+    void enter(CopterMode next) {
+        if (mode == CopterMode.AUTO && mission != null) {
+            resumeItem = mission.ended() ? 0 : mission.index();
+            mission = null;
+        }
+        mode = next;
+        paused = null;
+        readSpeeds();
+        manoeuvre = switch (next) {
+            case AUTO -> startMission();
+            case RTL -> returnHome();
+            case LAND -> new Landing(craft, cruise);
+            default -> craft.landed() ? new Grounded() : new Hover(craft, cruise);
+        };
+        if (next == CopterMode.AUTO && !craft.landed()) {
+            autoStarted = true;
+        }
+    }
+
+    private Manoeuvre startMission() {
+        if (!craft.armed() || plan.size() <= 1) {
+            return new Grounded();
+        }
+        completed = false;
+        mission = new MissionFlight(plan, cruise, returnHeight(), Math.max(1, resumeItem), this::hear);
+        return mission;
+    }
+
+    private void hear(FlightEvent event) {
+        if (event instanceof FlightEvent.MissionEnded) {
+            completed = true;
+        }
+        events.accept(event);
+    }
+
+    private Manoeuvre returnHome() {
+        return craft.landed()
+                ? new Landing(craft, cruise)
+                : new ReturnHome(craft, cruise, returnHeight(), (long) parameters.value("RTL_LOIT_TIME"));
+    }
+
+    /** Within the cone above home it does not climb first. */
+    private double returnHeight() {
+        double away = craft.body().position().horizontalDistanceTo(craft.homePosition());
+        double cone = parameters.value("RTL_CONE_SLOPE") > 0 ? away * parameters.value("RTL_CONE_SLOPE") : 1e6;
+        return Math.min(parameters.value("RTL_ALT") / 100, Math.max(2, cone));
+    }
+
+    /** MISSION_START: what a pilot does by raising the throttle; a mission that was over goes on from the item set since. */
+    void letAutoStart() {
+        autoStarted = craft.armed();
+        if (mission == null) {
+            manoeuvre = startMission();
+        }
+    }
+
+    void armed() {
+        autoStarted = false;
+        if (mode == CopterMode.AUTO) {
+            manoeuvre = startMission();
+        } else {
+            manoeuvre = new Grounded();
+        }
+    }
+
+    void disarmed() {
+        manoeuvre = new Grounded();
+        mission = null;
+        paused = null;
+        resumeItem = 0;
+        autoStarted = false;
+    }
+
+    void takeOff(double metersAboveHome) {
+        manoeuvre = new TakeOff(craft, metersAboveHome + craft.homePosition().up(), cruise);
+    }
+
+    void goTo(NeuPosition target, double yaw) {
+        steerByPosition();
+        manoeuvre = new GoTo(target, cruise, yaw);
+    }
+
+    /** Follows a place that moves. */
+    void pursue(MovingTargetManoeuvre.Moving place, double yaw) {
+        steerByPosition();
+        manoeuvre = new MovingTargetManoeuvre(place, cruise, yaw);
+    }
+
+    /** It begins with the speeds of the parameters: what was asked for during the take-off is lost. */
+    private void steerByPosition() {
+        if (manoeuvre instanceof TakeOff) {
+            readSpeeds();
+        }
+    }
+
+    void follow(Manoeuvre other) {
+        manoeuvre = other;
+    }
+
+    boolean pause() {
+        if (craft.landed() || (mode != CopterMode.AUTO && mode != CopterMode.GUIDED)) {
+            return false;
+        }
+        if (paused == null) {
+            paused = manoeuvre;
+            manoeuvre = new Hover(craft, cruise);
+        }
+        return true;
+    }
+
+    boolean resume() {
+        if (mode != CopterMode.AUTO && mode != CopterMode.GUIDED) {
+            return false;
+        }
+        if (paused != null) {
+            manoeuvre = paused;
+            paused = null;
+        }
+        return true;
+    }
+
+    boolean setCurrentItem(int index) {
+        if (index < 0 || index >= plan.size()) {
+            return false;
+        }
+        completed = false;
+        if (mission != null && !mission.ended()) {
+            mission.jumpTo(Math.max(1, index));
+        } else {
+            resumeItem = index;
+            mission = null;
+        }
+        return true;
+    }
+
+    void missionChanged() {
+        completed = false;
+        if (mission == null) {
+            resumeItem = 0;
+        }
+    }
+
+    boolean startsWithTakeOff() {
+        int first = Math.max(1, resumeItem);
+        return first < plan.size() && plan.item(first).command() == StoredMissionItem.TAKEOFF;
+    }
+
+    boolean takingOff() {
+        boolean climbing = manoeuvre instanceof TakeOff takeOff && !takeOff.done() && !isHeldDown();
+        return climbing || (mission != null && autoStarted && !mission.ended() && isTakeOff(mission.index()));
+    }
+
+    private boolean isTakeOff(int index) {
+        return index < plan.size() && plan.item(index).command() == StoredMissionItem.TAKEOFF;
+    }
+
+    boolean landing() {
+        return manoeuvre instanceof Landing
+                || (manoeuvre instanceof ReturnHome home && home.landing())
+                || (mission != null && mission.landing());
+    }
+
+    /** Stands after a landing of its own. */
+    boolean hasLanded() {
+        boolean landed = manoeuvre instanceof Landing || manoeuvre instanceof ReturnHome;
+        return (landed && manoeuvre.done()) || (mission != null && mission.ended() && craft.landed());
+    }
+
+    int currentItem() {
+        if (completed && craft.landed()) {
+            return 0;
+        }
+        return mission == null ? resumeItem : Math.min(mission.index(), Math.max(0, plan.size() - 1));
+    }
+
+    int missionState() {
+        if (plan.size() <= 1) {
+            return 1;
+        }
+        if (completed) {
+            return 5;
+        }
+        if (mission == null) {
+            return 2;
+        }
+        return paused != null ? 4 : 3;
+    }
+
+    CruiseSpeeds cruise() {
+        return cruise;
+    }
+
+    CopterMode mode() {
+        return mode;
+    }
+
+    /** What a ground station's sticks say. */
+    ManualControlInput joystick() {
+        return joystick;
+    }
+
+    void setStick(int throttle) {
+        stick = throttle;
+    }
+}

@@ -1,0 +1,43 @@
+package org.dronemap.sim.autopilot.arducopter;
+
+import org.jspecify.annotations.Nullable;
+
+/** ArduCopter's flight modes with their custom_mode numbers. */
+enum CopterMode {
+    STABILIZE(0, false, false, true),
+    ALT_HOLD(2, false, false, true),
+    AUTO(3, true, true, false),
+    GUIDED(4, true, true, true),
+    LOITER(5, true, true, true),
+    RTL(6, true, true, false),
+    CIRCLE(7, true, true, false),
+    LAND(9, false, false, false),
+    POSHOLD(16, true, true, true),
+    BRAKE(17, true, true, false);
+
+    final int number;
+    final boolean needsPosition;
+    final boolean guidedFlag;
+    final boolean armable;
+
+    CopterMode(int number, boolean needsPosition, boolean guidedFlag, boolean armable) {
+        this.number = number;
+        this.needsPosition = needsPosition;
+        this.guidedFlag = guidedFlag;
+        this.armable = armable;
+    }
+
+    static @Nullable CopterMode of(long number) {
+        for (CopterMode mode : values()) {
+            if (mode.number == number) {
+                return mode;
+            }
+        }
+        return null;
+    }
+
+    /** A pilot's throttle stick decides about the height. */
+    boolean followsStick() {
+        return this == STABILIZE || this == ALT_HOLD || this == LOITER || this == POSHOLD || this == CIRCLE;
+    }
+}

@@ -1,0 +1,50 @@
+package org.dronemap.sim.autopilot.arducopter;
+
+import static org.dronemap.sim.flight.Parameters.INT16;
+import static org.dronemap.sim.flight.Parameters.INT32;
+import static org.dronemap.sim.flight.Parameters.INT8;
+import static org.dronemap.sim.flight.Parameters.REAL32;
+
+import org.dronemap.sim.flight.Parameters;
+
+/** The parameters of ArduCopter that the simulated one heeds, with ArduCopter's defaults. */
+final class CopterParameters {
+    private CopterParameters() {}
+
+    static Parameters defaults(int systemId, double batteryMilliampHours) {
+        return new Parameters()
+                .add("SYSID_THISMAV", INT16, systemId)
+                .add("SYSID_MYGCS", INT16, 255)
+                .add("FS_GCS_ENABLE", INT8, 0)
+                .add("FS_GCS_TIMEOUT", REAL32, 5)
+                .add("FS_OPTIONS", INT32, 16)
+                .add("FS_EKF_ACTION", INT8, 1)
+                .add("BATT_MONITOR", INT8, 4)
+                .add("BATT_CAPACITY", INT32, batteryMilliampHours)
+                .add("BATT_LOW_TIMER", INT8, 10)
+                .add("BATT_LOW_VOLT", REAL32, 10.5)
+                .add("BATT_LOW_MAH", REAL32, 0)
+                .add("BATT_CRT_VOLT", REAL32, 0)
+                .add("BATT_CRT_MAH", REAL32, 0)
+                .add("BATT_FS_LOW_ACT", INT8, 0)
+                .add("BATT_FS_CRT_ACT", INT8, 0)
+                .add("ARMING_CHECK", INT32, 1)
+                .add("DISARM_DELAY", INT8, 10)
+                .add("RTL_ALT", INT32, 1500)
+                .add("RTL_CONE_SLOPE", REAL32, 3)
+                .add("RTL_LOIT_TIME", INT32, 5000)
+                .add("WPNAV_SPEED", REAL32, 1000)
+                .add("WPNAV_SPEED_UP", REAL32, 250)
+                .add("WPNAV_SPEED_DN", REAL32, 150)
+                .add("LAND_SPEED", INT16, 50)
+                .add("PILOT_SPEED_DN", INT16, 250)
+                .add("PILOT_SPEED_UP", INT16, 250)
+                .add("PILOT_Y_RATE", REAL32, 202.5)
+                .add("LOIT_SPEED", REAL32, 1250)
+                .add("MNT1_TYPE", INT8, 0)
+                .add("SIM_BATT_VOLTAGE", REAL32, 0)
+                .add("SIM_GPS_DISABLE", INT8, 0)
+                .add("SIM_ENGINE_MUL", REAL32, 1)
+                .add("SIM_ENGINE_FAIL", INT8, 0);
+    }
+}

@@ -1,0 +1,143 @@
+package org.dronemap.sim.autopilot.px4;
+
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Message;
+import org.dronemap.sim.autopilot.CommandResult;
+import org.dronemap.sim.autopilot.MavCmd;
+import org.dronemap.sim.autopilot.MavCommand;
+import org.dronemap.sim.autopilot.TelemetryBuilder;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.TextSeverity;
+import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.sim.physics.NeuPosition;
+
+/** Executes MAV_CMDs as PX4 does: take-off and go-to by modes of their own, altitudes AMSL. */
+final class Px4Commands {
+    private final SimulatedPx4 px4;
+    private final Px4Flight flight;
+    private final SimulatedCraft craft;
+    private final Consumer<Message> out;
+
+    Px4Commands(SimulatedPx4 px4, Px4Flight flight, Consumer<Message> out) {
+        this.px4 = px4;
+        this.flight = flight;
+        this.craft = px4.craft();
+        this.out = out;
+    }
+
+    CommandResult obey(MavCommand order) {
+        return switch (order.command()) {
+            case MavCmd.ARM_DISARM -> armOrDisarm(order);
+            case MavCmd.SET_MODE -> px4.setMode((int) order.param1(), (int) order.param2(), (int) order.param3());
+            case MavCmd.TAKEOFF -> takeOff(order);
+            case MavCmd.LAND -> px4.changed(Px4Mode.LAND);
+            case MavCmd.RETURN_TO_LAUNCH -> px4.changed(Px4Mode.RETURN);
+            case MavCmd.LOITER_UNLIMITED -> px4.changed(Px4Mode.HOLD);
+            case MavCmd.REPOSITION -> reposition(order);
+            case MavCmd.CHANGE_SPEED -> changeSpeed(order);
+            case MavCmd.PAUSE_CONTINUE -> pauseOrContinue(order);
+            case MavCmd.MISSION_START -> startMission(order);
+            case MavCmd.SET_MISSION_CURRENT -> CommandResult.acceptedIf(px4.setCurrentItem((int) order.param1()));
+            case MavCmd.SET_HOME -> setHome(order);
+            case MavCmd.DIGICAM_CONTROL -> picture(order.shoots());
+            case MavCmd.RUN_PREARM_CHECKS -> CommandResult.ACCEPTED;
+            default -> CommandResult.UNSUPPORTED;
+        };
+    }
+
+    private CommandResult armOrDisarm(MavCommand order) {
+        if (order.param1() == 1) {
+            return px4.arm(order.param2() == MavCmd.FORCE);
+        }
+        return order.param1() == 0 ? px4.disarm(order.param2() == MavCmd.FORCE) : CommandResult.UNSUPPORTED;
+    }
+
+    private CommandResult takeOff(MavCommand order) {
+        double above = order.altitude() - craft.home().altitudeAmsl();
+        if (!Double.isNaN(above) && above <= craft.aboveHome()) {
+            px4.say(TextSeverity.CRITICAL, "Already higher than takeoff altitude");
+            return CommandResult.DENIED;
+        }
+        flight.setTakeOffHeight(above);
+        return px4.changed(Px4Mode.TAKEOFF);
+    }
+
+    private CommandResult reposition(MavCommand order) {
+        boolean mayChangeMode = ((int) order.param2() & 1) != 0;
+        if (!mayChangeMode && flight.mode() != Px4Mode.HOLD) {
+            return CommandResult.UNSUPPORTED;
+        }
+        if (!order.isOnEarth()) {
+            return CommandResult.DENIED;
+        }
+        if (!px4.change(Px4Mode.HOLD)) {
+            return CommandResult.TEMPORARILY_REJECTED;
+        }
+        if (order.param1() > 0) {
+            flight.cruise().setHorizontal(order.param1());
+        }
+        if (craft.armed() && !craft.landed()) {
+            // A COMMAND_LONG has no frame: PX4 takes its altitude as AMSL.
+            boolean amsl = order.isAmsl() || !order.withFrame();
+            double above = amsl ? order.altitude() - craft.home().altitudeAmsl() : order.altitude();
+            double height = Double.isNaN(above) ? craft.aboveHome() : above;
+            NeuPosition target = craft.locate(order.latitude(), order.longitude(), height);
+            flight.goTo(target, order.param4());
+        }
+        return CommandResult.ACCEPTED;
+    }
+
+    private CommandResult changeSpeed(MavCommand order) {
+        if (!(order.param2() > 0) || order.param1() > 1) {
+            return CommandResult.DENIED;
+        }
+        flight.cruise().setHorizontal(order.param2());
+        return CommandResult.ACCEPTED;
+    }
+
+    private CommandResult pauseOrContinue(MavCommand order) {
+        return px4.changed(order.param1() == 0 ? Px4Mode.HOLD : Px4Mode.MISSION);
+    }
+
+    private CommandResult startMission(MavCommand order) {
+        if (px4.plan().size() == 0) {
+            px4.say(TextSeverity.CRITICAL, "Mission start denied! No valid mission");
+            return CommandResult.DENIED;
+        }
+        if (order.param1() > 0) {
+            px4.setCurrentItem((int) order.param1());
+        }
+        if (!px4.change(Px4Mode.MISSION)) {
+            return CommandResult.TEMPORARILY_REJECTED;
+        }
+        return px4.arm(false);
+    }
+
+    /** Altitudes are AMSL whatever frame is named. */
+    private CommandResult setHome(MavCommand order) {
+        if (order.param1() > 0.5) {
+            if (!craft.navigation().hasEstimate()) {
+                return CommandResult.TEMPORARILY_REJECTED;
+            }
+            craft.setHomeHere();
+        } else if (order.isOnEarth() && Float.isFinite(order.altitude())) {
+            craft.setHome(new LocalFrame(order.latitude(), order.longitude(), order.altitude()));
+        } else {
+            return CommandResult.DENIED;
+        }
+        sendHome();
+        return CommandResult.ACCEPTED;
+    }
+
+    private CommandResult picture(boolean single) {
+        if (!single) {
+            return CommandResult.DENIED;
+        }
+        out.accept(px4.takePicture());
+        return CommandResult.ACCEPTED;
+    }
+
+    void sendHome() {
+        out.accept(TelemetryBuilder.home(craft));
+    }
+}

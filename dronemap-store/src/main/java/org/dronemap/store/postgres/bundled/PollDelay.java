@@ -1,0 +1,18 @@
+package org.dronemap.store.postgres.bundled;
+
+import java.time.Duration;
+import org.dronemap.store.StoreException;
+
+/** A wait between two looks at a process that tells nobody when it is ready. */
+final class PollDelay {
+    private PollDelay() {}
+
+    static void of(Duration duration) {
+        try {
+            Thread.sleep(duration.toMillis());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new StoreException("Interrupted while waiting for the database.", e);
+        }
+    }
+}

@@ -1,3 +1,0 @@
-/** Tests of the page for phones. */
-@org.jspecify.annotations.NullMarked
-package org.dronemap.ws.door;

@@ -1,4 +1,0 @@
-package org.dronemap.ws.house;
-
-/** A user of an organisation, and a key of theirs. */
-public record OrganisationMember(String name, String key, TestHttpClient http) {}

@@ -1,5 +1,0 @@
-/** What the rules of the house forbid, planted to see that they find it. */
-@NullMarked
-package org.dronemap.ws.planted;
-
-import org.jspecify.annotations.NullMarked;
