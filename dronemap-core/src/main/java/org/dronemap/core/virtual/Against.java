@@ -3,7 +3,7 @@ package org.dronemap.core.virtual;
 import org.dronemap.core.command.Refusal;
 
 /**
- * What speaks against a drone that could serve.
+ * Reason why a drone cannot serve, with its code.
  *
  * @param code a word for programs: of {@link UnfitCode}, or of what a command would be refused for
  * @param sentence for people

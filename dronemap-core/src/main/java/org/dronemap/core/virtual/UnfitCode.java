@@ -3,8 +3,8 @@ package org.dronemap.core.virtual;
 import org.dronemap.core.command.Refusal;
 
 /**
- * Why a drone cannot serve, as a word for programs that never changes. What the gate says, and who has control, is told by its
- * own code ({@link Refusal#code}). What stands in the way of a request, too, has the same word there.
+ * Codes for programs of why a drone cannot serve; they never change. What the gate says, and who has control, is told
+ * by its own code ({@link Refusal#code}). What stands in the way of a request, too, has the same word there.
  */
 public enum UnfitCode {
     CONTACT_NOT_GOOD(

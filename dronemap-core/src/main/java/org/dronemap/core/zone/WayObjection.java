@@ -1,7 +1,7 @@
 package org.dronemap.core.zone;
 
 /**
- * What speaks against a way that a command takes a drone.
+ * Objection to a way that a command takes a drone.
  *
  * @param kind what of it is known
  * @param sentence names the leg, the zone and a distance, or what is not known

@@ -29,7 +29,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** What was done by whom. */
+/** Handles searches in the record of calls. */
 @RestController
 @RequestMapping("/api/v1/audit")
 @Tag(

@@ -21,7 +21,7 @@ import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Who commands a drone. */
+/** Handles taking, requesting, handing over and releasing the control of a drone. */
 @RestController
 @RequestMapping("/api/v1/drones/{id}/control")
 @Tag(

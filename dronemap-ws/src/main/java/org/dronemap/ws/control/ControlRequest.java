@@ -8,7 +8,7 @@ import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
-/** What a client does about the control of a drone; one record for each, with what goes with it. Nothing is checked yet. */
+/** Request about the control of a drone; one record for each action, with what goes with it. Nothing is checked yet. */
 public sealed interface ControlRequest {
     int LONGEST_REASON = 200;
 

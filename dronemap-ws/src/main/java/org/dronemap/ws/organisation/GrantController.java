@@ -22,7 +22,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Who may do what with which drones. */
+/** Handles grants of drones to users and groups. */
 @RestController
 @RequestMapping("/api/v1")
 @Tag(

@@ -14,7 +14,7 @@ import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** What a plan is to be good at, as a client writes it; one record for each kind. */
+/** Objective of a plan as a client writes it; one record for each kind. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "kind")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({

@@ -9,7 +9,7 @@ import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** What a client of the stream does about who has control of a drone; one record for each action, as REST has a body for each. */
+/** Request on the stream about the control of a drone; one record for each action. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "action")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({

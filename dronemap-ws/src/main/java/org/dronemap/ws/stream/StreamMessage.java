@@ -22,7 +22,7 @@ import org.dronemap.ws.zone.ZoneFeature;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** What the server says on the stream. */
+/** Messages that the server sends on the stream. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({

@@ -23,7 +23,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** What users hold instead of a drone. */
+/** Handles virtual drones: making, changing, starting and ending their missions. */
 @RestController
 @RequestMapping("/api/v1/virtual-drones")
 @Tag(
