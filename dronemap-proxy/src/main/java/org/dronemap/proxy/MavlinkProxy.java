@@ -3,7 +3,7 @@ package org.dronemap.proxy;
 import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.lane.Lanes;
 import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointRegistry;

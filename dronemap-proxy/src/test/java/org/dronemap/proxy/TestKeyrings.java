@@ -6,7 +6,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.StoreWriter;
+import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.time.RealTime;

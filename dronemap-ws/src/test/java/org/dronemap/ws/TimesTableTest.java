@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.safety.SafetyTimes;
 import org.junit.jupiter.api.Test;

@@ -1,5 +1,6 @@
 package org.dronemap.core.cloud;
 
+import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.event.DroneEvent;

@@ -3,6 +3,8 @@ package org.dronemap.core.cloud;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import org.dronemap.core.cloud.lane.StoreWriter;
+import org.dronemap.core.cloud.rule.ControlRules;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;

@@ -6,6 +6,7 @@ import java.util.function.Function;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditStore;
+import org.dronemap.core.cloud.listener.CloudListener;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.ControlState;

@@ -8,6 +8,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.audit.AuditedCall;
+import org.dronemap.core.cloud.lane.StoreWriter;
+import org.dronemap.core.cloud.rule.ControlRules;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;

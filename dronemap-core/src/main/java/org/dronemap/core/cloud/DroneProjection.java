@@ -6,6 +6,8 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Optional;
+import org.dronemap.core.cloud.rule.GroundElevation;
+import org.dronemap.core.cloud.rule.MissionTracker;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities;

@@ -2,6 +2,8 @@ package org.dronemap.core.cloud;
 
 import java.util.EnumSet;
 import java.util.Set;
+import org.dronemap.core.cloud.rule.CommandRules;
+import org.dronemap.core.cloud.rule.FlightFacts;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;

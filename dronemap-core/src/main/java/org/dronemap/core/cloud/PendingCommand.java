@@ -2,6 +2,7 @@ package org.dronemap.core.cloud;
 
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.rule.CommandTracker;
 import org.dronemap.core.command.CommandRecord;
 
 /** A command on its way, with the promise of its outcome, and what stands between it and the wire. */

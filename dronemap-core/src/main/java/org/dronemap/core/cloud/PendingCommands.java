@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
+import org.dronemap.core.cloud.rule.RecentModeCommands;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.Contention;

@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.dronemap.core.cloud.rule.CommandTracker;
+import org.dronemap.core.cloud.rule.KnownLandingSites;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;

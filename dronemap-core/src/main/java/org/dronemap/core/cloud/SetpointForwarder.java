@@ -2,6 +2,9 @@ package org.dronemap.core.cloud;
 
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicReference;
+import org.dronemap.core.cloud.lane.Lane;
+import org.dronemap.core.cloud.lane.StoreWriter;
+import org.dronemap.core.cloud.listener.CloudListener;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;

@@ -2,6 +2,8 @@ package org.dronemap.core.cloud;
 
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.rule.CommandRules;
+import org.dronemap.core.cloud.rule.RoleRules;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;

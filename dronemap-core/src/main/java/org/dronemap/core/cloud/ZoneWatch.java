@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.core.cloud.listener.CloudListener;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;

@@ -8,6 +8,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditedCall;
+import org.dronemap.core.cloud.lane.Watchdog;
+import org.dronemap.core.cloud.listener.CloudListener;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;

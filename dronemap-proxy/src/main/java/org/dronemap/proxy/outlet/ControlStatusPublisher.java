@@ -2,8 +2,8 @@ package org.dronemap.proxy.outlet;
 
 import java.util.List;
 import java.util.Map;
-import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.listener.CloudListener;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.ControlState;

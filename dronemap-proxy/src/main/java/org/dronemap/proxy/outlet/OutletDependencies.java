@@ -2,7 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import org.dronemap.core.access.OutletStore;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.StoreWriter;
+import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.time.Time;
 
 /**

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.function.Supplier;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.lane.Lanes;
 import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.EndpointRegistry;
 import org.dronemap.proxy.endpoint.EndpointSecurity;

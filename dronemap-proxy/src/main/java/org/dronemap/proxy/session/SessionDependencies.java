@@ -2,7 +2,7 @@ package org.dronemap.proxy.session;
 
 import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.lane.Lanes;
 import org.dronemap.core.process.PeerCrashGuard;
 import org.dronemap.proxy.signing.KeyringRegistry;
 

@@ -6,7 +6,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
-import org.dronemap.core.cloud.Lane;
+import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.message.GlobalPositionInt;

@@ -13,7 +13,7 @@ import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
-import org.dronemap.core.cloud.StoreWriter;
+import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;

@@ -9,7 +9,7 @@ import java.util.Random;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
-import org.dronemap.core.cloud.StoreWriter;
+import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.Frame;

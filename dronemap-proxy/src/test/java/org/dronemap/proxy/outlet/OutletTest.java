@@ -20,7 +20,7 @@ import java.util.stream.IntStream;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.cloud.StoreWriter;
+import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.Frame;

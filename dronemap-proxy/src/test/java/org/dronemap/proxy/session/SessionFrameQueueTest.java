@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
-import org.dronemap.core.cloud.Lane;
+import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;

@@ -10,7 +10,7 @@ import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.cloud.EpochGuard;
 import org.dronemap.core.cloud.SendAuthority;
-import org.dronemap.core.cloud.StoreWriter;
+import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.RealTime;
 import org.dronemap.mavlink.Frame;

@@ -15,6 +15,7 @@ import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
 import org.dronemap.store.SignInLimit;
 import org.dronemap.store.StoreException;
+import org.dronemap.store.postgres.json.BoundsJson;
 
 /** Users, sessions and keys in PostgreSQL. Thread-safe. */
 public final class PostgresAccessStore implements AccessStore {

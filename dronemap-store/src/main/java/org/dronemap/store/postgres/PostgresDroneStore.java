@@ -12,6 +12,7 @@ import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.store.postgres.json.MissionItemJson;
 
 /** Drones in PostgreSQL. Thread-safe. */
 public final class PostgresDroneStore implements DroneStore {

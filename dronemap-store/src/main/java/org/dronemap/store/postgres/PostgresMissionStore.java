@@ -7,6 +7,7 @@ import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.mission.SavedMission;
 import org.dronemap.store.MissionOrdering;
+import org.dronemap.store.postgres.json.MissionItemJson;
 
 /** The mission library in PostgreSQL. Thread-safe. */
 public final class PostgresMissionStore implements MissionStore {

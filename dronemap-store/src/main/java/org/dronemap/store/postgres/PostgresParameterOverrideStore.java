@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.drone.ParameterOverrides;
+import org.dronemap.store.postgres.json.ParameterOverridesJson;
 
 /** Parameter values of owners, kept while the cloud overrides them, in PostgreSQL. Thread-safe. */
 public final class PostgresParameterOverrideStore implements ParameterOverrideStore {

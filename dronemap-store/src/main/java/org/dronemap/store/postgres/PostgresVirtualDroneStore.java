@@ -7,6 +7,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
+import org.dronemap.store.postgres.json.VirtualDroneJson;
 
 /** The virtual drones in PostgreSQL. Thread-safe. */
 public final class PostgresVirtualDroneStore implements VirtualDroneStore {

@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.ZoneOrdering;
+import org.dronemap.store.postgres.json.ZoneJson;
 
 /** The zones in PostgreSQL. Thread-safe. */
 public final class PostgresZoneStore implements ZoneStore {

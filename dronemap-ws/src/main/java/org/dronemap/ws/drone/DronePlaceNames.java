@@ -2,7 +2,7 @@ package org.dronemap.ws.drone;
 
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
-import org.dronemap.core.cloud.CloudListener;
+import org.dronemap.core.cloud.listener.CloudListener;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;

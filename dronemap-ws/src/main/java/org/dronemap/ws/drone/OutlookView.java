@@ -3,7 +3,7 @@ package org.dronemap.ws.drone;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
-import org.dronemap.core.cloud.Outlook;
+import org.dronemap.core.cloud.outlook.Outlook;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;

@@ -2,8 +2,8 @@ package org.dronemap.ws.journal;
 
 import java.util.List;
 import org.dronemap.cognitive.operation.run.ReplanComputation;
-import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunState;
+import org.dronemap.cognitive.operation.run.model.RunInput;
 
 /** Mission runs as text. */
 public final class RunCodec extends JsonOperationCodec<RunState, RunInput> {

@@ -3,7 +3,7 @@ package org.dronemap.ws.problem;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.cognitive.operation.follow.FollowObjection;
-import org.dronemap.cognitive.operation.run.RunObjection;
+import org.dronemap.cognitive.operation.run.model.RunObjection;
 import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.ObjectionCode;
 import org.dronemap.core.operation.ObjectionEntry;

@@ -3,7 +3,7 @@ package org.dronemap.ws.process;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import org.dronemap.core.cloud.Lane;
+import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.core.process.PeerCrashGuard;
 import org.dronemap.core.process.PeerPattern;
 import org.dronemap.core.process.ProcessCrash;

@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import org.dronemap.core.cloud.Lane;
+import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;

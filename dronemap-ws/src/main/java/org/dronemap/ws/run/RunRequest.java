@@ -5,7 +5,7 @@ import jakarta.validation.constraints.Max;
 import jakarta.validation.constraints.Min;
 import jakarta.validation.constraints.Size;
 import java.util.List;
-import org.dronemap.cognitive.operation.run.RunOrder;
+import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.ws.plan.PlanRequest;
 import org.dronemap.ws.reading.EnumValues;

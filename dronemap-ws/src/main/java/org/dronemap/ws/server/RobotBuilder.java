@@ -3,7 +3,7 @@ package org.dronemap.ws.server;
 import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.lane.Lanes;
 import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.roslink.RoslinkProxy;

@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.cognitive.follow.FollowSeparation;
-import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.recording.RecordingPolicy;

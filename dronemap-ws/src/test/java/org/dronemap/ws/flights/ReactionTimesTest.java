@@ -11,7 +11,7 @@ import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.safety.SafetyTimes;

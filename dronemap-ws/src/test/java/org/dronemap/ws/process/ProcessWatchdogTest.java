@@ -7,7 +7,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.dronemap.core.cloud.Lane;
+import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.core.process.ProcessCrash;
 import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.AfterEach;

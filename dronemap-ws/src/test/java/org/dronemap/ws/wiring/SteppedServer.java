@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.process.ProcessStart;

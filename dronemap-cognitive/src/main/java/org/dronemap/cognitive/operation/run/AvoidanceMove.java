@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.dronemap.cognitive.operation.run.TrajectoryForecast.Trajectory;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.plan.BarrierCheck;
 import org.dronemap.cognitive.plan.TimedPlace;
 import org.dronemap.cognitive.problem.Barrier;

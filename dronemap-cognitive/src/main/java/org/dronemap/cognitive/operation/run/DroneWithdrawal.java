@@ -1,5 +1,9 @@
 package org.dronemap.cognitive.operation.run;
 
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+
 /** A drone does not go on: what it had to do is offered to the others. */
 final class DroneWithdrawal {
     private DroneWithdrawal() {}

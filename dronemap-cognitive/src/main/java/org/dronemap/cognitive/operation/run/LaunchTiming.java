@@ -1,6 +1,10 @@
 package org.dronemap.cognitive.operation.run;
 
 import java.time.Instant;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 
 /** Decides when drones take off: after all missions are uploaded, each at the time of its plan. */
 final class LaunchTiming {

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Place;

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.dronemap.cognitive.operation.run.model.PendingReplan;
+import org.dronemap.cognitive.operation.run.model.ReplanCause;
 import org.dronemap.cognitive.plan.UnservedWaypoint;
 import org.dronemap.cognitive.replan.ReassignedWaypoint;
 import org.dronemap.cognitive.replan.ReplanResult;

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.InstantSource;
 import java.util.function.BooleanSupplier;
 import org.dronemap.cognitive.allocate.SearchBudget;
+import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.replan.ReplanResult;
 import org.dronemap.cognitive.replan.ReplanSituation;
 import org.dronemap.cognitive.replan.Replanner;

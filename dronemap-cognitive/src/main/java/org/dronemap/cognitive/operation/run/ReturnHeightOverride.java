@@ -2,7 +2,11 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Duration;
 import java.util.Locale;
-import org.dronemap.cognitive.operation.run.RunDrone.IssuedCommand;
+import org.dronemap.cognitive.operation.run.model.DroneObservation;
+import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.ReturnHeight;
 import org.jspecify.annotations.Nullable;

@@ -3,6 +3,10 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.cognitive.operation.run.model.DroneObservation;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 
 /** Handles drones that flew without the cloud: waits for their reports, and accepts a fail-safe return. */

@@ -4,7 +4,12 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
-import org.dronemap.cognitive.operation.run.RunDrone.IssuedCommand;
+import org.dronemap.cognitive.operation.run.model.DroneObservation;
+import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.command.Command;
 

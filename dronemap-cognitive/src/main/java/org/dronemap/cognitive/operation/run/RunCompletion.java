@@ -3,6 +3,10 @@ package org.dronemap.cognitive.operation.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 
 /** Ends a run when all drones are at rest and nothing is left to do. */
 final class RunCompletion {

@@ -2,6 +2,12 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Duration;
 import java.time.Instant;
+import org.dronemap.cognitive.operation.run.model.DroneObservation;
+import org.dronemap.cognitive.operation.run.model.PendingReplan;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 
 /** Monitors one drone by each observation: control, link, and whether it is still in the air. */
 final class RunDroneMonitor {

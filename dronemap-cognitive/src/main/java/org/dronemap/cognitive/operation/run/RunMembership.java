@@ -1,5 +1,11 @@
 package org.dronemap.cognitive.operation.run;
 
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunInput;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+
 /** Drones that come, come back, go, and are all called home. */
 final class RunMembership {
     private RunMembership() {}

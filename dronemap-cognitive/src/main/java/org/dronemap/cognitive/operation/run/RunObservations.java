@@ -2,6 +2,10 @@ package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronemap.cognitive.operation.run.model.DroneObservation;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunInput;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;

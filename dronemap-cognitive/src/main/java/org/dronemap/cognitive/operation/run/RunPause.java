@@ -2,7 +2,14 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Duration;
 import java.time.Instant;
-import org.dronemap.cognitive.operation.run.RunDrone.IssuedCommand;
+import org.dronemap.cognitive.operation.run.model.DroneObservation;
+import org.dronemap.cognitive.operation.run.model.PendingReplan;
+import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunInput;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.core.command.Command;
 
 /** Pauses and resumes a run: drones in the air hold, drones on the ground stay, landings go on. */

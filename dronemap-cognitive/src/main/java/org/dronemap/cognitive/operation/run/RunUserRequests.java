@@ -1,6 +1,12 @@
 package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
+import org.dronemap.cognitive.operation.run.model.PlanProposal;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunInput;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.problem.Waypoint;
 
 /** Applies a user's request to a run. */

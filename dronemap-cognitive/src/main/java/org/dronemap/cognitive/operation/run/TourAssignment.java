@@ -2,6 +2,11 @@ package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronemap.cognitive.operation.run.model.PendingReplan;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Craft;

@@ -1,6 +1,12 @@
 package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
+import org.dronemap.cognitive.operation.run.model.DroneObservation;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunTrigger;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 
 /** Marks waypoints as visited by the mission progress that drones report. */
 final class VisitTracking {

@@ -1,6 +1,8 @@
 package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
+import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.plan.Stop;
 
 /** Keeps a waypoint from being on its way to two drones at once, while it passes from one to another. */

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.dronemap.cognitive.PlanningFixtures;
+import org.dronemap.cognitive.operation.run.model.RunInput;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.junit.jupiter.api.Test;

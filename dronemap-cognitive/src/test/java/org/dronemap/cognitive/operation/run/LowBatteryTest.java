@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Comparator;
 import java.util.List;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.MissionItem;
 import org.junit.jupiter.api.Test;

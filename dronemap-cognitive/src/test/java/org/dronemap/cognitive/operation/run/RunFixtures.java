@@ -8,6 +8,8 @@ import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.allocate.SearchBudget;
 import org.dronemap.cognitive.engine.FleetPlanner;
 import org.dronemap.cognitive.engine.PlanResult;
+import org.dronemap.cognitive.operation.run.model.RunInput;
+import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.EnergyBudget;
 import org.dronemap.cognitive.problem.PlanningProblem;

@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunInput;
+import org.dronemap.cognitive.operation.run.model.RunObjection;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.operation.Objection;
 import org.junit.jupiter.api.Test;

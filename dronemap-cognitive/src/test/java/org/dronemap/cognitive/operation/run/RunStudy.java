@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 
 /**
  * Many random runs with random failures in virtual time, for {@code bench/plan study}: one line for each seed, with what was

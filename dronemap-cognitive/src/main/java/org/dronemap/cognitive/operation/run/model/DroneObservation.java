@@ -1,0 +1,121 @@
+package org.dronemap.cognitive.operation.run.model;
+
+import java.time.Duration;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.ReturnHeight;
+import org.dronemap.core.stored.Stored;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An observation of one drone at one moment; null where not known.
+ *
+ * @param takenBy why the run has no control of it, as a sentence; null: it has
+ * @param silence for how long nothing was heard
+ * @param ready what it can do is known
+ * @param still for how long it has not moved
+ * @param ordersMode the mode to put it into before it is armed; null: it is in such a one, or has none
+ * @param steering what it goes by
+ * @param climb m/s, positive upwards
+ * @param tiltDegrees how far it leans
+ * @param canGoTo whether it goes to a place that it is told
+ * @param payload what it says of camera, servos and sensors; nothing where no task is to be seen to
+ * @param canReturn whether it knows a way home of its own, else it is told to land
+ * @param returnHeight null: the cloud has not set it
+ * @param transfer of its mission, which is under way and may be somebody else's; null: none is
+ */
+@Stored(
+        names = "drone takenBy link silence still ready mode ordersMode steering armed airborne place "
+                + "aboveHomeMeters climb speed tiltDegrees batteryPercent canGoTo canReturn returnHeight "
+                + "progress payload transfer")
+public record DroneObservation(
+        DroneId drone,
+        @Nullable String takenBy,
+        LinkState link,
+        Duration silence,
+        Duration still,
+        boolean ready,
+        @Nullable String mode,
+        @Nullable String ordersMode,
+        @Nullable Steering steering,
+        @Nullable Boolean armed,
+        boolean airborne,
+        @Nullable Place place,
+        @Nullable Double aboveHomeMeters,
+        @Nullable Double climb,
+        @Nullable Double speed,
+        @Nullable Double tiltDegrees,
+        @Nullable Integer batteryPercent,
+        boolean canGoTo,
+        boolean canReturn,
+        @Nullable ReturnHeight returnHeight,
+        Progress progress,
+        Payload payload,
+        @Nullable String transfer) {
+    /** m/s over ground: whoever is slower stands. */
+    private static final double STANDS_SPEED = 2;
+
+    /**
+     * The progress of a drone in its mission.
+     *
+     * @param carries whether it has on board what it flies; null: not known
+     * @param carriesNext whether it has on board what it is to get; null: not known, or there is nothing
+     * @param told it has said which mission it has and where in it it is, so that what follows can be relied on
+     * @param passed how many items of what it has on board are behind it
+     * @param complete flown to the end
+     */
+    @Stored(names = "carries carriesNext told passed complete")
+    public record Progress(
+            @Nullable Boolean carries, @Nullable Boolean carriesNext, boolean told, int passed, boolean complete) {}
+
+    boolean isLive() {
+        return link == LinkState.LIVE;
+    }
+
+    /** All is known that its part in the run is judged by. */
+    boolean tells() {
+        return isLive() && ready && mode != null && armed != null && place != null && progress.told();
+    }
+
+    /** It has flown what it was given. */
+    boolean isAtTheEnd() {
+        return progress.complete() && !Boolean.FALSE.equals(progress.carries());
+    }
+
+    boolean isLost() {
+        return link == LinkState.LOST || link == LinkState.ENDED;
+    }
+
+    boolean isArmed() {
+        return Boolean.TRUE.equals(armed);
+    }
+
+    /** It was told to stand, and does not yet. */
+    boolean rolls() {
+        return waits() && speed != null && speed > STANDS_SPEED;
+    }
+
+    boolean isDisarmed() {
+        return Boolean.FALSE.equals(armed);
+    }
+
+    boolean isOnMission() {
+        return steering == Steering.MISSION;
+    }
+
+    boolean waits() {
+        return steering != null && steering.takesOrders();
+    }
+
+    boolean comesDown() {
+        return steering != null && steering.isSafe();
+    }
+
+    /** Somebody's sticks, or a way of flying that nobody here asks for. */
+    boolean isSteered() {
+        return mode != null && (steering == null || steering == Steering.STICKS);
+    }
+}

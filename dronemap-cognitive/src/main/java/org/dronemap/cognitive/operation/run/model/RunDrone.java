@@ -1,0 +1,240 @@
+package org.dronemap.cognitive.operation.run.model;
+
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.ReturnHeight;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.stored.Stored;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One drone of the run.
+ *
+ * @param since when it came to this stage
+ * @param orders the waypoints that it is to visit, in order, without those that it has visited
+ * @param sortie what it has on board and flies; null: nothing yet
+ * @param passed how many items of that are behind it
+ * @param next what it is to get in its place
+ * @param errand the command that is under way
+ * @param tries how it went with the present step
+ * @param note why it is not flying its waypoints, as a sentence
+ * @param signs what has been noticed of it and may pass
+ */
+@Stored(names = "kin stage since orders sortie passed next errand tries note signs")
+public record RunDrone(
+        Profile kin,
+        RunDroneStage stage,
+        Instant since,
+        List<String> orders,
+        @Nullable Sortie sortie,
+        int passed,
+        @Nullable Sortie next,
+        @Nullable IssuedCommand errand,
+        Attempts tries,
+        @Nullable String note,
+        Flags signs) {
+    /**
+     * The profile of a drone, which does not change during the run.
+     *
+     * @param craft as planned with first; where it is when something is planned anew is looked at then
+     * @param returnMeters how high over its home it flies home, in a layer of its own; null: as the vehicle is set
+     */
+    @Stored(names = "craft name kind returnMeters")
+    public record Profile(
+            Craft craft,
+            String name,
+            VehicleKind kind,
+            @Nullable Double returnMeters) {
+        Profile with(Craft other) {
+            return new Profile(other, name, kind, returnMeters);
+        }
+
+        Profile withoutLayer() {
+            return new Profile(craft, name, kind, null);
+        }
+    }
+
+    /**
+     * A command that it was given.
+     *
+     * @param sortie the number of the one that it brings; 0: none
+     */
+    @Stored(names = "command kind sortie at")
+    public record IssuedCommand(CommandId command, Purpose kind, int sortie, Instant at) {
+        /** The purpose of the command. */
+        @Stored(names = "UPLOAD MODE ARM START HOLD HEIGHT DODGE HOME DISARM")
+        public enum Purpose {
+            UPLOAD,
+            MODE,
+            ARM,
+            START,
+            HOLD,
+            /** Sets how high it flies home, or puts that back. */
+            HEIGHT,
+            /** Out of another drone's way. */
+            DODGE,
+            HOME,
+            DISARM
+        }
+    }
+
+    /** The number of failed attempts in a row, and the time before which there is none again. */
+    @Stored(names = "failed notBefore")
+    public record Attempts(int failed, @Nullable Instant notBefore) {
+        static final Attempts NONE = new Attempts(0, null);
+    }
+
+    /**
+     * Flags and timers of a drone that outlast its stage.
+     *
+     * @param held control of it was seen since it came to the run, or was resumed
+     * @param begun it has been seen on the mission that it has on board, so that what it tells of it counts
+     * @param falling since when it falls, or leans as nothing that flies does
+     * @param astray since when it is off its path
+     * @param silence what it may still do while it is not heard
+     * @param yields for which drone it waits
+     * @param told what was said of its present mission already
+     * @param joulesPerPercent what a hundredth of its battery holds; null: not known
+     * @param homeward how high it flies home for the run, and what has to be put back; null: as it is set
+     */
+    @Stored(names = "held begun falling astray silence yields told joulesPerPercent homeward")
+    public record Flags(
+            boolean held,
+            boolean begun,
+            @Nullable Instant falling,
+            @Nullable Instant astray,
+            @Nullable LinkLoss silence,
+            @Nullable DroneId yields,
+            List<RunTrigger> told,
+            @Nullable Double joulesPerPercent,
+            @Nullable ReturnHeight homeward) {
+        static final Flags NONE = new Flags(false, false, null, null, null, null, List.of(), null, null);
+
+        public Flags {
+            told = List.copyOf(told);
+        }
+
+        Flags held(boolean now) {
+            return new Flags(now, begun, falling, astray, silence, yields, told, joulesPerPercent, homeward);
+        }
+
+        Flags begun(boolean now) {
+            return new Flags(held, now, falling, astray, silence, yields, told, joulesPerPercent, homeward);
+        }
+
+        Flags falling(@Nullable Instant from) {
+            return new Flags(held, begun, from, astray, silence, yields, told, joulesPerPercent, homeward);
+        }
+
+        Flags astray(@Nullable Instant from) {
+            return new Flags(held, begun, falling, from, silence, yields, told, joulesPerPercent, homeward);
+        }
+
+        Flags silent(@Nullable LinkLoss what) {
+            return new Flags(held, begun, falling, astray, what, yields, told, joulesPerPercent, homeward);
+        }
+
+        Flags yields(@Nullable DroneId other) {
+            return new Flags(held, begun, falling, astray, silence, other, told, joulesPerPercent, homeward);
+        }
+
+        Flags told(List<RunTrigger> all) {
+            return new Flags(held, begun, falling, astray, silence, yields, all, joulesPerPercent, homeward);
+        }
+
+        Flags joulesPerPercent(double joules) {
+            return new Flags(held, begun, falling, astray, silence, yields, told, joules, homeward);
+        }
+
+        Flags homeward(@Nullable ReturnHeight now) {
+            return new Flags(held, begun, falling, astray, silence, yields, told, joulesPerPercent, now);
+        }
+    }
+
+    /**
+     * A drone that is not heard.
+     *
+     * @param heard when it was, last
+     * @param place where it was then
+     * @param flew it flew its mission then, or was about to; else it waited in the air or was on its way home
+     * @param reservedUntil till then its next waypoints stay its own
+     * @param flyingUntil till then it may be in the air
+     */
+    @Stored(names = "heard place flew reservedUntil flyingUntil")
+    public record LinkLoss(
+            Instant heard, @Nullable Place place, boolean flew, Instant reservedUntil, Instant flyingUntil) {}
+
+    public RunDrone {
+        orders = List.copyOf(orders);
+    }
+
+    static RunDrone joining(Profile kin, Instant now) {
+        return new RunDrone(kin, RunDroneStage.LANDED, now, List.of(), null, 0, null, null, Attempts.NONE, null, Flags.NONE);
+    }
+
+    public DroneId id() {
+        return kin.craft().id();
+    }
+
+    public String name() {
+        return kin.name();
+    }
+
+    public Craft craft() {
+        return kin.craft();
+    }
+
+    /** What it will have been given last. */
+    @Nullable
+    Sortie latest() {
+        return next == null ? sortie : next;
+    }
+
+    /** A new step begins. */
+    RunDrone to(RunDroneStage step, Instant now) {
+        Flags seen = step == RunDroneStage.FLYING ? signs.begun(true) : signs;
+        return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Attempts.NONE, note, seen);
+    }
+
+    RunDrone with(Profile other) {
+        return new RunDrone(other, stage, since, orders, sortie, passed, next, errand, tries, note, signs);
+    }
+
+    RunDrone noted(@Nullable String why) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, why, signs);
+    }
+
+    RunDrone ordered(List<String> waypoints) {
+        return new RunDrone(kin, stage, since, waypoints, sortie, passed, next, errand, tries, note, signs);
+    }
+
+    RunDrone flying(@Nullable Sortie what, int behind) {
+        return new RunDrone(kin, stage, since, orders, what, behind, next, errand, tries, note, signs);
+    }
+
+    RunDrone getting(@Nullable Sortie later) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, later, errand, tries, note, signs);
+    }
+
+    RunDrone on(@Nullable IssuedCommand what) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, next, what, tries, note, signs);
+    }
+
+    RunDrone tried(Attempts now) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, next, null, now, note, signs);
+    }
+
+    /** It does nothing else until then. */
+    RunDrone busy(Instant until) {
+        return new RunDrone(
+                kin, stage, since, orders, sortie, passed, next, errand, new Attempts(tries.failed(), until), note, signs);
+    }
+
+    RunDrone with(Flags other) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, note, other);
+    }
+}

@@ -1,8 +1,0 @@
-package org.dronemap.core.cloud;
-
-import org.dronemap.core.drone.DroneId;
-
-/** Knows who is there: looks at a drone by something that is alive, such as a page. Any thread; answers at once. */
-public interface UserPresence {
-    boolean isThere(String user, DroneId drone);
-}

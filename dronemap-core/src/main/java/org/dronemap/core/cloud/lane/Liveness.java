@@ -1,0 +1,52 @@
+package org.dronemap.core.cloud.lane;
+
+import org.dronemap.core.drone.LinkState;
+
+/**
+ * Last reception from one drone and the silence that is normal for it. Owned by the drone's lane, {@code silence} by
+ * none.
+ */
+final class Liveness {
+    /** A silence that a link once showed is normal for it for about so long. */
+    private static final double MEMORY_NANOS = 60e9;
+
+    private final Watchdog watchdog;
+    private volatile long lastHeardNanos;
+    private long lastProbeNanos;
+    private double longestGapNanos;
+    private volatile boolean everHeard;
+
+    Liveness(Watchdog watchdog) {
+        this.watchdog = watchdog;
+    }
+
+    void heard(long nowNanos) {
+        if (everHeard) {
+            long gap = Math.max(0, nowNanos - lastHeardNanos);
+            longestGapNanos = Math.max((double) gap, longestGapNanos * (1 - Math.min(1, gap / MEMORY_NANOS)));
+        }
+        everHeard = true;
+        lastHeardNanos = nowNanos;
+        lastProbeNanos = nowNanos;
+    }
+
+    LinkState judge(long nowNanos) {
+        return everHeard ? watchdog.judge(nowNanos - lastHeardNanos, (long) longestGapNanos) : LinkState.LOST;
+    }
+
+    /** For how long it has been silent; for ever when it was never heard. Any thread. */
+    long silence(long nowNanos) {
+        return everHeard ? nowNanos - lastHeardNanos : Long.MAX_VALUE;
+    }
+
+    /** True once a second while the silence wants a probe. */
+    boolean probeDue(long nowNanos) {
+        boolean due = everHeard
+                && nowNanos - lastHeardNanos >= watchdog.probeAfter().toNanos()
+                && nowNanos - lastProbeNanos >= 1_000_000_000L;
+        if (due) {
+            lastProbeNanos = nowNanos;
+        }
+        return due;
+    }
+}

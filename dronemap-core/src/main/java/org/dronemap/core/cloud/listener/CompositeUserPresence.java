@@ -1,0 +1,19 @@
+package org.dronemap.core.cloud.listener;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.dronemap.core.drone.DroneId;
+
+/** Composite of all {@link UserPresence} ports: a user is present if any face says so; any thread. Any thread. */
+final class CompositeUserPresence implements UserPresence {
+    private final List<UserPresence> faces = new CopyOnWriteArrayList<>();
+
+    void add(UserPresence face) {
+        faces.add(face);
+    }
+
+    @Override
+    public boolean isThere(String user, DroneId drone) {
+        return faces.stream().anyMatch(face -> face.isThere(user, drone));
+    }
+}

@@ -1,0 +1,45 @@
+package org.dronemap.core.cloud.rule;
+
+import java.time.Duration;
+import java.util.function.Consumer;
+import org.dronemap.core.cloud.lane.Lane;
+import org.dronemap.core.command.Outcome;
+
+/** Ends a command that nobody says anything about any more, so that none is silently lost. Owned by the drone's lane. */
+final class CommandTimeoutWatch implements Lane.Ticker {
+    /** No command goes without a sign for longer than this. */
+    private static final long LONGEST_SILENCE_NANOS = Duration.ofSeconds(90).toNanos();
+
+    private static final Outcome UNHEARD = new Outcome.Unknown("Nothing was heard of it for 90 s; look at the drone.");
+
+    private final CommandTracker command;
+    private final Lane lane;
+    private final Consumer<Outcome> giveUp;
+
+    CommandTimeoutWatch(CommandTracker command, Lane lane, Consumer<Outcome> giveUp) {
+        this.command = command;
+        this.lane = lane;
+        this.giveUp = giveUp;
+    }
+
+    @Override
+    public void tick() {
+        if (command.record().outcome() != null) {
+            lane.removeTicker(this);
+        } else if (command.silentFor(lane.activeNanos(), LONGEST_SILENCE_NANOS)) {
+            lane.removeTicker(this);
+            giveUp.accept(UNHEARD);
+        }
+    }
+
+    /** What would follow now in flight was wanted then; what is read and written goes on. */
+    @Override
+    public void stoodStill(Duration how) {
+        if (command.record().outcome() == null
+                && command.command().kind().contention().newerWins()) {
+            lane.removeTicker(this);
+            giveUp.accept(new Outcome.Unknown("The server stood still for " + how.toSeconds()
+                    + " s, so it was not gone on with; look at the drone."));
+        }
+    }
+}

@@ -1,0 +1,79 @@
+package org.dronemap.core.cloud.rule;
+
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicLong;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+
+/**
+ * A command whose outcome is not known, or not written yet. Owned by the drone's lane; the records may be read from
+ * anywhere.
+ */
+final class CommandTracker {
+    /** On its way to the vehicle within the server; whoever gave it sees something else by then. */
+    private static final Duration LONGEST_WAY = Duration.ofSeconds(10);
+
+    static final Outcome LATE = new Outcome.TimedOut(
+            "It was not on its way to the vehicle within " + LONGEST_WAY.toSeconds() + " s, so it was not sent.");
+
+    private static final AtomicLong ORDER = new AtomicLong();
+
+    private final long order = ORDER.incrementAndGet();
+    private final Command command;
+    private final long givenNanos;
+    private long lastSignNanos;
+    private volatile CommandRecord record;
+    private volatile CommandRecord told;
+
+    /** {@code activeNanos} stand still while the process does, {@code nowNanos} do not. */
+    CommandTracker(Command command, CommandRecord record, long activeNanos, long nowNanos) {
+        this.givenNanos = nowNanos;
+        this.command = command;
+        this.record = record;
+        this.told = record;
+        this.lastSignNanos = activeNanos;
+    }
+
+    boolean isLate(long nowNanos) {
+        return nowNanos - givenNanos > LONGEST_WAY.toNanos();
+    }
+
+    Command command() {
+        return command;
+    }
+
+    /** Rises with every command of this process. */
+    long order() {
+        return order;
+    }
+
+    CommandRecord record() {
+        return record;
+    }
+
+    /** What others may see: an outcome only once it is written, so that nobody relies on one that a crash takes back. */
+    CommandRecord told() {
+        return told;
+    }
+
+    void update(CommandRecord newer, long nowNanos) {
+        record = newer;
+        told = newer;
+        lastSignNanos = nowNanos;
+    }
+
+    /** Has its outcome, which is told once it is written. */
+    void ended(CommandRecord done, long nowNanos) {
+        record = done;
+        lastSignNanos = nowNanos;
+    }
+
+    void written() {
+        told = record;
+    }
+
+    boolean silentFor(long nowNanos, long nanos) {
+        return nowNanos - lastSignNanos > nanos;
+    }
+}
