@@ -38,7 +38,8 @@ public final class MavlinkProxy implements AutoCloseable {
      * @param doors what links are guarded with
      * @param enrolment from where strangers come in
      */
-    public record Policy(KeyringRegistry keyrings, FrameTap.Factory taps, EndpointSecurity doors, Enrolment enrolment) {}
+    public record Policy(
+            KeyringRegistry keyrings, FrameTap.Factory taps, EndpointSecurity doors, Enrolment enrolment) {}
 
     public MavlinkProxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy, Time time) {
         this.urls = List.copyOf(urls);

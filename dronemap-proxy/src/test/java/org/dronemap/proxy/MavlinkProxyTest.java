@@ -32,8 +32,7 @@ class MavlinkProxyTest {
     }
 
     private FakeVehicle vehicle(int systemId, BiConsumer<FakeVehicle, Frame> answers) throws IOException {
-        return new FakeVehicle(
-                cloud.udpPort(), new FrameWriter(systemId, 1, 2), FakeVehicle.copter(4, false), answers);
+        return new FakeVehicle(cloud.udpPort(), new FrameWriter(systemId, 1, 2), FakeVehicle.copter(4, false), answers);
     }
 
     @Test

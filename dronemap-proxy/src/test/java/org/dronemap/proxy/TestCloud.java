@@ -94,7 +94,11 @@ public final class TestCloud implements AutoCloseable {
                 cloud,
                 lanes,
                 urls,
-                new MavlinkProxy.Policy(TestKeyrings.of(cloud, journal), taps, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK),
+                new MavlinkProxy.Policy(
+                        TestKeyrings.of(cloud, journal),
+                        taps,
+                        EndpointSecurity.of(DtlsKeys.none()),
+                        Enrolment.LOOPBACK),
                 time);
         try {
             proxy.start();

@@ -42,8 +42,7 @@ class VehicleAnswersTest {
         assertThat(time.failures()).isEmpty();
     }
 
-    private FakeVehicle played(
-            int port, FrameWriter writer, Heartbeat first, BiConsumer<FakeVehicle, Frame> answers) {
+    private FakeVehicle played(int port, FrameWriter writer, Heartbeat first, BiConsumer<FakeVehicle, Frame> answers) {
         return new FakeVehicle(cloud.proxy().handlers(), port, time, writer, first, answers);
     }
 

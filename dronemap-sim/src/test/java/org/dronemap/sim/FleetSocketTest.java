@@ -157,7 +157,8 @@ class FleetSocketTest {
 
     private static String complaint(String... arguments) {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        int code = SimulatorMain.run(List.of(arguments), System.out, new PrintStream(err, true, StandardCharsets.UTF_8));
+        int code =
+                SimulatorMain.run(List.of(arguments), System.out, new PrintStream(err, true, StandardCharsets.UTF_8));
         assertThat(code).isEqualTo(2);
         return err.toString(StandardCharsets.UTF_8);
     }

@@ -115,7 +115,8 @@ class RecordedExchangesTest {
     private static void compare(String kind, List<VehicleAnswer> real, List<VehicleAnswer> simulated) {
         assertThat(simulated.stream().map(VehicleAnswer::line))
                 .as(kind)
-                .containsExactlyElementsOf(real.stream().map(VehicleAnswer::line).toList());
+                .containsExactlyElementsOf(
+                        real.stream().map(VehicleAnswer::line).toList());
         for (int i = 0; i < real.size(); i++) {
             long seen = real.get(i).millis();
             assertThat(simulated.get(i).millis())

@@ -222,11 +222,13 @@ class SimulatedPayloadTest {
                         .map(heard -> NamedValueFloat.decode(heard.frame())))
                 .hasSizeBetween(3, 5)
                 .allMatch(told -> told.name().equals("Temp") && told.value() == 21.5f);
-        assertThat(ControlPortCommands.run("sensor 1 off", List.of(bench.vehicle))).startsWith("ok");
+        assertThat(ControlPortCommands.run("sensor 1 off", List.of(bench.vehicle)))
+                .startsWith("ok");
         bench.heard.clear();
         bench.run(2);
         assertThat(bench.count(NamedValueFloat.ID)).isZero();
-        assertThat(ControlPortCommands.run("sensor 1 Temp", List.of(bench.vehicle))).startsWith("err");
+        assertThat(ControlPortCommands.run("sensor 1 Temp", List.of(bench.vehicle)))
+                .startsWith("err");
     }
 
     @Test

@@ -56,13 +56,14 @@ record VehicleAnswer(String kind, String text, long millis) {
                 Optional.of(new VehicleAnswer("mode", "" + Heartbeat.decode(f).customMode(), at));
             case Statustext.ID -> text(Statustext.decode(f).text(), at);
             case MissionAck.ID ->
-                Optional.of(new VehicleAnswer("mission", "ack " + MissionAck.decode(f).type(), at));
+                Optional.of(new VehicleAnswer(
+                        "mission", "ack " + MissionAck.decode(f).type(), at));
             case MissionCount.ID ->
-                Optional.of(
-                        new VehicleAnswer("mission", "count " + MissionCount.decode(f).count(), at));
+                Optional.of(new VehicleAnswer(
+                        "mission", "count " + MissionCount.decode(f).count(), at));
             case MissionRequest.ID ->
-                Optional.of(
-                        new VehicleAnswer("mission", "ask " + MissionRequest.decode(f).seq(), at));
+                Optional.of(new VehicleAnswer(
+                        "mission", "ask " + MissionRequest.decode(f).seq(), at));
             case MissionItem.ID ->
                 Optional.of(new VehicleAnswer(
                         "mission", "MISSION_ITEM " + MissionItem.decode(f).seq(), at));

@@ -174,7 +174,9 @@ class AccessKeysTest {
     @Test
     void endByThemselvesOnOpenStreamsToo() {
         KeyRights over = new KeyRights(Role.VIEWER, KeyScope.ALL, Instant.now().minusSeconds(1));
-        assertThat(new TestHttpClient(house, tenant.key(over)).get("/api/v1/drones").status())
+        assertThat(new TestHttpClient(house, tenant.key(over))
+                        .get("/api/v1/drones")
+                        .status())
                 .isEqualTo(401);
 
         KeyRights soon = new KeyRights(Role.VIEWER, KeyScope.ALL, Instant.now().plusSeconds(3));
@@ -214,7 +216,8 @@ class AccessKeysTest {
     @Test
     void flyOnlyInTheirAreaAndHeights() {
         TestHttpClient user = tenant.http(Role.OPERATOR);
-        TestHttpClient.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"field\"," + circle(500) + ",\"ceiling\":60}");
+        TestHttpClient.Answer made =
+                user.post("/api/v1/access-keys", "{\"label\":\"field\"," + circle(500) + ",\"ceiling\":60}");
         TestHttpClient http = new TestHttpClient(house, made.text("key"));
         String path = "/api/v1/drones/" + mine.id() + "/commands?wait=10";
 
@@ -296,7 +299,8 @@ class AccessKeysTest {
     @Test
     void areRenewedWithTheSameRights() {
         TestHttpClient user = tenant.http(Role.OPERATOR);
-        TestHttpClient.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\",\"operations\":[\"view\"]}");
+        TestHttpClient.Answer made =
+                user.post("/api/v1/access-keys", "{\"label\":\"script\",\"operations\":[\"view\"]}");
         try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, made.text("key"))) {
             stream.await(message -> message.path("type").asString().equals("drones"));
 
@@ -304,7 +308,9 @@ class AccessKeysTest {
 
             assertThat(stream.awaitClose()).startsWith("This session has ended");
             assertThat(renewed.text("id")).isEqualTo(made.text("id"));
-            assertThat(new TestHttpClient(house, made.text("key")).get("/api/v1/drones").status())
+            assertThat(new TestHttpClient(house, made.text("key"))
+                            .get("/api/v1/drones")
+                            .status())
                     .isEqualTo(401);
             TestHttpClient byNew = new TestHttpClient(house, renewed.text("key"));
             assertThat(byNew.get("/api/v1/drones").status()).isEqualTo(200);

@@ -159,7 +159,8 @@ class AccessTest {
             String other = cookie(signIn(first));
             String key = open.key(Role.OPERATOR);
 
-            assertThat(new TestHttpClient(open, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
+            assertThat(new TestHttpClient(open, key).get("/api/v1/drones").text("detail"))
+                    .isEqualTo(sentence);
             assertThatThrownBy(() -> SoapClient.withKey(open, key).call("getDronesList"))
                     .hasMessage(sentence);
             try (RecordingStreamClient stream = RecordingStreamClient.withKey(open, key)) {
@@ -171,7 +172,8 @@ class AccessTest {
                     .isFalse();
             assertThat(session(other).status()).isEqualTo(401);
             assertThat(signIn(NEXT).status()).isEqualTo(200);
-            assertThat(new TestHttpClient(open, key).get("/api/v1/drones").status()).isEqualTo(200);
+            assertThat(new TestHttpClient(open, key).get("/api/v1/drones").status())
+                    .isEqualTo(200);
         }
     }
 

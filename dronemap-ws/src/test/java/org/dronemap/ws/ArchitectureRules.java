@@ -224,7 +224,8 @@ final class ArchitectureRules {
             .that()
             .resideInAPackage("org.dronemap.ws..")
             .and()
-            .resideOutsideOfPackages("org.dronemap.ws.wiring..", "org.dronemap.ws.server..", "org.dronemap.ws.settings..")
+            .resideOutsideOfPackages(
+                    "org.dronemap.ws.wiring..", "org.dronemap.ws.server..", "org.dronemap.ws.settings..")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("org.dronemap.proxy..", "org.dronemap.store..", "org.dronemap.mavlink..");

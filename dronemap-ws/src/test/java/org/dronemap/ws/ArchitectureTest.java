@@ -212,7 +212,8 @@ class ArchitectureTest {
 
     @Test
     void letsThroughWhatHasItsTimeFromOutside() {
-        TimeSourceRules.noneOf(TimeSourceRules.only(TimeViolations.class.getName())).check(alone(TimeViolations.FromOutside.class));
+        TimeSourceRules.noneOf(TimeSourceRules.only(TimeViolations.class.getName()))
+                .check(alone(TimeViolations.FromOutside.class));
     }
 
     private static JavaClasses alone(Class<?> planted) {
@@ -224,7 +225,9 @@ class ArchitectureTest {
     void needsEachException(String name) {
         assertThat(HOUSE.contain(name)).isTrue();
         assertThat(TimeSourceRules.isOfFlight(HOUSE.get(name))).isTrue();
-        assertThat(TimeSourceRules.noneOf(TimeSourceRules.only(name)).evaluate(HOUSE).hasViolation())
+        assertThat(TimeSourceRules.noneOf(TimeSourceRules.only(name))
+                        .evaluate(HOUSE)
+                        .hasViolation())
                 .isTrue();
     }
 
@@ -303,9 +306,12 @@ class ArchitectureTest {
     /** Only what translates for a family of vehicles knows what their modes are called. */
     @Test
     void namesNoModeOfAnAutopilot() throws IOException {
-        assertThat(ExhaustiveCaseRules.literals(ExhaustiveCaseRules.sources(ExhaustiveCaseRules::isAboveTranslators), ExhaustiveCaseRules.MODES))
+        assertThat(ExhaustiveCaseRules.literals(
+                        ExhaustiveCaseRules.sources(ExhaustiveCaseRules::isAboveTranslators),
+                        ExhaustiveCaseRules.MODES))
                 .containsExactlyElementsOf(ExhaustiveCaseRules.NAMING_MODES.keySet());
-        assertThat(ExhaustiveCaseRules.literals(Map.of("planted", planted(CaseViolations.class)), ExhaustiveCaseRules.MODES))
+        assertThat(ExhaustiveCaseRules.literals(
+                        Map.of("planted", planted(CaseViolations.class)), ExhaustiveCaseRules.MODES))
                 .containsExactly("planted: LAND");
     }
 

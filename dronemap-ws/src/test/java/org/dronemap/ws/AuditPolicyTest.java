@@ -133,7 +133,8 @@ class AuditPolicyTest {
     @Test
     void takesDownWhoIsShownTheDoorOfTheStream() {
         List<AuditEntry> left = left(() -> {
-            try (RecordingStreamClient stream = RecordingStreamClient.with(house, "?ticket=nosuchticket-canary", Map.of())) {
+            try (RecordingStreamClient stream =
+                    RecordingStreamClient.with(house, "?ticket=nosuchticket-canary", Map.of())) {
                 stream.awaitClose();
             }
         });

@@ -50,7 +50,8 @@ class AuditSecretsTest extends SuccessfulCallTrial {
         int tried = 0;
         List<String> kinds = List.copyOf(made().values());
         for (String operation : faces.rest()) {
-            Optional<SuccessfulCalls.PreparedCall> deed = operation.startsWith("GET ") ? Optional.empty() : deed(operation);
+            Optional<SuccessfulCalls.PreparedCall> deed =
+                    operation.startsWith("GET ") ? Optional.empty() : deed(operation);
             for (String at : deed.isEmpty() ? List.<String>of() : SampleBodies.texts(body(deed.get()))) {
                 // The next kind of secret with each place, and what no rule can tell from a word in all of them.
                 SuccessfulCalls.PreparedCall one = deed(operation).orElseThrow();

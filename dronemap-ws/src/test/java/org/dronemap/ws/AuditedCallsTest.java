@@ -178,8 +178,8 @@ class AuditedCallsTest extends SuccessfulCallTrial {
     @Test
     void eachRequestOfTheStreamThatSucceedsLeavesOneRecordThatSaysSo() {
         beReadyFor("arm");
-        try (RecordingStreamClient mine =
-                        RecordingStreamClient.withKey(house, estate.administrator().key());
+        try (RecordingStreamClient mine = RecordingStreamClient.withKey(
+                        house, estate.administrator().key());
                 RecordingStreamClient others = RecordingStreamClient.withKey(house, other.key())) {
             said(others, "\"control\",\"action\":\"take\"");
             said(mine, "\"control\",\"action\":\"request\",\"reason\":\"a survey\"");

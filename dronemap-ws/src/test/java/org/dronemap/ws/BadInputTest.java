@@ -101,7 +101,8 @@ class BadInputTest {
 
     @Test
     void namesTheMemberOfACommandForSeveral() {
-        TestHttpClient.Answer type = operator.post("/api/v1/commands", "{\"drones\":\"all\",\"command\":{\"type\":\"fly\"}}");
+        TestHttpClient.Answer type =
+                operator.post("/api/v1/commands", "{\"drones\":\"all\",\"command\":{\"type\":\"fly\"}}");
         TestHttpClient.Answer member = operator.post(
                 "/api/v1/commands", "{\"drones\":\"all\",\"command\":{\"type\":\"arm\",\"mode\":\"AUTO\"}}");
 
@@ -117,7 +118,8 @@ class BadInputTest {
 
     @Test
     void offersOnlyTypesThatItTakes() {
-        TestHttpClient.Answer answer = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"fence\"}");
+        TestHttpClient.Answer answer =
+                operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"fence\"}");
 
         assertThat(answer.status()).isEqualTo(422);
         assertThat(answer.text("allowed")).contains("readLogs").doesNotContain("fence", "rallyPoints");
@@ -246,7 +248,8 @@ class BadInputTest {
 
     @Test
     void saysWhereJsonBreaks() {
-        TestHttpClient.Answer answer = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\n \"arm\"");
+        TestHttpClient.Answer answer =
+                operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\n \"arm\"");
 
         assertThat(answer.status()).isEqualTo(400);
         assertThat(answer.text("detail")).contains("line 2, column 7").doesNotContain("Exception");

@@ -114,7 +114,8 @@ class CanaryTest {
         canaries.put("the key of a vehicle", LINK_KEY);
         keep(administrator.post(
                 "/api/v1/users", "{\"name\":\"carol\",\"role\":\"operator\",\"password\":\"" + PASSWORD + "\"}"));
-        TestHttpClient.Answer session = nobody.post("/api/v1/session", "{\"name\":\"carol\",\"password\":\"" + PASSWORD + "\"}");
+        TestHttpClient.Answer session =
+                nobody.post("/api/v1/session", "{\"name\":\"carol\",\"password\":\"" + PASSWORD + "\"}");
         heard.add(session.raw().body());
         String cookie =
                 session.raw().headers().firstValue("Set-Cookie").orElseThrow().split(";", 2)[0];
@@ -168,7 +169,8 @@ class CanaryTest {
         // These wait for the server to close: some of each kind are enough.
         for (String secret : List.copyOf(canaries.values()).subList(0, 3)) {
             keep(soap("<accessKey xmlns=\"http://cloud.dronemap.org/wsdl\">" + secret + "x</accessKey>"));
-            try (RecordingStreamClient stream = RecordingStreamClient.with(house, "?ticket=" + secret + "x", Map.of())) {
+            try (RecordingStreamClient stream =
+                    RecordingStreamClient.with(house, "?ticket=" + secret + "x", Map.of())) {
                 heard.add(stream.awaitClose());
                 stream.heard().forEach(message -> heard.add(message.toString()));
             }

@@ -152,7 +152,8 @@ class ConflictsTest {
 
     @Test
     void anOrganisationIsNotCalledLikeAnother() {
-        TestHttpClient server = new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        TestHttpClient server =
+                new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         String name = tenant.unique("Hill Survey");
         assertThat(server.post(API + "organisations", "{\"name\":\"" + name + "\"}")
                         .status())

@@ -23,8 +23,9 @@ class DedicatedServersTest {
                 .toList();
 
         assertThat(starters)
-                .containsExactlyInAnyOrderElementsOf(
-                        DedicatedServers.all().stream().map(DedicatedServers.Own::name).toList());
+                .containsExactlyInAnyOrderElementsOf(DedicatedServers.all().stream()
+                        .map(DedicatedServers.Own::name)
+                        .toList());
     }
 
     /** Those alone: what they use is none of this. */
@@ -44,9 +45,12 @@ class DedicatedServersTest {
 
     @Test
     void areFewInOneRun() {
-        int own = DedicatedServers.all().stream().mapToInt(DedicatedServers.Own::starts).sum();
+        int own = DedicatedServers.all().stream()
+                .mapToInt(DedicatedServers.Own::starts)
+                .sum();
 
         assertThat(own + DedicatedServers.SHARED).isLessThanOrEqualTo(DedicatedServers.MOST);
-        assertThat(DedicatedServers.all()).allSatisfy(one -> assertThat(one.why()).isNotBlank());
+        assertThat(DedicatedServers.all())
+                .allSatisfy(one -> assertThat(one.why()).isNotBlank());
     }
 }

@@ -257,7 +257,8 @@ class DescribedBoundsTest {
     }
 
     private List<Example> access() {
-        TestHttpClient server = new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        TestHttpClient server =
+                new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         return List.of(
                 post("/outlet/ports", "{\"address\":\"nowhere\",\"hours\":1}"),
                 new Example(
@@ -291,7 +292,8 @@ class DescribedBoundsTest {
     }
 
     private List<Example> names() {
-        TestHttpClient server = new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
+        TestHttpClient server =
+                new TestHttpClient(tenant.server(), tenant.server().key(Role.ADMINISTRATOR));
         return List.of(
                 post(
                         "/missions",

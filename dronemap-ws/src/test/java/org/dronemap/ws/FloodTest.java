@@ -43,7 +43,8 @@ import tools.jackson.databind.JsonNode;
 class FloodTest {
     private static final int TEN_MEGABYTES = 10_000_000;
     /** Ten of each at once, then so few that no machine refills the budget while a test runs. */
-    private static final BudgetRates FEW = new BudgetRates(Map.of(WorkKind.REQUEST, 10.0, WorkKind.COMMAND, 1.0, WorkKind.EXPORT, 0.2));
+    private static final BudgetRates FEW =
+            new BudgetRates(Map.of(WorkKind.REQUEST, 10.0, WorkKind.COMMAND, 1.0, WorkKind.EXPORT, 0.2));
 
     private final TestServer house = SharedServer.get();
     private TestServer thrifty;
@@ -111,7 +112,9 @@ class FloodTest {
                                             : "|HTTP/1.1 4\\d\\d.*");
             assertThat(log.failures()).isEmpty();
         }
-        assertThat(new TestHttpClient(house, house.key(Role.VIEWER)).get("/api/v1/drones").status())
+        assertThat(new TestHttpClient(house, house.key(Role.VIEWER))
+                        .get("/api/v1/drones")
+                        .status())
                 .isEqualTo(200);
     }
 

@@ -37,12 +37,14 @@ class GiftsTest {
 
     private final TestServer house = SharedServer.get();
     private final ScriptedVehicle kite = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
-    private final OrganisationMember root = house.member(OrganisationId.HOME, "root-" + house.number(), Role.ADMINISTRATOR);
+    private final OrganisationMember root =
+            house.member(OrganisationId.HOME, "root-" + house.number(), Role.ADMINISTRATOR);
     private final OrganisationMember ann = house.member(OrganisationId.HOME, "ann-" + house.number(), Role.SUPERVISOR);
     private final String rescue = root.http()
             .post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
             .text("id");
-    private final OrganisationMember bea = house.member(new OrganisationId(rescue), "bea-" + house.number(), Role.ADMINISTRATOR);
+    private final OrganisationMember bea =
+            house.member(new OrganisationId(rescue), "bea-" + house.number(), Role.ADMINISTRATOR);
     private final String gift = "/api/v1/organisations/" + rescue + "/drones/" + kite.id();
     private final String drone = "/api/v1/drones/" + kite.id();
 

@@ -29,9 +29,11 @@ class GlossaryTest {
                 .map(line -> line.substring(2).split(" \\| | \\|$"))
                 .toList();
 
-        assertThat(rows).hasSizeGreaterThan(40).allSatisfy(row -> assertThat(row)
-                .hasSize(3)
-                .satisfies(cells -> assertThat(names).as(cells[0]).contains(cells[2])));
+        assertThat(rows)
+                .hasSizeGreaterThan(40)
+                .allSatisfy(row -> assertThat(row)
+                        .hasSize(3)
+                        .satisfies(cells -> assertThat(names).as(cells[0]).contains(cells[2])));
         assertThat(rows.stream().map(row -> row[0])).doesNotHaveDuplicates().isSorted();
     }
 }

@@ -80,7 +80,8 @@ class GroupsTest {
     }
 
     private void grant(String whoAndWhat) {
-        TestHttpClient.Answer made = root.http().post("/api/v1/grants", "{" + whoAndWhat + ",\"operations\":[\"plan\"]}");
+        TestHttpClient.Answer made =
+                root.http().post("/api/v1/grants", "{" + whoAndWhat + ",\"operations\":[\"plan\"]}");
         assertThat(made.status()).as(made.raw().body()).isEqualTo(201);
     }
 

@@ -30,7 +30,8 @@ class LinksTest {
 
     @Test
     void addsListsAndRemovesAnEndpoint() {
-        TestHttpClient.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"tcpserver://127.0.0.1:5999\"}");
+        TestHttpClient.Answer added =
+                administrator.post("/api/v1/endpoints", "{\"url\":\"tcpserver://127.0.0.1:5999\"}");
         assertThat(added.status()).isEqualTo(201);
         assertThat(added.text("origin")).isEqualTo("added");
         assertThat(added.text("addedBy")).startsWith("user");
@@ -61,7 +62,8 @@ class LinksTest {
 
     @Test
     void listsAnEndpointThatCannotOpenWithTheReason() {
-        TestHttpClient.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"serial:///dev/none?baud=57600\"}");
+        TestHttpClient.Answer added =
+                administrator.post("/api/v1/endpoints", "{\"url\":\"serial:///dev/none?baud=57600\"}");
 
         assertThat(added.status()).isEqualTo(201);
         assertThat(added.text("state")).isEqualTo("failed");
@@ -155,8 +157,8 @@ class LinksTest {
         assertThat(metrics.raw().headers().firstValue("Content-Type").orElse(""))
                 .startsWith("text/plain");
         assertThat(metrics.raw().body())
-                .contains("dronemap_endpoint_frames_in_total{endpoint=\"configured-1\",url=\"" + FakeVehicleLinkGateway.CONFIGURED
-                        + "\"} 2.0")
+                .contains("dronemap_endpoint_frames_in_total{endpoint=\"configured-1\",url=\""
+                        + FakeVehicleLinkGateway.CONFIGURED + "\"} 2.0")
                 .contains("dronemap_endpoint_kernel_drops_total")
                 .contains("dronemap_vehicle_received_total{drone=\"drone-1\",session=\"127.0.0.1:14601:1\"")
                 .contains("dronemap_drones{state=\"live\"}")

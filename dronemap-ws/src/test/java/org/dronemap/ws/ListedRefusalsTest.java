@@ -95,10 +95,14 @@ class ListedRefusalsTest {
         house = new TestServer(data, TestServer.Options.protectedBy(protection));
         key = house.key(Role.ADMINISTRATOR);
         List<Listed> all = new ArrayList<>();
-        new TestHttpClient(house, "").get("/api/openapi.json").json().path("paths").forEachEntry((path, methods) -> {
-            methods.forEachEntry(
-                    (method, description) -> all.add(new Listed(method.toUpperCase(Locale.ROOT), path, description)));
-        });
+        new TestHttpClient(house, "")
+                .get("/api/openapi.json")
+                .json()
+                .path("paths")
+                .forEachEntry((path, methods) -> {
+                    methods.forEachEntry((method, description) ->
+                            all.add(new Listed(method.toUpperCase(Locale.ROOT), path, description)));
+                });
         operations = all;
     }
 

@@ -19,7 +19,8 @@ class OrganisationsTest {
     private final TestServer house = SharedServer.get();
     private final ScriptedVehicle one = vehicle();
     private final ScriptedVehicle two = vehicle();
-    private final OrganisationMember root = house.member(OrganisationId.HOME, "root-" + house.number(), Role.ADMINISTRATOR);
+    private final OrganisationMember root =
+            house.member(OrganisationId.HOME, "root-" + house.number(), Role.ADMINISTRATOR);
     private final OrganisationMember ann = house.member(OrganisationId.HOME, "ann-" + house.number(), Role.OPERATOR);
 
     private ScriptedVehicle vehicle() {

@@ -62,7 +62,8 @@ class OwnOutletTest {
         String good = "{\"passphrase\":\"sixteen letters!\"}";
         assertThat(set(ann, good).status()).isEqualTo(200);
         assertThat(set(ann, good).status()).isEqualTo(200);
-        assertThat(set(new TestHttpClient(house, house.key(Role.VIEWER)), good).status()).isEqualTo(409);
+        assertThat(set(new TestHttpClient(house, house.key(Role.VIEWER)), good).status())
+                .isEqualTo(409);
     }
 
     @Test
@@ -74,9 +75,11 @@ class OwnOutletTest {
             new KeyRights(Role.OPERATOR, one, null),
             new KeyRights(Role.OPERATOR, KeyScope.ALL, Instant.parse("2100-01-01T00:00:00Z"))
         }) {
-            assertThat(set(new TestHttpClient(house, house.key(rights)), "{}").status()).isEqualTo(403);
+            assertThat(set(new TestHttpClient(house, house.key(rights)), "{}").status())
+                    .isEqualTo(403);
         }
-        assertThat(set(new TestHttpClient(house, house.key(Role.OPERATOR)), "{}").status())
+        assertThat(set(new TestHttpClient(house, house.key(Role.OPERATOR)), "{}")
+                        .status())
                 .isEqualTo(200);
     }
 
@@ -107,7 +110,8 @@ class OwnOutletTest {
         assertThat(close(ann, id).status()).isEqualTo(404);
         String second =
                 open(ann, "{\"address\":\"192.0.2.7\"}").json().path("id").asString("");
-        assertThat(close(new TestHttpClient(house, house.key(Role.ADMINISTRATOR)), second).status())
+        assertThat(close(new TestHttpClient(house, house.key(Role.ADMINISTRATOR)), second)
+                        .status())
                 .isEqualTo(204);
     }
 

@@ -225,7 +225,8 @@ class PlansTest {
     @Test
     void sayWhichFactOfWhichDroneIsMissing() {
         ScriptedVehicle stranger = tenant.vehicle();
-        TestHttpClient.Answer answer = operator.post(PATH, "{\"drones\":[\"" + stranger.id() + "\"]," + waypoints(1) + "}");
+        TestHttpClient.Answer answer =
+                operator.post(PATH, "{\"drones\":[\"" + stranger.id() + "\"]," + waypoints(1) + "}");
 
         assertThat(answer.status()).isEqualTo(409);
         assertThat(answer.text("detail")).isEqualTo("Where the home of “" + stranger.name() + "” is, is not known.");

@@ -11,8 +11,8 @@ import org.dronemap.core.access.Role;
 import org.dronemap.ws.testserver.OrganisationFixture;
 import org.dronemap.ws.testserver.RecordingStreamClient;
 import org.dronemap.ws.testserver.ResourceScopeTable.Whose;
-import org.dronemap.ws.testserver.RightsTable.Caller;
 import org.dronemap.ws.testserver.RightsTable;
+import org.dronemap.ws.testserver.RightsTable.Caller;
 import org.dronemap.ws.testserver.TestHttpClient;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
@@ -207,10 +207,10 @@ class ReachTest extends ReachTrial {
 
     @Test
     void tellsEachOrganisationOnTheStreamOfItsOwnThingsOnly() {
-        try (RecordingStreamClient ourStream =
-                        RecordingStreamClient.withKey(house, ours.get(Role.VIEWER).key());
-                RecordingStreamClient theirStream =
-                        RecordingStreamClient.withKey(house, theirs.get(Role.VIEWER).key())) {
+        try (RecordingStreamClient ourStream = RecordingStreamClient.withKey(
+                        house, ours.get(Role.VIEWER).key());
+                RecordingStreamClient theirStream = RecordingStreamClient.withKey(
+                        house, theirs.get(Role.VIEWER).key())) {
             for (RecordingStreamClient stream : List.of(ourStream, theirStream)) {
                 stream.await(message -> isType(message, "drones"));
             }

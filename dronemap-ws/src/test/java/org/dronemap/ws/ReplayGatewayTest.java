@@ -143,7 +143,8 @@ class ReplayGatewayTest {
         TestHttpClient.Answer replay = operator.post(path + "/replays", "");
         assertThat(replay.status()).isEqualTo(409);
         assertThat(replay.text("detail")).contains("cannot be played");
-        TestHttpClient stranger = house.member(new OrganisationId("others"), "stranger-" + house.number(), Role.ADMINISTRATOR)
+        TestHttpClient stranger = house.member(
+                        new OrganisationId("others"), "stranger-" + house.number(), Role.ADMINISTRATOR)
                 .http();
         assertThat(stranger.get(path).status()).isEqualTo(404);
         assertThat(stranger.get(path + "/file").status()).isEqualTo(404);

@@ -125,7 +125,8 @@ class RobotKeysTest {
                 .post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
                 .text("id");
         OrganisationId theirs = new OrganisationId(organisation);
-        TestHttpClient root = house.member(theirs, "their-root", Role.ADMINISTRATOR).http();
+        TestHttpClient root =
+                house.member(theirs, "their-root", Role.ADMINISTRATOR).http();
 
         String own = root.post(PATH, "{\"label\":\"Rescuer\",\"systemId\":7}").text("id");
         String given = administrator

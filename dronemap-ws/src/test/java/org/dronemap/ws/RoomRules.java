@@ -84,7 +84,8 @@ final class RoomRules {
     static Set<String> seen(JavaClass type) {
         Set<String> seen = new TreeSet<>();
         type.getDirectDependenciesFromSelf()
-                .forEach(each -> room(each.getTargetClass().getBaseComponentType()).ifPresent(seen::add));
+                .forEach(each ->
+                        room(each.getTargetClass().getBaseComponentType()).ifPresent(seen::add));
         room(type).ifPresent(seen::remove);
         return seen;
     }

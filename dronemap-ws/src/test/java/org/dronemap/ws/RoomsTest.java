@@ -26,13 +26,14 @@ class RoomsTest {
                 .withImportOption(new ImportOption.DoNotIncludeTests())
                 .importPackages("org.dronemap.ws");
         Map<String, Set<String>> used = new TreeMap<>();
-        house.forEach(type -> RoomRules.room(type).ifPresent(room -> used.computeIfAbsent(room, r -> new TreeSet<>())
-                .addAll(RoomRules.seen(type))));
+        house.forEach(type -> RoomRules.room(type)
+                .ifPresent(
+                        room -> used.computeIfAbsent(room, r -> new TreeSet<>()).addAll(RoomRules.seen(type))));
 
         assertThat(used.keySet()).containsAll(RoomRules.FLOORS);
-        assertThat(RoomRules.ARROWS).allSatisfy((room, others) -> assertThat(used.get(room))
-                .as(room)
-                .containsAll(others));
+        assertThat(RoomRules.ARROWS)
+                .allSatisfy(
+                        (room, others) -> assertThat(used.get(room)).as(room).containsAll(others));
     }
 
     @Test

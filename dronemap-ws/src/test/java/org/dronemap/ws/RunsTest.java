@@ -295,7 +295,8 @@ class RunsTest {
 
     @Test
     void areToldOnTheStreamToWhoMaySeeThem() {
-        OrganisationMember stranger = house.member(new OrganisationId("others"), tenant.unique("stranger"), Role.SUPERVISOR);
+        OrganisationMember stranger =
+                house.member(new OrganisationId("others"), tenant.unique("stranger"), Role.SUPERVISOR);
         try (RecordingStreamClient mine = RecordingStreamClient.withKey(house, key);
                 RecordingStreamClient theirs = RecordingStreamClient.withKey(house, stranger.key())) {
             mine.await(message -> isOf(message, "drones"));
@@ -332,7 +333,8 @@ class RunsTest {
 
     /** Its whole mission, once it was started, and down. */
     private static void fly(ImmediateCopter copter) {
-        ConditionWait.until("it is started", () -> Optional.of(kinds(copter)).filter(all -> all.contains("StartMission")));
+        ConditionWait.until(
+                "it is started", () -> Optional.of(kinds(copter)).filter(all -> all.contains("StartMission")));
         int items = copter.performed().stream()
                 .filter(Command.UploadMission.class::isInstance)
                 .map(Command.UploadMission.class::cast)
@@ -389,7 +391,8 @@ class RunsTest {
         String changed = last.decision().substring(0, last.decision().length() - 3) + other;
         journal.set(journal.size() - 1, new JournalEntry(last.number(), last.at(), last.input(), changed));
 
-        JournalReplay<RunState, RunInput> replay = new JournalReplay<>(house.runs().kind());
+        JournalReplay<RunState, RunInput> replay =
+                new JournalReplay<>(house.runs().kind());
         replay.take(journal);
 
         assertThat(replay.difference()).contains(new JournalReplay.Difference(last.number(), changed, last.decision()));

@@ -136,7 +136,8 @@ class SameProblemTest {
     private Told toldByAll(Role role, String drone, String command, String operation) {
         String key = tenant.key(role);
         Told rest = overRest(new TestHttpClient(tenant.server(), key), drone, command);
-        assertThat(overSoap(new TestHttpClient(tenant.server(), key), drone, operation)).isEqualTo(rest);
+        assertThat(overSoap(new TestHttpClient(tenant.server(), key), drone, operation))
+                .isEqualTo(rest);
         assertThat(onTheStream(key, drone, command)).isEqualTo(rest);
         return rest;
     }

@@ -49,7 +49,8 @@ class ServerSettingsTest {
         assertThat(ServerSettings.fromEnvironment(Map.of()).protection()).isEqualTo(ServerSettings.Protection.DEFAULT);
         assertThat(ServerSettings.Protection.DEFAULT.rates().perSecond())
                 .as("as docs/security.md says")
-                .isEqualTo(Map.of(WorkKind.REQUEST, 200.0, WorkKind.COMMAND, 50.0, WorkKind.EXPORT, 5.0, WorkKind.SIGN_IN, 5.0));
+                .isEqualTo(Map.of(
+                        WorkKind.REQUEST, 200.0, WorkKind.COMMAND, 50.0, WorkKind.EXPORT, 5.0, WorkKind.SIGN_IN, 5.0));
         ServerSettings.Protection own = ServerSettings.fromEnvironment(Map.of(
                         "DRONEMAP_RATE_COMMANDS", "0",
                         "DRONEMAP_RATE_REQUESTS", "7",
@@ -173,7 +174,8 @@ class ServerSettingsTest {
         Map<String, String> both = new HashMap<>(encrypted);
         both.put("DRONEMAP_ORIGINAL_ADDRESSES", "true");
 
-        assertThat(ServerSettings.fromEnvironment(encrypted).originalAddresses()).isFalse();
+        assertThat(ServerSettings.fromEnvironment(encrypted).originalAddresses())
+                .isFalse();
         assertThatThrownBy(() -> ServerSettings.fromEnvironment(both))
                 .isInstanceOf(SetupException.class)
                 .hasMessageContaining("DRONEMAP_ORIGINAL_ADDRESSES cannot be on with TLS");

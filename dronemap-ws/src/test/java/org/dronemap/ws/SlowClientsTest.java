@@ -42,7 +42,8 @@ class SlowClientsTest {
     @BeforeAll
     void open(@TempDir Path data) {
         ClientLimits limits = new ClientLimits(CONNECTIONS, REQUESTS, Duration.ofSeconds(1));
-        house = new TestServer(data, TestServer.Options.protectedBy(new ServerSettings.Protection(limits, BudgetRates.UNBOUNDED)));
+        house = new TestServer(
+                data, TestServer.Options.protectedBy(new ServerSettings.Protection(limits, BudgetRates.UNBOUNDED)));
         vehicle = ScriptedVehicle.connect(house.cloud(), 15_700);
         key = house.key(Role.OPERATOR);
         other = new TestHttpClient(house, key);

@@ -56,7 +56,8 @@ class SoapFaultsTest {
     void isTheCallersForABadValueAStrangerAndAnUnknownDrone() {
         String badValue = fault("<w:goto><droneId>" + vehicle.id()
                 + "</droneId><latitude>95</latitude><longitude>8</longitude><altitude>20</altitude></w:goto>");
-        String stranger = call(new TestHttpClient(house, ""), "<w:getDronesList/>").raw().body();
+        String stranger =
+                call(new TestHttpClient(house, ""), "<w:getDronesList/>").raw().body();
         String unknown = fault("<w:land><droneId>nosuchdrone</droneId></w:land>");
 
         assertThat(badValue)

@@ -98,7 +98,9 @@ class StreamTest {
 
     @Test
     void takesATicketOnce() {
-        String ticket = new TestHttpClient(house, key).post("/api/v1/stream-tickets", "").text("ticket");
+        String ticket = new TestHttpClient(house, key)
+                .post("/api/v1/stream-tickets", "")
+                .text("ticket");
 
         try (RecordingStreamClient first = RecordingStreamClient.with(house, "?ticket=" + ticket, Map.of());
                 RecordingStreamClient second = RecordingStreamClient.with(house, "?ticket=" + ticket, Map.of())) {
@@ -167,7 +169,8 @@ class StreamTest {
                 null,
                 null,
                 null);
-        ConditionWait.until("those of earlier tests have left", () -> clients() == 0 ? Optional.of(true) : Optional.empty());
+        ConditionWait.until(
+                "those of earlier tests have left", () -> clients() == 0 ? Optional.of(true) : Optional.empty());
         try (Socket deaf = new Socket();
                 RecordingStreamClient other = RecordingStreamClient.withKey(house, key)) {
             deaf.setReceiveBufferSize(1024);

@@ -50,7 +50,11 @@ class TlsTest {
         house = new TestServer(
                 data,
                 new TestServer.Options(
-                        false, RegistrationPolicy.APPROVAL, ServerSettings.Protection.DEFAULT, SelfSignedCertificate.files(tls), null));
+                        false,
+                        RegistrationPolicy.APPROVAL,
+                        ServerSettings.Protection.DEFAULT,
+                        SelfSignedCertificate.files(tls),
+                        null));
         key = house.key(Role.VIEWER);
     }
 

@@ -52,8 +52,8 @@ class ToursTest {
 
     @Test
     void keepTheLastWaypointWhereTheDroneStaysThere() {
-        TestHttpClient.Answer answer = ask("\"ending\":\"hold\",\"waypoints\":[" + north(3) + "," + north(1) + "," + north(2)
-                + "," + north(4) + "]");
+        TestHttpClient.Answer answer = ask("\"ending\":\"hold\",\"waypoints\":[" + north(3) + "," + north(1) + ","
+                + north(2) + "," + north(4) + "]");
 
         assertThat(order(answer)).containsExactly(1, 2, 0, 3);
         JsonNode tour = answer.json();

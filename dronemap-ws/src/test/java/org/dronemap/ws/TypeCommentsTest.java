@@ -36,7 +36,8 @@ class TypeCommentsTest {
 
     @Test
     void findsAQuestion() {
-        assertThat(asks("/** What is kept. */\n@Stored(as = \"x\")\npublic record Kept() {}")).isTrue();
+        assertThat(asks("/** What is kept. */\n@Stored(as = \"x\")\npublic record Kept() {}"))
+                .isTrue();
         assertThat(asks("/**\n * How it is kept.\n */\nfinal class Keeping {}")).isTrue();
         assertThat(asks("/** A value that is kept. */\nrecord Kept() {}")).isFalse();
     }
@@ -49,13 +50,13 @@ class TypeCommentsTest {
     private static List<Path> sources() throws IOException {
         List<Path> found = new ArrayList<>();
         try (Stream<Path> modules = Files.list(Path.of(".."))) {
-            for (Path module : modules.filter(path -> path.getFileName().toString().startsWith("dronemap-"))
+            for (Path module : modules.filter(
+                            path -> path.getFileName().toString().startsWith("dronemap-"))
                     .toList()) {
                 Path main = module.resolve("src/main/java");
                 if (Files.isDirectory(main)) {
                     try (Stream<Path> all = Files.walk(main)) {
-                        all.filter(path -> path.toString().endsWith(".java")
-                                        && !path.endsWith("package-info.java"))
+                        all.filter(path -> path.toString().endsWith(".java") && !path.endsWith("package-info.java"))
                                 .forEach(found::add);
                     }
                 }

@@ -38,7 +38,8 @@ class UsernameTokenTest {
     void open() {
         SoapClient.withKey(house, tenant.key(Role.ADMINISTRATOR))
                 .call("addUser", "name", bob, "role", "operator", "password", FIRST);
-        SoapClient.withHeader(house, TestHttpClient.basic(bob, FIRST)).call("changePassword", "current", FIRST, "next", OWN);
+        SoapClient.withHeader(house, TestHttpClient.basic(bob, FIRST))
+                .call("changePassword", "current", FIRST, "next", OWN);
     }
 
     private String call(String token) {

@@ -44,8 +44,8 @@ class UsersTest {
 
         assertThat(closed.status()).isEqualTo(403);
         assertThat(closed.text("detail")).startsWith("Somebody else has seen your password");
-        assertThatThrownBy(() ->
-                        SoapClient.withHeader(house, TestHttpClient.basic(bob, FIRST)).call("getDronesList"))
+        assertThatThrownBy(() -> SoapClient.withHeader(house, TestHttpClient.basic(bob, FIRST))
+                        .call("getDronesList"))
                 .hasMessageStartingWith("Somebody else has seen your password");
         assertThat(takeOwnPassword(cookie).status()).isEqualTo(204);
         assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(200);
@@ -67,7 +67,8 @@ class UsersTest {
             assertThat(byTicket.awaitClose()).startsWith("This session has ended");
         }
         assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(401);
-        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status()).isEqualTo(401);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status())
+                .isEqualTo(401);
         assertThatThrownBy(() -> SoapClient.withKey(house, key).call("getDronesList"))
                 .hasMessageContaining("not valid");
         TestHttpClient.Answer again = signIn(bob, OWN);
@@ -78,7 +79,8 @@ class UsersTest {
         change(bob, "{\"state\":\"active\"}");
 
         assertThat(signIn(bob, OWN).status()).isEqualTo(200);
-        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status()).isEqualTo(200);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status())
+                .isEqualTo(200);
     }
 
     @Test
@@ -142,7 +144,8 @@ class UsersTest {
         assertThat(administrator.post("/api/v1/users/" + bob + "/sign-out", "").status())
                 .isEqualTo(204);
         assertThat(with(third, "GET", "/api/v1/session", "").status()).isEqualTo(401);
-        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status()).isEqualTo(200);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").status())
+                .isEqualTo(200);
     }
 
     @Test
@@ -176,7 +179,9 @@ class UsersTest {
                         .status())
                 .isEqualTo(204);
 
-        assertThat(new TestHttpClient(house, made.text("key")).get("/api/v1/drones").status())
+        assertThat(new TestHttpClient(house, made.text("key"))
+                        .get("/api/v1/drones")
+                        .status())
                 .isEqualTo(401);
         assertThat(administrator
                         .send(path + "/" + made.text("id"), HttpRequest.Builder::DELETE)
@@ -191,7 +196,8 @@ class UsersTest {
         String key = tenant.key(Role.REPORTER);
         String sentence = "Your role may send reports, not see drones; ask an administrator for the viewer role.";
 
-        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
+        assertThat(new TestHttpClient(house, key).get("/api/v1/drones").text("detail"))
+                .isEqualTo(sentence);
         assertThatThrownBy(() -> SoapClient.withKey(house, key).call("getDronesList"))
                 .hasMessage(sentence);
         try (RecordingStreamClient stream = RecordingStreamClient.withKey(house, key)) {

@@ -14,8 +14,8 @@ import org.dronemap.core.access.Role;
 import org.dronemap.ws.testserver.OrganisationMember;
 import org.dronemap.ws.testserver.RecordingStreamClient;
 import org.dronemap.ws.testserver.ResourceScopeTable.Whose;
-import org.dronemap.ws.testserver.RightsTable.Caller;
 import org.dronemap.ws.testserver.RightsTable;
+import org.dronemap.ws.testserver.RightsTable.Caller;
 import org.dronemap.ws.testserver.TestHttpClient;
 import org.junit.jupiter.api.Test;
 

@@ -69,7 +69,8 @@ class ZonesTest {
         TestHttpClient viewer = tenant.http(Role.VIEWER);
         assertThat(viewer.get(ZONES).json().path("features").get(0)).isEqualTo(added.json());
         // What was read can be written again.
-        TestHttpClient.Answer again = put(added.text("id"), added.json().toString().replace("School", "Hospital"));
+        TestHttpClient.Answer again =
+                put(added.text("id"), added.json().toString().replace("School", "Hospital"));
         assertThat(again.json().path("properties").path("name").asString()).isEqualTo("Hospital");
         assertThat(delete(added.text("id")).status()).isEqualTo(204);
         assertThat(delete(added.text("id")).status()).isEqualTo(404);
@@ -197,7 +198,8 @@ class ZonesTest {
                 + "},\"properties\":null}]}";
 
         TestHttpClient.Answer taken = supervisor.post(ZONES + "/import", foreign);
-        TestHttpClient.Answer broken = supervisor.post(ZONES + "/import", foreign.replace("\"Polygon\"", "\"LineString\""));
+        TestHttpClient.Answer broken =
+                supervisor.post(ZONES + "/import", foreign.replace("\"Polygon\"", "\"LineString\""));
 
         assertThat(taken.status()).isEqualTo(201);
         assertThat(taken.json()

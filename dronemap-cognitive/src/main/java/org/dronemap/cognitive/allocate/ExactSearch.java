@@ -70,7 +70,8 @@ final class ExactSearch {
         boolean empty = orders[r].isEmpty();
         TourEvaluation home = flight.copy();
         home.fly(at, tours.end(r));
-        if (!empty && (!Double.isFinite(home.seconds()) || !InsertionFeasibility.withinRange(costs, r, home.joules()))) {
+        if (!empty
+                && (!Double.isFinite(home.seconds()) || !InsertionFeasibility.withinRange(costs, r, home.joules()))) {
             return;
         }
         SearchCost.Totals tally = empty ? without(r, home, before) : before.with(home.seconds(), home.sum());

@@ -20,7 +20,8 @@ final class OrphanInsertion {
     private final double[] changes;
     private final int[] afters;
 
-    OrphanInsertion(TourLists tours, SearchCost worth, LegCosts costs, AllocationProblem instance, NeighbourLists near) {
+    OrphanInsertion(
+            TourLists tours, SearchCost worth, LegCosts costs, AllocationProblem instance, NeighbourLists near) {
         this.tours = tours;
         this.worth = worth;
         this.costs = costs;

@@ -59,7 +59,8 @@ public final class ParallelSearch {
     }
 
     /** A search that fails ends the others. */
-    private static Allocation guarded(Search search, long seed, SearchBudget budget, Incumbent best, AtomicBoolean failed) {
+    private static Allocation guarded(
+            Search search, long seed, SearchBudget budget, Incumbent best, AtomicBoolean failed) {
         boolean done = false;
         try {
             Allocation found = search.run(seed, budget, best::offer);

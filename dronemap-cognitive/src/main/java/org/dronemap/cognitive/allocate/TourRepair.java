@@ -76,7 +76,9 @@ final class TourRepair {
         flight.fly(at, instance.end(r));
         double late = flight.late() ? flight.lateSeconds() / Math.max(1, flight.seconds()) : 0;
         double range = costs.rangeJoules(r);
-        double drawn = InsertionFeasibility.withinRange(costs, r, flight.joules()) ? 0 : (flight.joules() - range) / Math.max(1, range);
+        double drawn = InsertionFeasibility.withinRange(costs, r, flight.joules())
+                ? 0
+                : (flight.joules() - range) / Math.max(1, range);
         return late + drawn;
     }
 }

@@ -82,7 +82,8 @@ final class DetourFinder {
         int slot = from % known.trees.length();
         SourceTree rooted = known.trees.get(slot);
         if (rooted == null || rooted.place() != from) {
-            rooted = new SourceTree(from, maze.new Tree(track.x[from], track.y[from], seenFrom(maze, known, from)));
+            rooted = new SourceTree(
+                    from, maze.new ShortestPathTree(track.x[from], track.y[from], seenFrom(maze, known, from)));
             known.trees.set(slot, rooted);
         }
         return rooted.tree().to(track.x[to], track.y[to], seenFrom(maze, known, to));

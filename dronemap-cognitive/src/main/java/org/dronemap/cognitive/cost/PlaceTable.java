@@ -32,7 +32,8 @@ final class PlaceTable {
         this.waypoints = problem.waypoints().size();
         this.places = waypoints + 2 * problem.crafts().size();
         this.takeOffMeters = problem.rules().takeOffMeters();
-        this.chart = new EquirectangularPlane(problem.crafts().get(0).start().place().point());
+        this.chart =
+                new EquirectangularPlane(problem.crafts().get(0).start().place().point());
         this.x = new double[places];
         this.y = new double[places];
         this.stretch = new double[places];

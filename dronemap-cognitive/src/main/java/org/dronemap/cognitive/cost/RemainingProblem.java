@@ -61,7 +61,8 @@ public final class RemainingProblem {
         int[] places = Arrays.copyOf(open, count + 2 * drones);
         System.arraycopy(ends, 0, places, count, ends.length);
         Legs legs = count == waypoints ? whole.legs() : new SomeLegs(whole.legs(), places);
-        return new RemainingProblem(whole, new AllocationProblem(legs, visits, carriers, whole.aim()), begun, open, sum);
+        return new RemainingProblem(
+                whole, new AllocationProblem(legs, visits, carriers, whole.aim()), begun, open, sum);
     }
 
     public AllocationProblem whole() {

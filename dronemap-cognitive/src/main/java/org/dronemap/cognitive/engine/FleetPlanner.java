@@ -31,7 +31,8 @@ public final class FleetPlanner {
      * @param seed the same one gives the same plan for a budget of iterations
      * @param progress hears of better plans, on this thread
      */
-    public static PlanResult plan(PlanningProblem problem, long seed, SearchBudget budget, Consumer<SearchProgress> progress) {
+    public static PlanResult plan(
+            PlanningProblem problem, long seed, SearchBudget budget, Consumer<SearchProgress> progress) {
         return watched(problem, seed, budget, (better, orders) -> progress.accept(better));
     }
 
@@ -40,7 +41,8 @@ public final class FleetPlanner {
      *
      * @param watcher hears of better plans, on this thread, and for each drone of the numbers of its waypoints in order
      */
-    public static PlanResult watched(PlanningProblem problem, long seed, SearchBudget budget, BiConsumer<SearchProgress, int[][]> watcher) {
+    public static PlanResult watched(
+            PlanningProblem problem, long seed, SearchBudget budget, BiConsumer<SearchProgress, int[][]> watcher) {
         CostModel costs = CostModel.of(problem);
         AllocationObjective aim = costs.instance().aim();
         double bound = LowerBound.of(costs.instance(), boundRounds(problem));

@@ -29,7 +29,8 @@ final class NoiseHypothesis {
     };
 
     private final NoiseModel phone;
-    private final List<MotionKalmanFilter> beliefs = MANNERS.stream().map(MotionKalmanFilter::new).toList();
+    private final List<MotionKalmanFilter> beliefs =
+            MANNERS.stream().map(MotionKalmanFilter::new).toList();
     private double[] weights = BEGINS;
     private double credit;
 

@@ -178,7 +178,8 @@ public final class StandOffGuidance {
     private PlanePoint expected(DroneFix drone, Instant there) {
         double late = late(drone, there);
         PlanePoint last = plane.spot(drone.point());
-        return new PlanePoint(last.eastMeters() + drone.eastward() * late, last.northMeters() + drone.northward() * late);
+        return new PlanePoint(
+                last.eastMeters() + drone.eastward() * late, last.northMeters() + drone.northward() * late);
     }
 
     private static double late(DroneFix drone, Instant there) {
@@ -191,7 +192,8 @@ public final class StandOffGuidance {
                 from.northMeters() + (to.northMeters() - from.northMeters()) * share);
     }
 
-    private static ReferencePoint chase(ReferencePoint from, StandOffPosition.Wanted wanted, PlanePoint to, boolean fenced, Cycle step) {
+    private static ReferencePoint chase(
+            ReferencePoint from, StandOffPosition.Wanted wanted, PlanePoint to, boolean fenced, Cycle step) {
         double share = fenced ? 0 : 1;
         // Where it comes by going along with the target: the rest is to be made up.
         double east = to.eastMeters() - from.spot().eastMeters() - wanted.eastward() * share * step.seconds();
@@ -220,7 +222,8 @@ public final class StandOffGuidance {
                 .allowed(
                         List.of(from.spot(), step.drone()),
                         from.up(),
-                        new TrafficAvoidance.Velocity(from.eastward() + moreEast * share, from.northward() + moreNorth * share));
+                        new TrafficAvoidance.Velocity(
+                                from.eastward() + moreEast * share, from.northward() + moreNorth * share));
         double east = apart.eastward();
         double north = apart.northward();
         FlyableArea room = step.around().room();

@@ -113,7 +113,8 @@ public final class TargetFilter implements TrackedTarget {
             return null;
         }
         double seconds = Math.max(0, Math.min(LONGEST_SECONDS, seconds(from, time)));
-        double best = hypotheses.stream().mapToDouble(NoiseHypothesis::credit).max().orElseThrow();
+        double best =
+                hypotheses.stream().mapToDouble(NoiseHypothesis::credit).max().orElseThrow();
         double all = 0;
         PlanarMotion sum = PlanarMotion.NONE;
         for (NoiseHypothesis hypothesis : hypotheses) {

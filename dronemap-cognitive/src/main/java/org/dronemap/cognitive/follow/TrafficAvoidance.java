@@ -61,7 +61,8 @@ public final class TrafficAvoidance {
     public record ReportedDrone(DroneFix there, double late, boolean led) {}
 
     /** {@code was}: where it said that it is; {@code spot}: where it is by now if it goes on. */
-    private record Neighbor(PlanePoint was, PlanePoint spot, double eastward, double northward, double amslMeters, boolean led) {
+    private record Neighbor(
+            PlanePoint was, PlanePoint spot, double eastward, double northward, double amslMeters, boolean led) {
         double speed() {
             return Math.hypot(eastward, northward);
         }
@@ -110,7 +111,8 @@ public final class TrafficAvoidance {
                             spot, now, one.eastward(), one.northward(), one.altitudeAmslMeters(), heard.led());
                 })
                 .toList();
-        return new TrafficAvoidance(neighbors, apart.groundMeters() + WANDER_METERS, apart.heightMeters() + WANDER_METERS / 2);
+        return new TrafficAvoidance(
+                neighbors, apart.groundMeters() + WANDER_METERS, apart.heightMeters() + WANDER_METERS / 2);
     }
 
     /** The nearest to that speed by which it keeps apart, if it may be at any of these spots at that height. */
@@ -167,9 +169,11 @@ public final class TrafficAvoidance {
      * @param away from the other to here, of length 1
      * @param excess m/s that it comes on beyond what it may
      */
-    private Velocity outOfTheWay(Neighbor other, PlanePoint here, Velocity wanted, Velocity away, double excess, boolean right) {
+    private Velocity outOfTheWay(
+            Neighbor other, PlanePoint here, Velocity wanted, Velocity away, double excess, boolean right) {
         double side = right ? 1 : -1;
-        Velocity aside = new Velocity(other.northward() / other.speed() * side, -other.eastward() / other.speed() * side);
+        Velocity aside =
+                new Velocity(other.northward() / other.speed() * side, -other.eastward() / other.speed() * side);
         double along = (wanted.eastward() * other.eastward() + wanted.northward() * other.northward()) / other.speed();
         double seconds = (other.ahead(here) - CLEAR_METERS) / Math.max(other.speed() - along, SLOWEST);
         double least = (horizontalMeters - other.right(here) * side) / seconds;

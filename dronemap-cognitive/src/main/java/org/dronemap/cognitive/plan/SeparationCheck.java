@@ -71,7 +71,8 @@ public final class SeparationCheck {
         return Optional.empty();
     }
 
-    private record PiecePair(TourTrajectory one, TourTrajectory.Piece mine, TourTrajectory other, TourTrajectory.Piece yours) {
+    private record PiecePair(
+            TourTrajectory one, TourTrajectory.Piece mine, TourTrajectory other, TourTrajectory.Piece yours) {
         double meters(double seconds) {
             double here = one.along(mine, seconds);
             double there = other.along(yours, seconds);

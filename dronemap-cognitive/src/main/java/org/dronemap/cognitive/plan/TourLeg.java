@@ -38,6 +38,8 @@ public record TourLeg(List<TimedPlace> fixes, double joules) {
 
     /** What lies between: the top of a take-off, turns round barriers, the top of a landing. */
     public List<Place> via() {
-        return fixes.subList(1, fixes.size() - 1).stream().map(TimedPlace::place).toList();
+        return fixes.subList(1, fixes.size() - 1).stream()
+                .map(TimedPlace::place)
+                .toList();
     }
 }

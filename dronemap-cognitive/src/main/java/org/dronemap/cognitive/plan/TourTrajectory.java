@@ -54,7 +54,8 @@ final class TourTrajectory {
 
     /** Of a drone that has a tour. */
     static TourTrajectory of(Craft craft, Tour tour, LocalPlane plane) {
-        TrajectoryBuilder drawing = new TrajectoryBuilder(plane, craft.performance().speeds().acceleration());
+        TrajectoryBuilder drawing =
+                new TrajectoryBuilder(plane, craft.performance().speeds().acceleration());
         drawing.at(tour.way(0).from(), craft.start().airborne() ? 0 : tour.departsSeconds());
         tour.ways().forEach(drawing::follow);
         if (!craft.lands()) {
@@ -65,7 +66,8 @@ final class TourTrajectory {
 
     /** Of a drone that waits, flies one way, and stays at its end until a moment. */
     static TourTrajectory of(Craft craft, double since, TourLeg way, double until, LocalPlane plane) {
-        TrajectoryBuilder drawing = new TrajectoryBuilder(plane, craft.performance().speeds().acceleration());
+        TrajectoryBuilder drawing =
+                new TrajectoryBuilder(plane, craft.performance().speeds().acceleration());
         drawing.at(way.from(), since);
         drawing.follow(way);
         drawing.stay(until);

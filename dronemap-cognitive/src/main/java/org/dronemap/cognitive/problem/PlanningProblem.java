@@ -44,7 +44,8 @@ public record PlanningProblem(
 
     /** In calm air without zones, all done as early as can be. */
     public static PlanningProblem of(List<Waypoint> waypoints, List<Craft> crafts) {
-        return new PlanningProblem(waypoints, crafts, List.of(), UniformWind.CALM, Objective.earliestEnd(), PlanningRules.USUAL);
+        return new PlanningProblem(
+                waypoints, crafts, List.of(), UniformWind.CALM, Objective.earliestEnd(), PlanningRules.USUAL);
     }
 
     public PlanningProblem with(UniformWind other) {

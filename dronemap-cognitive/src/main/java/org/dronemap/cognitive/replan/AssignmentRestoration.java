@@ -17,7 +17,8 @@ final class AssignmentRestoration {
     private final ToDoubleFunction<Allocation> cost;
     private final BooleanSupplier isOver;
 
-    AssignmentRestoration(Allocator allocator, int[][] live, ToDoubleFunction<Allocation> cost, BooleanSupplier isOver) {
+    AssignmentRestoration(
+            Allocator allocator, int[][] live, ToDoubleFunction<Allocation> cost, BooleanSupplier isOver) {
         this.allocator = allocator;
         this.live = live;
         this.cost = cost;

@@ -19,7 +19,8 @@ final class IndexedAssignments {
     private final @Nullable DroneId[] owners;
     private final BitSet busy;
 
-    private IndexedAssignments(PlanningProblem problem, int[][] firm, int[][] orders, @Nullable DroneId[] owners, BitSet busy) {
+    private IndexedAssignments(
+            PlanningProblem problem, int[][] firm, int[][] orders, @Nullable DroneId[] owners, BitSet busy) {
         this.problem = problem;
         this.firm = firm;
         this.orders = orders;
@@ -94,7 +95,8 @@ final class IndexedAssignments {
         List<ReassignedWaypoint> moved = new ArrayList<>();
         for (int waypoint = 0; waypoint < now.length; waypoint++) {
             if (!Objects.equals(now[waypoint], owners[waypoint])) {
-                moved.add(new ReassignedWaypoint(problem.waypoints().get(waypoint).id(), owners[waypoint], now[waypoint]));
+                moved.add(new ReassignedWaypoint(
+                        problem.waypoints().get(waypoint).id(), owners[waypoint], now[waypoint]));
             }
         }
         return new ReplanResult.Changes(moved, drones);

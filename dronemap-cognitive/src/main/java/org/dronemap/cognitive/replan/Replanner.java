@@ -70,9 +70,11 @@ public final class Replanner {
      */
     public ReplanResult improve(long seed, SearchBudget budget, int searches, Executor executor) {
         SearchBudget search = iterations -> budget.used(iterations) / SEARCH_SHARE;
-        Allocation found = new ParallelSearch(allocator, searches, executor).improve(kept.orders(), seed, search, better -> {});
+        Allocation found =
+                new ParallelSearch(allocator, searches, executor).improve(kept.orders(), seed, search, better -> {});
         int[][] live = continuation.rest(standing.orders());
-        AssignmentRestoration restoring = new AssignmentRestoration(allocator, live, this::cost, () -> budget.used(0) >= 1);
+        AssignmentRestoration restoring =
+                new AssignmentRestoration(allocator, live, this::cost, () -> budget.used(0) >= 1);
         return replanned(restoring.fewestChanged(kept, found), found.iterations());
     }
 

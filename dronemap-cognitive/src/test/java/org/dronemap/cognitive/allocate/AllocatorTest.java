@@ -30,7 +30,9 @@ class AllocatorTest {
             AllocationOracle judge = new AllocationOracle(instance);
             assertThat(judge.faults(found.orders())).as("problem %d", problem).isEmpty();
             assertThat(judge.verdict(found.orders()).isWorseThan(BruteForcePlans.best(instance)))
-                    .as("problem %d: %s against %s", problem, judge.verdict(found.orders()), BruteForcePlans.best(instance))
+                    .as(
+                            "problem %d: %s against %s",
+                            problem, judge.verdict(found.orders()), BruteForcePlans.best(instance))
                     .isFalse();
         }
     }
@@ -54,7 +56,8 @@ class AllocatorTest {
 
     @Test
     void comesWithinAFewPercentOfItsBoundOnATourOfOneDrone() {
-        AllocationProblem instance = instances.plain(60, 1, AllocationObjective.minSum(AllocationObjective.Measure.METERS));
+        AllocationProblem instance =
+                instances.plain(60, 1, AllocationObjective.minSum(AllocationObjective.Measure.METERS));
 
         Allocation found = search(instance, 1, SearchBudget.iterations(30_000));
 
@@ -99,7 +102,8 @@ class AllocatorTest {
         Allocation found = search(instance, 3, SHORT);
 
         assertThat(found.longestSeconds())
-                .isCloseTo(new AllocationOracle(instance).verdict(found.orders()).longest(), offset(1e-6));
+                .isCloseTo(
+                        new AllocationOracle(instance).verdict(found.orders()).longest(), offset(1e-6));
     }
 
     @Test

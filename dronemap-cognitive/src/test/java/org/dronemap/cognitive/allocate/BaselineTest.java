@@ -63,7 +63,8 @@ class BaselineTest {
     @Test
     void visitEveryWaypointWhereNothingForbidsIt() {
         for (int problem = 0; problem < 20; problem++) {
-            AllocationProblem instance = instances.plain(40, 1 + problem % 5, problem % 2 == 0 ? AllocationObjective.minMax() : minSum());
+            AllocationProblem instance =
+                    instances.plain(40, 1 + problem % 5, problem % 2 == 0 ? AllocationObjective.minMax() : minSum());
             for (Baseline baseline : ALL) {
                 Allocation found = baseline.allocate(instance);
 
@@ -90,7 +91,8 @@ class BaselineTest {
 
     @Test
     void theDroneWithTheShortestTourGoesOnToTheNearestWaypoint() {
-        AllocationProblem instance = line(new double[] {9, -2, 1, -5}, new double[] {0, 0}, AllocationObjective.minMax());
+        AllocationProblem instance =
+                line(new double[] {9, -2, 1, -5}, new double[] {0, 0}, AllocationObjective.minMax());
 
         Allocation found = new NearestNeighbour().allocate(instance);
 
@@ -103,7 +105,8 @@ class BaselineTest {
     @Test
     void dronesThatClaimTheSameWaypointsSettleWhoFliesThem() {
         // Both claim the two at 1 and -1, nobody those at 2 and -2.
-        AllocationProblem instance = line(new double[] {1, 2, -1, -2}, new double[] {0, 0}, AllocationObjective.minMax());
+        AllocationProblem instance =
+                line(new double[] {1, 2, -1, -2}, new double[] {0, 0}, AllocationObjective.minMax());
 
         Allocation found = new MoveAndImprove().allocate(instance);
 

@@ -17,7 +17,8 @@ import org.junit.jupiter.api.Test;
 class ParallelSearchTest {
     private static final SearchBudget SHORT = SearchBudget.iterations(3_000);
 
-    private final AllocationProblem instance = new RandomAllocationProblems(2).plain(80, 4, AllocationObjective.minMax());
+    private final AllocationProblem instance =
+            new RandomAllocationProblems(2).plain(80, 4, AllocationObjective.minMax());
     private final ExecutorService threads = Executors.newFixedThreadPool(2);
 
     @AfterEach

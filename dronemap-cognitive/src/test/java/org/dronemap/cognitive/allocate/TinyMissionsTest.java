@@ -37,7 +37,8 @@ class TinyMissionsTest {
             CostModel costs = CostModel.of(problem);
             AllocationOracle judge = new AllocationOracle(costs.instance());
             AllocationOracle.Expectation best = BruteForcePlans.best(costs.instance());
-            Allocation found = new Allocator(costs.instance()).search(mission, SearchBudget.iterations(1_000), better -> {});
+            Allocation found =
+                    new Allocator(costs.instance()).search(mission, SearchBudget.iterations(1_000), better -> {});
 
             assertThat(judge.faults(found.orders())).as("mission %d", mission).isEmpty();
             assertThat(judge.verdict(found.orders()).isWorseThan(best))
@@ -75,7 +76,8 @@ class TinyMissionsTest {
         for (int i = random.nextInt(3); i > 0; i--) {
             barriers.add(new Barrier(
                     "zone " + i,
-                    new FenceZone.Circle(false, PlanningFixtures.point(anywhere(), anywhere()), random.nextDouble(50, 300)),
+                    new FenceZone.Circle(
+                            false, PlanningFixtures.point(anywhere(), anywhere()), random.nextDouble(50, 300)),
                     AltitudeBand.ALL,
                     Set.of()));
         }
@@ -96,6 +98,8 @@ class TinyMissionsTest {
         if (random.nextBoolean()) {
             craft = craft.with(EnergyBudget.ofWattHours(random.nextDouble(5, 40), 2));
         }
-        return random.nextInt(3) == 0 ? craft.with(Start.inFlight(PlanningFixtures.place(anywhere(), anywhere(), 450))) : craft;
+        return random.nextInt(3) == 0
+                ? craft.with(Start.inFlight(PlanningFixtures.place(anywhere(), anywhere(), 450)))
+                : craft;
     }
 }

@@ -68,7 +68,8 @@ class TwoOptMoveTest {
 
     @Test
     void comesNearTheBoundWithALongTour() {
-        AllocationProblem instance = instances.plain(400, 1, AllocationObjective.minSum(AllocationObjective.Measure.METERS));
+        AllocationProblem instance =
+                instances.plain(400, 1, AllocationObjective.minSum(AllocationObjective.Measure.METERS));
         double sum = new Allocator(instance)
                 .search(1, SearchBudget.iterations(40_000), better -> {})
                 .sum();

@@ -61,8 +61,9 @@ class CostModelTest {
 
     @Test
     void climbsWhileItFliesAndTheSlowerOfTheTwoCounts() {
-        List<Waypoint> steep =
-                List.of(Waypoint.at("low", PlanningFixtures.place(0, 0, 450)), Waypoint.at("high", PlanningFixtures.place(100, 0, 550)));
+        List<Waypoint> steep = List.of(
+                Waypoint.at("low", PlanningFixtures.place(0, 0, 450)),
+                Waypoint.at("high", PlanningFixtures.place(100, 0, 550)));
         Legs legs = legs(PlanningProblem.of(steep, List.of(craft)));
 
         assertThat(legs.seconds(0, 0, 1)).isCloseTo(50, CLOSE);
@@ -75,9 +76,12 @@ class CostModelTest {
     @Test
     void gathersSpeedAndBrakes() {
         Speeds lazy = new Speeds(10, 2, 1, 0.5, 15, 2.5);
-        Performance performance =
-                new Performance(lazy, PlanningFixtures.copter().power(), PlanningFixtures.copter().response());
-        List<Waypoint> waypoints = PlanningFixtures.waypoints(new double[] {0, 0}, new double[] {0, 1000}, new double[] {10, 0});
+        Performance performance = new Performance(
+                lazy,
+                PlanningFixtures.copter().power(),
+                PlanningFixtures.copter().response());
+        List<Waypoint> waypoints =
+                PlanningFixtures.waypoints(new double[] {0, 0}, new double[] {0, 1000}, new double[] {10, 0});
         Legs legs = legs(PlanningProblem.of(waypoints, List.of(craft.with(performance))));
 
         assertThat(legs.seconds(0, 0, 1)).isCloseTo(104, CLOSE);
@@ -87,8 +91,8 @@ class CostModelTest {
     @Test
     void windCarriesAeroplanesAndIsFlownAgainstByCopters() {
         UniformWind fromNorth = new UniformWind(6, 0);
-        Legs plane =
-                legs(PlanningProblem.of(two, List.of(craft.with(PlanningFixtures.aeroplane()))).with(fromNorth));
+        Legs plane = legs(PlanningProblem.of(two, List.of(craft.with(PlanningFixtures.aeroplane())))
+                .with(fromNorth));
         Legs copter = legs(PlanningProblem.of(two, List.of(craft)).with(fromNorth));
 
         assertThat(plane.seconds(0, 2, 0)).as("against it: 4 m/s").isCloseTo(25 + 250, within(0.5));
@@ -103,8 +107,8 @@ class CostModelTest {
     @Test
     void reachesNothingAgainstWindThatIsStrongerThanItself() {
         UniformWind storm = new UniformWind(12, 0);
-        Legs plane =
-                legs(PlanningProblem.of(two, List.of(craft.with(PlanningFixtures.aeroplane()))).with(storm));
+        Legs plane = legs(PlanningProblem.of(two, List.of(craft.with(PlanningFixtures.aeroplane())))
+                .with(storm));
         Legs copter = legs(PlanningProblem.of(two, List.of(craft)).with(storm));
 
         assertThat(plane.seconds(0, 2, 0)).isInfinite();
@@ -126,7 +130,8 @@ class CostModelTest {
                 Waypoint.at("far", PlanningFixtures.place(20_000, 0, 450)),
                 new Waypoint("soon", PlanningFixtures.place(3_000, 0, 450), Task.FLY_THROUGH, 1, new TimeWindow(0, 60)),
                 Waypoint.at("near", PlanningFixtures.place(100, 0, 450)));
-        CostModel model = CostModel.of(PlanningProblem.of(waypoints, List.of(craft.with(EnergyBudget.ofWattHours(100, 20)))));
+        CostModel model =
+                CostModel.of(PlanningProblem.of(waypoints, List.of(craft.with(EnergyBudget.ofWattHours(100, 20)))));
 
         assertThat(model.whyNobody(0)).hasValue("No drone in good contact can take a picture.");
         assertThat(model.whyNobody(1).orElseThrow())
@@ -179,7 +184,8 @@ class CostModelTest {
     @Test
     void leavesAnIdleDroneOnTheGroundAndBringsAFlyingOneHome() {
         Craft flying = PlanningFixtures.craft(1, 0, 0).with(Start.inFlight(PlanningFixtures.place(500, 0, 450)));
-        Plan plan = CostModel.of(PlanningProblem.of(two, List.of(craft, flying))).plan(new int[][] {{}, {}});
+        Plan plan =
+                CostModel.of(PlanningProblem.of(two, List.of(craft, flying))).plan(new int[][] {{}, {}});
 
         assertThat(plan.tours()).hasSize(1);
         assertThat(plan.tours().get(0).drone()).isEqualTo(flying.id());
@@ -189,8 +195,8 @@ class CostModelTest {
 
     @Test
     void waitsForAWindowAndPaysForIt() {
-        List<Waypoint> late = List.of(
-                new Waypoint("late", PlanningFixtures.place(1000, 0, 450), new Task(30, Set.of()), 1, new TimeWindow(200, 300)));
+        List<Waypoint> late = List.of(new Waypoint(
+                "late", PlanningFixtures.place(1000, 0, 450), new Task(30, Set.of()), 1, new TimeWindow(200, 300)));
         Tour tour = CostModel.of(PlanningProblem.of(late, List.of(craft)))
                 .plan(new int[][] {{0}})
                 .tours()

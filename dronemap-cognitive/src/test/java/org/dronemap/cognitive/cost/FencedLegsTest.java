@@ -64,8 +64,8 @@ class FencedLegsTest {
 
         assertThat(way.via())
                 .hasSize(2)
-                .allSatisfy(
-                        place -> assertThat(RandomZones.coordinate(place.point()).y).isCloseTo(103, within(0.1)));
+                .allSatisfy(place ->
+                        assertThat(RandomZones.coordinate(place.point()).y).isCloseTo(103, within(0.1)));
         double expected = 2 * Math.hypot(177, 103) + 46;
         assertThat(model.instance().legs().meters(0, 0, 1)).isCloseTo(expected, within(0.5));
         assertThat(model.instance().legs().seconds(0, 0, 1)).isCloseTo(expected / 10, within(0.05));
@@ -94,8 +94,8 @@ class FencedLegsTest {
         field.polygon(true, new double[][] {{-300, -300}, {300, -300}, {300, 300}, {-300, 300}});
         List<Waypoint> waypoints = PlanningFixtures.waypoints(
                 new double[] {0, 0}, new double[] {200, 0}, new double[] {400, 0}, new double[] {21, 0});
-        CostModel model = CostModel.of(
-                PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, -200, 0))).withBarriers(field.barriers));
+        CostModel model = CostModel.of(PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, -200, 0)))
+                .withBarriers(field.barriers));
 
         assertThat(model.whyNobody(0)).hasValue("It lies where zone 0 keeps drones from.");
         assertThat(model.whyNobody(1)).isEmpty();
@@ -137,8 +137,9 @@ class FencedLegsTest {
     @Test
     void bindsOnlyTheDronesThatAreNamed() {
         FenceZone wall = new FenceZone.Circle(false, PlanningFixtures.point(500, 0), 100);
-        List<Waypoint> waypoints =
-                List.of(Waypoint.at("a", PlanningFixtures.place(0, 0, 450)), Waypoint.at("b", PlanningFixtures.place(1000, 0, 450)));
+        List<Waypoint> waypoints = List.of(
+                Waypoint.at("a", PlanningFixtures.place(0, 0, 450)),
+                Waypoint.at("b", PlanningFixtures.place(1000, 0, 450)));
         Craft bound = PlanningFixtures.craft(0, 0, 300);
         Craft free = PlanningFixtures.craft(1, 0, -300);
         CostModel model = CostModel.of(PlanningProblem.of(waypoints, List.of(bound, free))
@@ -153,8 +154,9 @@ class FencedLegsTest {
     void neitherTakesOffNorLandsThroughAZone() {
         FenceZone over = new FenceZone.Circle(false, PlanningFixtures.point(0, 0), 30);
         AltitudeBand above = new AltitudeBand(430.0, null, Altitude.Reference.AMSL);
-        List<Waypoint> waypoints =
-                List.of(Waypoint.at("high", PlanningFixtures.place(300, 0, 450)), Waypoint.at("low", PlanningFixtures.place(300, 0, 420)));
+        List<Waypoint> waypoints = List.of(
+                Waypoint.at("high", PlanningFixtures.place(300, 0, 450)),
+                Waypoint.at("low", PlanningFixtures.place(300, 0, 420)));
         CostModel model = CostModel.of(PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, 0, 0)))
                 .withBarriers(List.of(new Barrier("the lid", over, above, Set.of()))));
 
@@ -237,10 +239,12 @@ class FencedLegsTest {
             double[] spot = spot(more);
             many.add(PlanningFixtures.waypoint(i, spot[0], spot[1]));
         }
-        Legs small = CostModel.of(PlanningProblem.of(few, PlanningFixtures.crafts(1)).withBarriers(field.barriers))
+        Legs small = CostModel.of(
+                        PlanningProblem.of(few, PlanningFixtures.crafts(1)).withBarriers(field.barriers))
                 .instance()
                 .legs();
-        Legs big = CostModel.of(PlanningProblem.of(many, PlanningFixtures.crafts(1)).withBarriers(field.barriers))
+        Legs big = CostModel.of(
+                        PlanningProblem.of(many, PlanningFixtures.crafts(1)).withBarriers(field.barriers))
                 .instance()
                 .legs();
 
@@ -256,7 +260,8 @@ class FencedLegsTest {
     void answersTheSameToSeveralThreadsAtOnce() {
         SplittableRandom random = new SplittableRandom(8);
         RandomZones field = RandomZones.random(random);
-        PlanningProblem problem = PlanningProblem.of(waypoints(random, 80), PlanningFixtures.crafts(2)).withBarriers(field.barriers);
+        PlanningProblem problem = PlanningProblem.of(waypoints(random, 80), PlanningFixtures.crafts(2))
+                .withBarriers(field.barriers);
         Legs alone = CostModel.of(problem).instance().legs();
         Legs shared = CostModel.of(problem).instance().legs();
 

@@ -20,7 +20,8 @@ class FleetPlannerTest {
         SplittableRandom random = new SplittableRandom(seed);
         List<Waypoint> places = new ArrayList<>();
         for (int i = 0; i < waypoints; i++) {
-            places.add(PlanningFixtures.waypoint(i, random.nextDouble(-1_500, 1_500), random.nextDouble(-1_500, 1_500)));
+            places.add(
+                    PlanningFixtures.waypoint(i, random.nextDouble(-1_500, 1_500), random.nextDouble(-1_500, 1_500)));
         }
         return PlanningProblem.of(places, PlanningFixtures.crafts(crafts));
     }
@@ -53,7 +54,9 @@ class FleetPlannerTest {
         PlanResult planned = FleetPlanner.plan(problem(3, 40, 1), 1, SHORT, heard::add);
 
         assertThat(heard).hasSizeGreaterThan(1);
-        assertThat(heard).extracting(SearchProgress::gap).isSortedAccordingTo((one, other) -> Double.compare(other, one));
+        assertThat(heard)
+                .extracting(SearchProgress::gap)
+                .isSortedAccordingTo((one, other) -> Double.compare(other, one));
         assertThat(planned.progress().gap()).isBetween(0.0, 0.1);
     }
 

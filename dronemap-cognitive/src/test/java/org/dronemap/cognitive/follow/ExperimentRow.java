@@ -14,7 +14,8 @@ import org.dronemap.cognitive.follow.FollowTrial.Way;
  * @param vehicle what followed
  * @param settled nothing was counted before, in seconds
  */
-record ExperimentRow(String vehicle, String walk, String link, Noise noise, Way way, double settled, List<Result> flown) {
+record ExperimentRow(
+        String vehicle, String walk, String link, Noise noise, Way way, double settled, List<Result> flown) {
     private static final int HUNDRED = 100;
     private static final int EVERY = 10;
 

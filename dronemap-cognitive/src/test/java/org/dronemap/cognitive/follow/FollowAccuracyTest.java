@@ -31,7 +31,8 @@ class FollowAccuracyTest {
         return flown(walks, way, noise, link, SEEDS);
     }
 
-    private static Result flown(LongFunction<TargetPath> walks, Way way, Noise noise, SimulatedLink.Quality link, int seeds) {
+    private static Result flown(
+            LongFunction<TargetPath> walks, Way way, Noise noise, SimulatedLink.Quality link, int seeds) {
         Result all = new Result(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
         for (long seed = 1; seed <= seeds; seed++) {
             Result one = FollowTrial.fly(walks.apply(seed), setup(way, noise, link, seed));
@@ -55,7 +56,8 @@ class FollowAccuracyTest {
         assertThat(mean).isLessThan(1.5);
         assertThat(mean)
                 .isLessThan(0.7
-                        * flown(TargetPath::running, Way.LAST_FIX, Noise.NONE, SLOW).mean());
+                        * flown(TargetPath::running, Way.LAST_FIX, Noise.NONE, SLOW)
+                                .mean());
     }
 
     @Test
@@ -64,7 +66,8 @@ class FollowAccuracyTest {
         assertThat(mean).isLessThan(4);
         assertThat(mean)
                 .isLessThan(0.7
-                        * flown(TargetPath::cycling, Way.LAST_FIX, Noise.NONE, SLOW).mean());
+                        * flown(TargetPath::cycling, Way.LAST_FIX, Noise.NONE, SLOW)
+                                .mean());
     }
 
     /** Upwind they fly at the end of what they can lean for; one that is asked for more flies straight on where it had to turn. */
@@ -74,7 +77,9 @@ class FollowAccuracyTest {
         for (long seed : List.of(1L, 3L, 5L)) {
             Setup setup = setup(Way.FORESEEN, Noise.NONE, SLOW, seed);
             SimDrone drone = SimDrone.leaning(FollowTrial.height(setup), WIND, seed);
-            all.error().addAll(FollowTrial.fly(TargetPath.cycling(seed), setup, drone).error());
+            all.error()
+                    .addAll(FollowTrial.fly(TargetPath.cycling(seed), setup, drone)
+                            .error());
         }
         assertThat(all.mean()).isLessThan(6);
         assertThat(all.quantile(1)).isLessThan(40);
@@ -82,7 +87,8 @@ class FollowAccuracyTest {
 
     @Test
     void addsLittleToTheErrorOfAPhone() {
-        for (LongFunction<TargetPath> walks : List.<LongFunction<TargetPath>>of(TargetPath::walking, TargetPath::running)) {
+        for (LongFunction<TargetPath> walks :
+                List.<LongFunction<TargetPath>>of(TargetPath::walking, TargetPath::running)) {
             Result result = flown(walks, Way.FORESEEN, Noise.PLACE, SLOW);
             assertThat(result.mean()).isLessThan(Result.mean(result.noise()) + 1);
         }
@@ -96,7 +102,8 @@ class FollowAccuracyTest {
 
     @Test
     void staysBesideAWalkerOverAPoorNetwork() {
-        assertThat(flown(TargetPath::walking, Way.FORESEEN, Noise.NONE, POOR).mean()).isLessThan(2);
+        assertThat(flown(TargetPath::walking, Way.FORESEEN, Noise.NONE, POOR).mean())
+                .isLessThan(2);
     }
 
     @Test

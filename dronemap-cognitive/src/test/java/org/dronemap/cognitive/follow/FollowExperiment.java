@@ -70,6 +70,7 @@ public final class FollowExperiment {
                     new Setup(what.way(), SOUTH, what.noise(), what.link().quality(), WIND, seed, SETTLED)));
         }
         String walk = walks.apply(1).name();
-        out.println(new ExperimentRow("simulated", walk, what.link().name(), what.noise(), what.way(), SETTLED, flown).json());
+        out.println(new ExperimentRow("simulated", walk, what.link().name(), what.noise(), what.way(), SETTLED, flown)
+                .json());
     }
 }

@@ -46,7 +46,13 @@ public final class FollowTrial {
 
     /** {@code settled}: nothing is counted before, in seconds. */
     public record Setup(
-            Way way, StandOff standOff, Noise noise, SimulatedLink.Quality link, double wind, long seed, double settled) {
+            Way way,
+            StandOff standOff,
+            Noise noise,
+            SimulatedLink.Quality link,
+            double wind,
+            long seed,
+            double settled) {
         public Setup with(Way other) {
             return new Setup(other, standOff, noise, link, wind, seed, settled);
         }
@@ -215,7 +221,12 @@ public final class FollowTrial {
     private void say(double now) {
         if (setup.way() != Way.FORWARDED) {
             GuidanceSetpoint aim = guidance.lead(
-                    at(now), setup.standOff(), limits, new StandOffGuidance.Environment(room, TrafficAvoidance.NONE), seen, heard);
+                    at(now),
+                    setup.standOff(),
+                    limits,
+                    new StandOffGuidance.Environment(room, TrafficAvoidance.NONE),
+                    seen,
+                    heard);
             down.send(now, new SentSetpoint(aim, false));
         }
     }

@@ -19,7 +19,9 @@ class FollowingDronesSeparationTest {
     @Test
     void keepsThreeApartThatWantToBeAtOnePlace() {
         assertThat(MultiFollowTrial.three(USUAL, 2, true).fly(45)).isGreaterThan(USUAL.groundMeters());
-        assertThat(MultiFollowTrial.three(null, 2, true).fly(45)).as("nobody looking out").isLessThan(5);
+        assertThat(MultiFollowTrial.three(null, 2, true).fly(45))
+                .as("nobody looking out")
+                .isLessThan(5);
     }
 
     @Test

@@ -65,7 +65,11 @@ final class MultiFollowTrial {
     static MultiFollowTrial passed(double metersAside, double metersAway, double speed, long seed) {
         MultiFollowTrial swarm = new MultiFollowTrial(FollowSeparation.USUAL, new SplittableRandom(seed));
         List<double[]> stands = List.of(new double[] {0, 0, 0}, new double[] {300, 0, 0});
-        swarm.add(TargetPath.recorded("stands", stands), new PlanePoint(0, 0), new PlanePoint(0, -20), new StandOffSide.Fixed(180));
+        swarm.add(
+                TargetPath.recorded("stands", stands),
+                new PlanePoint(0, 0),
+                new PlanePoint(0, -20),
+                new StandOffSide.Fixed(180));
         swarm.passer = new CrossingDrone(metersAside, -10 - metersAway, speed);
         return swarm;
     }
@@ -74,7 +78,11 @@ final class MultiFollowTrial {
     static MultiFollowTrial crossed(double metersAside, long seed) {
         MultiFollowTrial swarm = new MultiFollowTrial(FollowSeparation.USUAL, new SplittableRandom(seed));
         List<double[]> stands = List.of(new double[] {0, 0, 0}, new double[] {300, 0, 0});
-        swarm.add(TargetPath.recorded("stands", stands), new PlanePoint(0, 0), new PlanePoint(0, -10), new StandOffSide.Fixed(180));
+        swarm.add(
+                TargetPath.recorded("stands", stands),
+                new PlanePoint(0, 0),
+                new PlanePoint(0, -10),
+                new StandOffSide.Fixed(180));
         swarm.add(
                 TargetPath.recorded("stands", stands),
                 new PlanePoint(metersAside, 150),
@@ -93,7 +101,11 @@ final class MultiFollowTrial {
             double faster = Math.min(seconds, speed / ACCELERATION);
             double flown = ACCELERATION * faster * faster / 2 + speed * (seconds - faster);
             return new DroneFix(
-                    MultiFollowTrial.at(now), PLANE.place(new PlanePoint(east, north + flown)), amsl, 0, ACCELERATION * faster);
+                    MultiFollowTrial.at(now),
+                    PLANE.place(new PlanePoint(east, north + flown)),
+                    amsl,
+                    0,
+                    ACCELERATION * faster);
         }
     }
 
@@ -146,8 +158,8 @@ final class MultiFollowTrial {
         }
 
         void say(double now, TrafficAvoidance others) {
-            GuidanceLimits limits =
-                    new GuidanceLimits(12, SimDrone.HOME_AMSL + FollowTrial.LOWEST_METERS, SimDrone.HOME_AMSL + 120, LINK.seconds());
+            GuidanceLimits limits = new GuidanceLimits(
+                    12, SimDrone.HOME_AMSL + FollowTrial.LOWEST_METERS, SimDrone.HOME_AMSL + 120, LINK.seconds());
             down.send(
                     now,
                     guidance.lead(

@@ -57,7 +57,12 @@ final class SimDrone implements TestCopter {
 
     private SimDrone(Geodetic home, Airframe airframe, double meters, double wind, long seed) {
         frame = new LocalFrame(home.latitudeDegrees(), home.longitudeDegrees(), HOME_AMSL);
-        craft = new SimulatedCraft(frame, airframe, new BatteryModel(50_000), new WindModel(wind, seed % 7, seed), new NavigationEstimator(3_000));
+        craft = new SimulatedCraft(
+                frame,
+                airframe,
+                new BatteryModel(50_000),
+                new WindModel(wind, seed % 7, seed),
+                new NavigationEstimator(3_000));
         vehicle = new SimulatedVehicle(
                 new VehicleSettings(1, 1, 2, -1, 1500, 0, true, 0, Map.of("WPNAV_SPEED", 1_500.0)),
                 new AutopilotKind("arducopter", "", SimulatedArduCopter::new),

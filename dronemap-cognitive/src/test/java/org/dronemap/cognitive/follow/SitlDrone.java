@@ -217,7 +217,8 @@ final class SitlDrone implements TestCopter, AutoCloseable {
         }
         GlobalPositionInt moving = known(estimate);
         double late = nowMillis == 0 ? 0 : (nowMillis - truthMillis) / 1e3;
-        return new NeuPosition(here.north() + moving.vx() / 1e2 * late, here.east() + moving.vy() / 1e2 * late, here.up());
+        return new NeuPosition(
+                here.north() + moving.vx() / 1e2 * late, here.east() + moving.vy() / 1e2 * late, here.up());
     }
 
     @Override

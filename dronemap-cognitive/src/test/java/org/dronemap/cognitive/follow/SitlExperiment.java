@@ -22,7 +22,9 @@ import org.dronemap.cognitive.follow.FollowTrial.Way;
 public final class SitlExperiment {
     private static final double DELIVERED = 30;
     private static final List<Kind> KINDS = List.of(
-            new Kind(TargetPath::walking, DELIVERED), new Kind(TargetPath::cycling, DELIVERED), new Kind(TargetPath::cycling, 45));
+            new Kind(TargetPath::walking, DELIVERED),
+            new Kind(TargetPath::cycling, DELIVERED),
+            new Kind(TargetPath::cycling, 45));
     private static final int AT_A_TIME = 20;
 
     /** {@code lean}: how far they may at most, in degrees. */
@@ -71,13 +73,21 @@ public final class SitlExperiment {
         }
     }
 
-    private static ExperimentRow line(String walk, List<Future<Flown>> flights) throws InterruptedException, ExecutionException {
+    private static ExperimentRow line(String walk, List<Future<Flown>> flights)
+            throws InterruptedException, ExecutionException {
         List<Result> results = new ArrayList<>();
         String vehicle = "";
         for (Future<Flown> flight : flights) {
             vehicle = flight.get().vehicle();
             results.add(flight.get().result());
         }
-        return new ExperimentRow(vehicle, walk, FollowExperiment.SLOW.name(), Noise.NONE, Way.FORESEEN, FollowExperiment.SETTLED, results);
+        return new ExperimentRow(
+                vehicle,
+                walk,
+                FollowExperiment.SLOW.name(),
+                Noise.NONE,
+                Way.FORESEEN,
+                FollowExperiment.SETTLED,
+                results);
     }
 }

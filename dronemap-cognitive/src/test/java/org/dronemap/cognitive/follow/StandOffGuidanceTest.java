@@ -16,7 +16,8 @@ class StandOffGuidanceTest {
     private static final Instant ZERO = Instant.parse("2026-05-01T12:00:00Z");
     private static final LocalPlane PLANE = new LocalPlane(SimDrone.HOME);
     private static final double AMSL = SimDrone.HOME_AMSL + 15;
-    private static final GuidanceLimits LIMITS = new GuidanceLimits(12, SimDrone.HOME_AMSL + 5, SimDrone.HOME_AMSL + 50, 0.3);
+    private static final GuidanceLimits LIMITS =
+            new GuidanceLimits(12, SimDrone.HOME_AMSL + 5, SimDrone.HOME_AMSL + 50, 0.3);
     private static final double STEP = 0.1;
 
     private final TestTarget target = new TestTarget();
@@ -51,9 +52,11 @@ class StandOffGuidanceTest {
         return led(standOff, limits, new StandOffGuidance.Environment(room, TrafficAvoidance.NONE), heard);
     }
 
-    private GuidanceSetpoint led(StandOff standOff, GuidanceLimits limits, StandOffGuidance.Environment around, boolean heard) {
+    private GuidanceSetpoint led(
+            StandOff standOff, GuidanceLimits limits, StandOffGuidance.Environment around, boolean heard) {
         now += STEP;
-        GuidanceSetpoint aim = guidance.lead(moment(now), standOff, limits, around, drone, heard ? moment(now) : moment(now - 2.1));
+        GuidanceSetpoint aim =
+                guidance.lead(moment(now), standOff, limits, around, drone, heard ? moment(now) : moment(now - 2.1));
         drone = new DroneFix(moment(now), aim.point(), aim.altitudeAmslMeters(), aim.eastward(), aim.northward());
         return aim;
     }
@@ -95,15 +98,18 @@ class StandOffGuidanceTest {
     @Test
     void staysOnTheSideThatIsAskedFor() {
         target.motion = new PlanarMotion(0, 0, 2, 0, 0);
-        assertThat(fromTarget(led(beside(new StandOffSide.Behind()), 60)).eastMeters()).isBetween(-10.5, -9.5);
-        assertThat(fromTarget(led(beside(new StandOffSide.Ahead()), 60)).eastMeters()).isBetween(9.5, 10.5);
+        assertThat(fromTarget(led(beside(new StandOffSide.Behind()), 60)).eastMeters())
+                .isBetween(-10.5, -9.5);
+        assertThat(fromTarget(led(beside(new StandOffSide.Ahead()), 60)).eastMeters())
+                .isBetween(9.5, 10.5);
         assertThat(fromTarget(led(beside(new StandOffSide.Fixed(180)), 60)).northMeters())
                 .isBetween(-10.5, -9.5);
     }
 
     private PlanePoint fromTarget(GuidanceSetpoint aim) {
         PlanePoint at = target.at(moment(now + LIMITS.downlinkSeconds())).spot();
-        return new PlanePoint(spot(aim).eastMeters() - at.eastMeters(), spot(aim).northMeters() - at.northMeters());
+        return new PlanePoint(
+                spot(aim).eastMeters() - at.eastMeters(), spot(aim).northMeters() - at.northMeters());
     }
 
     @Test
@@ -119,8 +125,10 @@ class StandOffGuidanceTest {
 
     @Test
     void looksAtItsTarget() {
-        assertThat(led(beside(new StandOffSide.Fixed(180)), 40).headingDegrees()).isBetween(0.0, 1.0);
-        assertThat(led(beside(new StandOffSide.Fixed(270)), 40).headingDegrees()).isBetween(89.0, 91.0);
+        assertThat(led(beside(new StandOffSide.Fixed(180)), 40).headingDegrees())
+                .isBetween(0.0, 1.0);
+        assertThat(led(beside(new StandOffSide.Fixed(270)), 40).headingDegrees())
+                .isBetween(89.0, 91.0);
     }
 
     @Test
@@ -153,7 +161,9 @@ class StandOffGuidanceTest {
         drone = at(begins, SimDrone.HOME_AMSL + 2);
         DroneFix comes = new DroneFix(ZERO, PLANE.place(new PlanePoint(-40, 30)), SimDrone.HOME_AMSL + 6, 0, -6);
         StandOffGuidance.Environment crowded = new StandOffGuidance.Environment(
-                FlyableArea.EVERYWHERE, TrafficAvoidance.of(PLANE, List.of(new TrafficAvoidance.ReportedDrone(comes, 0, true)), FollowSeparation.USUAL));
+                FlyableArea.EVERYWHERE,
+                TrafficAvoidance.of(
+                        PLANE, List.of(new TrafficAvoidance.ReportedDrone(comes, 0, true)), FollowSeparation.USUAL));
         GuidanceSetpoint aim = led(beside(new StandOffSide.Fixed(0)), LIMITS, crowded, true);
         assertThat(aim.doing()).isEqualTo(GuidanceSetpoint.Phase.CLIMBING);
         boolean heard = false;
@@ -182,7 +192,8 @@ class StandOffGuidanceTest {
     void evadesNobodyIntoTheGround() {
         double low = SimDrone.HOME_AMSL + 6.5;
         drone = at(new PlanePoint(0, 10), low);
-        TrafficAvoidance.ReportedDrone there = new TrafficAvoidance.ReportedDrone(at(new PlanePoint(2, 10), low + 1), 0, true);
+        TrafficAvoidance.ReportedDrone there =
+                new TrafficAvoidance.ReportedDrone(at(new PlanePoint(2, 10), low + 1), 0, true);
         TrafficAvoidance above = TrafficAvoidance.of(PLANE, List.of(there), FollowSeparation.USUAL);
         double lowest = low;
         for (int step = 0; step < 100; step++) {

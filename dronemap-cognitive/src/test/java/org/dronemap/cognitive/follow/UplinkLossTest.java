@@ -14,7 +14,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class UplinkLossTest {
     private static final LocalPlane PLANE = new LocalPlane(SimDrone.HOME);
     private static final double AMSL = SimDrone.HOME_AMSL + 15;
-    private static final GuidanceLimits LIMITS = new GuidanceLimits(15, SimDrone.HOME_AMSL + 5, SimDrone.HOME_AMSL + 50, 0);
+    private static final GuidanceLimits LIMITS =
+            new GuidanceLimits(15, SimDrone.HOME_AMSL + 5, SimDrone.HOME_AMSL + 50, 0);
     private static final StandOff BESIDE = new StandOff(new StandOffSide.Fixed(180), 5, AMSL);
     private static final double HALF = 100;
     private static final double MARGIN = 5;

@@ -33,7 +33,8 @@ final class ZonedFollowFlight {
                 List.of(square(keptOut, random.nextDouble(8, 15))),
                 MARGIN);
         TargetPath walk = TargetPath.one(random.nextInt(4), seed);
-        StandOffSide side = random.nextBoolean() ? new StandOffSide.Behind() : new StandOffSide.Fixed(random.nextDouble(360));
+        StandOffSide side =
+                random.nextBoolean() ? new StandOffSide.Behind() : new StandOffSide.Fixed(random.nextDouble(360));
         double distance = random.nextDouble(3, 15);
         FollowTrial.Noise noise = random.nextBoolean() ? FollowTrial.Noise.PLACE : FollowTrial.Noise.NONE;
         double wind = random.nextDouble(8);

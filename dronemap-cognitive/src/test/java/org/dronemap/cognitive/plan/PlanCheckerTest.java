@@ -41,7 +41,8 @@ class PlanCheckerTest {
             new Waypoint("photo", PlanningFixtures.place(0, 1000, 450), PICTURE, 1, new TimeWindow(200, 400)),
             Waypoint.at("second", PlanningFixtures.place(1000, 1000, 450)),
             Waypoint.at("third", PlanningFixtures.place(1000, -500, 450)));
-    private final PlanningProblem problem = PlanningProblem.of(waypoints, List.of(north, south)).with(new UniformWind(4, 30));
+    private final PlanningProblem problem =
+            PlanningProblem.of(waypoints, List.of(north, south)).with(new UniformWind(4, 30));
     private final Plan right = CostModel.of(problem).plan(new int[][] {{0, 1}, {2}});
 
     @Test
@@ -181,7 +182,8 @@ class PlanCheckerTest {
                                 stop.beginsSeconds(),
                                 stop.leavesSeconds(),
                                 stop.usedJoules() * 1.1)));
-        PlanningProblem empty = PlanningProblem.of(waypoints, List.of(north.with(EnergyBudget.ofWattHours(35, 20)), south))
+        PlanningProblem empty = PlanningProblem.of(
+                        waypoints, List.of(north.with(EnergyBudget.ofWattHours(35, 20)), south))
                 .with(problem.wind());
         finds("and may draw 15.0 Wh", empty, right);
     }
@@ -252,7 +254,10 @@ class PlanCheckerTest {
         finds("leads through the moor", fenced(box, amsl(440, 460)), right);
         finds("leads through the moor", fenced(box(false, -50, -50, 50, 50), amsl(440, 460)), right);
         finds("leaves the moor", fenced(box(true, -2000, -2000, 900, 2000), AltitudeBand.ALL), right);
-        finds("leaves the moor", fenced(new FenceZone.Circle(true, PlanningFixtures.point(0, 0), 1200), AltitudeBand.ALL), right);
+        finds(
+                "leaves the moor",
+                fenced(new FenceZone.Circle(true, PlanningFixtures.point(0, 0), 1200), AltitudeBand.ALL),
+                right);
         finds("over the ceiling", fenced(box(true, -2000, -2000, 2000, 2000), amsl(null, 449)), right);
         assertThat(PlanChecker.faults(fenced(box, amsl(451, null)), right)).isEmpty();
         assertThat(PlanChecker.faults(fenced(box, amsl(null, 449)), right)).isEmpty();
@@ -290,8 +295,9 @@ class PlanCheckerTest {
     @Test
     void findsDronesThatComeTooNear() {
         Craft beside = PlanningFixtures.craft(2, 0, 2000);
-        List<Waypoint> across =
-                List.of(Waypoint.at("a", PlanningFixtures.place(0, 1500, 450)), Waypoint.at("b", PlanningFixtures.place(0, 500, 450)));
+        List<Waypoint> across = List.of(
+                Waypoint.at("a", PlanningFixtures.place(0, 1500, 450)),
+                Waypoint.at("b", PlanningFixtures.place(0, 500, 450)));
         PlanningProblem opposed = PlanningProblem.of(across, List.of(north, beside));
 
         finds(

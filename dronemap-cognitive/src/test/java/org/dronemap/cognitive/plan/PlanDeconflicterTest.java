@@ -100,8 +100,12 @@ class PlanDeconflicterTest {
     void staggersTakeOffAndLandingOnOnePad() {
         List<Waypoint> waypoints =
                 PlanningFixtures.waypoints(new double[] {0, 500}, new double[] {500, 0}, new double[] {-500, 0});
-        PlanningProblem problem =
-                PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, 0, 0), PlanningFixtures.craft(1, 0, 0), PlanningFixtures.craft(2, 0, 0)));
+        PlanningProblem problem = PlanningProblem.of(
+                waypoints,
+                List.of(
+                        PlanningFixtures.craft(0, 0, 0),
+                        PlanningFixtures.craft(1, 0, 0),
+                        PlanningFixtures.craft(2, 0, 0)));
 
         DeconflictedPlan arranged = arranged(problem, new int[][] {{0}, {1}, {2}});
 

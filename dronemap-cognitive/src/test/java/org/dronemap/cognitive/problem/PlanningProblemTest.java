@@ -28,8 +28,12 @@ class PlanningProblemTest {
 
     @Test
     void refusesFiguresOutOfRange() {
-        refuses(() -> new Place(PlanningFixtures.point(0, 0), 10_001), "altitudeAmslMeters must be -500 to 10000: 10001");
-        refuses(() -> new Place(PlanningFixtures.point(0, 0), Double.NaN), "altitudeAmslMeters must be -500 to 10000: NaN");
+        refuses(
+                () -> new Place(PlanningFixtures.point(0, 0), 10_001),
+                "altitudeAmslMeters must be -500 to 10000: 10001");
+        refuses(
+                () -> new Place(PlanningFixtures.point(0, 0), Double.NaN),
+                "altitudeAmslMeters must be -500 to 10000: NaN");
         refuses(() -> new UniformWind(-1, 0), "wind metersPerSecond must be 0 to 100: -1");
         refuses(() -> new UniformWind(1, 361), "wind fromDegrees must be 0 to 360: 361");
         refuses(() -> new Task(-0.5, Set.of()), "serviceSeconds must be 0 to 86400: -0.5");
@@ -56,16 +60,19 @@ class PlanningProblemTest {
         Barrier circle = new Barrier(
                 "the pond", new FenceZone.Circle(false, PlanningFixtures.point(0, 0), 10), AltitudeBand.ALL, Set.of());
         refuses(
-                () -> PlanningProblem.of(List.of(waypoint), List.of(craft)).withBarriers(Collections.nCopies(251, circle)),
+                () -> PlanningProblem.of(List.of(waypoint), List.of(craft))
+                        .withBarriers(Collections.nCopies(251, circle)),
                 "number of corners of all zones must be 0 to 4000: 4016");
-        refuses(() -> PlanningProblem.of(List.of(waypoint, waypoint), List.of(craft)), "the waypoint w0 is named twice");
+        refuses(
+                () -> PlanningProblem.of(List.of(waypoint, waypoint), List.of(craft)),
+                "the waypoint w0 is named twice");
         refuses(() -> PlanningProblem.of(List.of(), List.of(craft, craft)), "the drone d0 is named twice");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> PlanningProblem.of(List.of(PlanningFixtures.waypoint(7, 300_000, 0)), List.of(craft)))
                 .withMessageStartingWith("metres from the first drone to waypoint w7 must be 0 to 200000: ");
         assertThatIllegalArgumentException()
-                .isThrownBy(() ->
-                        PlanningProblem.of(List.of(Waypoint.at("pole", new Place(new Geodetic(86, 8), 0))), List.of(craft)))
+                .isThrownBy(() -> PlanningProblem.of(
+                        List.of(Waypoint.at("pole", new Place(new Geodetic(86, 8), 0))), List.of(craft)))
                 .withMessage("latitude of waypoint pole must be -85 to 85: 86");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Barrier(
@@ -122,7 +129,8 @@ class PlanningProblemTest {
 
     @Test
     void wheelsNeitherTakeOffNorLand() {
-        Craft rover = Craft.atHome(new DroneId("rover"), PlanningFixtures.place(0, 0, 400), Performance.of(VehicleKind.ROVER));
+        Craft rover = Craft.atHome(
+                new DroneId("rover"), PlanningFixtures.place(0, 0, 400), Performance.of(VehicleKind.ROVER));
 
         assertThat(rover.takesOff()).isFalse();
         assertThat(rover.lands()).isFalse();

@@ -22,7 +22,10 @@ class AssignmentRestorationTest {
                     PlanningFixtures.waypoint(3, 5_000, 300),
                     PlanningFixtures.waypoint(4, 10_000, 300),
                     PlanningFixtures.waypoint(5, 10_000, 600)),
-            List.of(PlanningFixtures.craft(0, 0, 0), PlanningFixtures.craft(1, 5_000, 0), PlanningFixtures.craft(2, 10_000, 0)));
+            List.of(
+                    PlanningFixtures.craft(0, 0, 0),
+                    PlanningFixtures.craft(1, 5_000, 0),
+                    PlanningFixtures.craft(2, 10_000, 0)));
 
     private static final int[][] LIVE = {{0, 1, 2}, {3}, {4}};
 

@@ -18,7 +18,8 @@ record DroneLoss(PlanningProblem problem, Plan plan, ReplanSituation situation) 
         SplittableRandom random = new SplittableRandom(seed);
         List<Waypoint> places = new ArrayList<>();
         for (int i = 0; i < waypoints; i++) {
-            places.add(PlanningFixtures.waypoint(i, random.nextDouble(-1_500, 1_500), random.nextDouble(-1_500, 1_500)));
+            places.add(
+                    PlanningFixtures.waypoint(i, random.nextDouble(-1_500, 1_500), random.nextDouble(-1_500, 1_500)));
         }
         PlanningProblem problem = PlanningProblem.of(places, PlanningFixtures.crafts(drones));
         Plan plan = FleetPlanner.plan(problem, seed, SearchBudget.iterations(5_000), progress -> {})

@@ -14,7 +14,8 @@ class ParallelReplanningTest {
     void twoSearchesAtTheSameTimeAnswerWhatTheBetterOneWouldAlone() {
         int others = 0;
         for (int seed = 1; seed <= 10; seed++) {
-            Replanner replanning = FleetPlanner.replanning(DroneLoss.of(seed, 40, 4).situation());
+            Replanner replanning =
+                    FleetPlanner.replanning(DroneLoss.of(seed, 40, 4).situation());
             ReplanResult one = replanning.improve(seed, SHORT);
             ReplanResult other = replanning.improve(seed + 1_000_003, SHORT);
             ReplanResult both = replanning.improve(seed, SHORT, 2, ForkJoinPool.commonPool());

@@ -98,7 +98,8 @@ class ReplannerTest {
     void getsBetterWithinItsBudgetAndNeverWorse() {
         int better = 0;
         for (int seed = 1; seed <= 20; seed++) {
-            Replanner replanning = FleetPlanner.replanning(DroneLoss.of(seed, 40, 4).situation());
+            Replanner replanning =
+                    FleetPlanner.replanning(DroneLoss.of(seed, 40, 4).situation());
             ReplanResult first = replanning.atOnce();
             ReplanResult improved = replanning.improve(seed, SHORT);
 
@@ -136,7 +137,8 @@ class ReplannerTest {
         }
         waypoints.add(PlanningFixtures.waypoint(30, 450, 360));
 
-        ReplanResult replanned = FleetPlanner.replanning(new ReplanSituation(PlanningProblem.of(waypoints, crafts), live))
+        ReplanResult replanned = FleetPlanner.replanning(
+                        new ReplanSituation(PlanningProblem.of(waypoints, crafts), live))
                 .improve(1, SearchBudget.iterations(20_000));
 
         assertThat(replanned.changes().drones()).containsExactly(drone(0));
@@ -163,15 +165,19 @@ class ReplannerTest {
         Craft here = inFlight(PlanningFixtures.craft(0, 0, 0), 0, 0);
         Craft there = inFlight(PlanningFixtures.craft(1, 2_000, 0), 2_000, 0);
         PlanningProblem problem = PlanningProblem.of(waypoints, List.of(here, there));
-        List<LiveAssignment> firm = List.of(new LiveAssignment(drone(0), ids(2), ids()), new LiveAssignment(drone(1), ids(0), ids(1)));
-        List<LiveAssignment> free = List.of(LiveAssignment.of(drone(0), ids(2)), LiveAssignment.of(drone(1), ids(0, 1)));
+        List<LiveAssignment> firm =
+                List.of(new LiveAssignment(drone(0), ids(2), ids()), new LiveAssignment(drone(1), ids(0), ids(1)));
+        List<LiveAssignment> free =
+                List.of(LiveAssignment.of(drone(0), ids(2)), LiveAssignment.of(drone(1), ids(0, 1)));
 
-        ReplanResult bound = FleetPlanner.replanning(new ReplanSituation(problem, firm)).improve(1, SHORT);
+        ReplanResult bound =
+                FleetPlanner.replanning(new ReplanSituation(problem, firm)).improve(1, SHORT);
         assertThat(bound.faults()).isEmpty();
         assertThat(order(bound.plan(), drone(0)).get(0)).isEqualTo("w2");
         assertThat(order(bound.plan(), drone(1)).get(0)).isEqualTo("w0");
 
-        ReplanResult loose = FleetPlanner.replanning(new ReplanSituation(problem, free)).improve(1, SHORT);
+        ReplanResult loose =
+                FleetPlanner.replanning(new ReplanSituation(problem, free)).improve(1, SHORT);
         assertThat(order(loose.plan(), drone(1))).containsExactly("w2");
         assertThat(loose.after().cost()).isLessThan(bound.after().cost());
     }
@@ -182,7 +188,8 @@ class ReplannerTest {
         Craft tired = inFlight(PlanningFixtures.craft(0, 0, 0), 0, 100).with(EnergyBudget.ofWattHours(8, 0));
         Craft fresh = PlanningFixtures.craft(1, 200, 0);
         ReplanSituation situation = new ReplanSituation(
-                PlanningProblem.of(waypoints, List.of(tired, fresh)), List.of(new LiveAssignment(drone(0), ids(1), ids(0))));
+                PlanningProblem.of(waypoints, List.of(tired, fresh)),
+                List.of(new LiveAssignment(drone(0), ids(1), ids(0))));
 
         ReplanResult replanned = FleetPlanner.replanning(situation).atOnce();
 
@@ -199,7 +206,8 @@ class ReplannerTest {
                 new Waypoint("aside", PlanningFixtures.place(3_000, 0, 450), Task.FLY_THROUGH, 1, TimeWindow.ALWAYS));
         Craft only = inFlight(PlanningFixtures.craft(0, 0, 0), 0, 0).with(EnergyBudget.ofWattHours(35, 0));
         ReplanSituation situation = new ReplanSituation(
-                PlanningProblem.of(waypoints, List.of(only)), List.of(LiveAssignment.of(drone(0), List.of("aside", "far"))));
+                PlanningProblem.of(waypoints, List.of(only)),
+                List.of(LiveAssignment.of(drone(0), List.of("aside", "far"))));
 
         ReplanResult replanned = FleetPlanner.replanning(situation).atOnce();
 
@@ -215,8 +223,12 @@ class ReplannerTest {
     void leadsRoundANewFence() {
         List<Waypoint> waypoints = PlanningFixtures.waypoints(new double[] {0, 1_000}, new double[] {300, 1_200});
         Barrier fence = new Barrier(
-                "the new fence", new FenceZone.Circle(false, PlanningFixtures.point(0, 500), 200), AltitudeBand.ALL, Set.of());
-        PlanningProblem problem = PlanningProblem.of(waypoints, List.of(inFlight(PlanningFixtures.craft(0, 0, 0), 0, 100)))
+                "the new fence",
+                new FenceZone.Circle(false, PlanningFixtures.point(0, 500), 200),
+                AltitudeBand.ALL,
+                Set.of());
+        PlanningProblem problem = PlanningProblem.of(
+                        waypoints, List.of(inFlight(PlanningFixtures.craft(0, 0, 0), 0, 100)))
                 .withBarriers(List.of(fence));
 
         ReplanResult replanned = FleetPlanner.replanning(
@@ -255,8 +267,10 @@ class ReplannerTest {
     void givesWhatHasToGoOutAtOnceToThoseThatCanBeToldOfIt() {
         Craft second = PlanningFixtures.craft(1, 300, 0);
 
-        ReplanResult free = FleetPlanner.replanning(besideTheFirst(false, second)).atOnce();
-        ReplanResult busy = FleetPlanner.replanning(besideTheFirst(true, second)).atOnce();
+        ReplanResult free =
+                FleetPlanner.replanning(besideTheFirst(false, second)).atOnce();
+        ReplanResult busy =
+                FleetPlanner.replanning(besideTheFirst(true, second)).atOnce();
 
         assertThat(order(free.plan(), drone(0))).containsExactly("w2", "w0");
         assertThat(order(busy.plan(), drone(0))).containsExactly("w0");
@@ -267,16 +281,19 @@ class ReplannerTest {
     void givesItToABusyDroneRatherThanToNobody() {
         Craft tired = PlanningFixtures.craft(1, 300, 0).with(new EnergyBudget(1, 0));
 
-        ReplanResult replanned = FleetPlanner.replanning(besideTheFirst(true, tired)).atOnce();
+        ReplanResult replanned =
+                FleetPlanner.replanning(besideTheFirst(true, tired)).atOnce();
 
         assertThat(order(replanned.plan(), drone(0))).contains("w2");
     }
 
     @Test
     void servesAWaypointThatMovedAndForgetsOneThatWasCancelled() {
-        List<Waypoint> waypoints = List.of(PlanningFixtures.waypoint(0, 0, 800), PlanningFixtures.waypoint(2, 500, 500));
+        List<Waypoint> waypoints =
+                List.of(PlanningFixtures.waypoint(0, 0, 800), PlanningFixtures.waypoint(2, 500, 500));
         ReplanSituation situation = new ReplanSituation(
-                PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, 0, 0))), List.of(LiveAssignment.of(drone(0), ids(0, 1, 2))));
+                PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, 0, 0))),
+                List.of(LiveAssignment.of(drone(0), ids(0, 1, 2))));
 
         ReplanResult replanned = FleetPlanner.replanning(situation).atOnce();
 
@@ -288,8 +305,8 @@ class ReplannerTest {
     void worksTowardsTheLeastSumAsWellAndKeepsEveryDroneBusy() {
         DroneLoss loss = DroneLoss.of(4, 40, 4);
         PlanningProblem problem = loss.situation().problem().with(new Objective(0, Objective.Measure.JOULES, 1, true));
-        Replanner replanning =
-                FleetPlanner.replanning(new ReplanSituation(problem, loss.situation().live()));
+        Replanner replanning = FleetPlanner.replanning(
+                new ReplanSituation(problem, loss.situation().live()));
 
         ReplanResult improved = replanning.improve(1, SHORT);
 
@@ -305,10 +322,11 @@ class ReplannerTest {
     void countsAWaypointToComeAsAVisitOfItsDrone() {
         List<Waypoint> waypoints = PlanningFixtures.waypoints(new double[] {0, 500}, new double[] {0, 600});
         PlanningProblem problem = PlanningProblem.of(
-                        waypoints, List.of(inFlight(PlanningFixtures.craft(0, 0, 0), 0, 0), PlanningFixtures.craft(1, 3_000, 0)))
+                        waypoints,
+                        List.of(inFlight(PlanningFixtures.craft(0, 0, 0), 0, 0), PlanningFixtures.craft(1, 3_000, 0)))
                 .with(new Objective(1, Objective.Measure.SECONDS, 0, true));
-        ReplanSituation situation =
-                new ReplanSituation(problem, List.of(new LiveAssignment(drone(0), ids(0), ids()), LiveAssignment.of(drone(1), ids(1))));
+        ReplanSituation situation = new ReplanSituation(
+                problem, List.of(new LiveAssignment(drone(0), ids(0), ids()), LiveAssignment.of(drone(1), ids(1))));
 
         ReplanResult replanned = FleetPlanner.replanning(situation).atOnce();
 
@@ -359,7 +377,10 @@ class ReplannerTest {
         for (int r = 0; r < 4; r++) {
             Craft craft = PlanningFixtures.craft(r, 500 * r, 0);
             craft = random.nextBoolean() ? inFlight(craft, 500 * r, random.nextDouble(-800, 800)) : craft;
-            crafts.add(random.nextInt(3) == 0 ? craft.with(EnergyBudget.ofWattHours(random.nextDouble(20, 60), 2)) : craft);
+            crafts.add(
+                    random.nextInt(3) == 0
+                            ? craft.with(EnergyBudget.ofWattHours(random.nextDouble(20, 60), 2))
+                            : craft);
         }
         List<LiveAssignment> live = new ArrayList<>();
         for (int r = 0; r < 5; r++) {

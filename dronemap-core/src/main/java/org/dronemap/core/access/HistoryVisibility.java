@@ -18,7 +18,8 @@ import org.jspecify.annotations.Nullable;
  */
 public record HistoryVisibility(List<Period> stretches) {
     /** It was never others'. */
-    public static final HistoryVisibility WHOLE = new HistoryVisibility(List.of(new Period(Instant.MIN, Instant.MAX, true)));
+    public static final HistoryVisibility WHOLE =
+            new HistoryVisibility(List.of(new Period(Instant.MIN, Instant.MAX, true)));
 
     /** Nothing at all. */
     public static final HistoryVisibility NONE = new HistoryVisibility(List.of());

@@ -3,7 +3,8 @@ package org.dronemap.core.audit;
 import org.jspecify.annotations.Nullable;
 
 /** The record of a call, with its end where that came later; what people look at. */
-public record AuditedCallRecord(AuditRecord record, @Nullable AuditRecord ending) {
+public record AuditedCallRecord(
+        AuditRecord record, @Nullable AuditRecord ending) {
     private AuditEntry last() {
         return ending == null ? record.entry() : ending.entry();
     }

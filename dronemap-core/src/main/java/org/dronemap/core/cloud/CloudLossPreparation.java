@@ -53,7 +53,8 @@ final class CloudLossPreparation implements FlightPreparation {
     private volatile CloudLossState state;
 
     /** A command of this rule that is under way, and those that wait for its end. */
-    private record Task(PendingCommand own, CloudLossOverrideRecorder notes, long since, Map<PendingCommand, Runnable> waiting) {}
+    private record Task(
+            PendingCommand own, CloudLossOverrideRecorder notes, long since, Map<PendingCommand, Runnable> waiting) {}
 
     CloudLossPreparation(ManagedDrone drone, CommandGate gate, ParameterOverrideRegistry desk, Clock clock) {
         this.drone = drone;
@@ -170,7 +171,11 @@ final class CloudLossPreparation implements FlightPreparation {
                 clock);
     }
 
-    private void begin(Command command, ControlClearance.Cleared passage, CloudLossOverrideRecorder notes, Map<PendingCommand, Runnable> waiting) {
+    private void begin(
+            Command command,
+            ControlClearance.Cleared passage,
+            CloudLossOverrideRecorder notes,
+            Map<PendingCommand, Runnable> waiting) {
         PendingCommand own = gate.begin(drone, command, passage);
         work = new Task(own, notes, drone.lane().activeNanos(), waiting);
         gate.dispatch().performFirst(own);
@@ -198,7 +203,7 @@ final class CloudLossPreparation implements FlightPreparation {
     }
 
     private void set(Task done, Outcome outcome) {
-        ParameterOverrideRecorder.@Nullable Plan plan = done.notes().plan();
+        ParameterOverrideRecorder.@Nullable OverridePlan plan = done.notes().plan();
         switch (outcome.kind()) {
             case SUCCEEDED -> isSet(plan, done.notes().crossing());
             case REFUSED -> isNotToBeSet(outcome.reason());
@@ -210,7 +215,7 @@ final class CloudLossPreparation implements FlightPreparation {
         }
     }
 
-    private void isSet(ParameterOverrideRecorder.@Nullable Plan plan, boolean crossing) {
+    private void isSet(ParameterOverrideRecorder.@Nullable OverridePlan plan, boolean crossing) {
         prepared = true;
         desk.kept(drone.id()).ifPresent(kept -> desk.written(kept, true));
         if (plan != null) {
@@ -225,7 +230,7 @@ final class CloudLossPreparation implements FlightPreparation {
         drone.say(Severity.NOTICE, state.sentence());
     }
 
-    private void failed(ParameterOverrideRecorder.@Nullable Plan plan, @Nullable String why) {
+    private void failed(ParameterOverrideRecorder.@Nullable OverridePlan plan, @Nullable String why) {
         state = CloudLossMessages.notSet(plan, why);
         drone.say(Severity.WARNING, state.sentence());
     }

@@ -78,7 +78,11 @@ public final class CloudManager {
 
     /** Where the manager keeps things: the stores, and the thread that writes to them. */
     public record Persistence(
-            DroneStore drones, CommandStore commands, LeaseStore leases, ParameterOverrideStore owners, StoreWriter journal) {}
+            DroneStore drones,
+            CommandStore commands,
+            LeaseStore leases,
+            ParameterOverrideStore owners,
+            StoreWriter journal) {}
 
     /**
      * What the manager goes by: when a drone is called lost, how control of one lasts, and after how many seconds one that does
@@ -113,7 +117,8 @@ public final class CloudManager {
         this.leases = new DroneControl.Persistence(keeping.leases(), journal);
         Epochs epochs = new Epochs(keeping.leases(), task -> journal.write("more epochs", task, () -> {}));
         this.leaseMachine = new LeaseMachine(rules.leases(), epochs::next);
-        this.losses = new ParameterOverrideRegistry(keeping.owners(), journal, rules.lossSeconds(), new ReturnHeightAllocator(registry));
+        this.losses = new ParameterOverrideRegistry(
+                keeping.owners(), journal, rules.lossSeconds(), new ReturnHeightAllocator(registry));
         store.drones()
                 .forEach(record ->
                         manage(record, false, store.knownMission(record.id()).orElse(null)));
@@ -327,7 +332,12 @@ public final class CloudManager {
         Lane lane = lanes.of(record.id());
         DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, time::nanos);
         ManagedDrone drone = new ManagedDrone(
-                new DroneProjection(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
+                new DroneProjection(record, replay, mission, clock),
+                lane,
+                rules.watchdog(),
+                everybody,
+                control,
+                this::helm);
         ReturnWatch returning = new ReturnWatch(drone, gate, new ZoneRules(zones), time);
         drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, returning, time));
         if (!replay) {

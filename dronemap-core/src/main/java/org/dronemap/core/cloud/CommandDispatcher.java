@@ -42,7 +42,12 @@ final class CommandDispatcher {
     }
 
     CommandDispatcher(
-            PendingCommands underway, RouteCheck judge, StoreWriter journal, CommandStore store, Time time, CloudListener listener) {
+            PendingCommands underway,
+            RouteCheck judge,
+            StoreWriter journal,
+            CommandStore store,
+            Time time,
+            CloudListener listener) {
         this.underway = underway;
         this.judge = judge;
         this.journal = journal;
@@ -141,7 +146,8 @@ final class CommandDispatcher {
     }
 
     private Lane.Ticker guard(PendingCommand entry) {
-        Lane.Ticker guard = new CommandTimeoutWatch(entry.open(), entry.drone().lane(), outcome -> giveUp(entry, outcome));
+        Lane.Ticker guard =
+                new CommandTimeoutWatch(entry.open(), entry.drone().lane(), outcome -> giveUp(entry, outcome));
         entry.drone().lane().addTicker(guard);
         return guard;
     }
@@ -151,7 +157,8 @@ final class CommandDispatcher {
         if (command.kind().purpose() != CommandKind.Purpose.READ) {
             entry.drone().ours(true);
         }
-        InternalFaults.doing(command.summary(), () -> channel.perform(entry.mandate(), command, new Reporter(entry, guard)))
+        InternalFaults.doing(
+                        command.summary(), () -> channel.perform(entry.mandate(), command, new Reporter(entry, guard)))
                 .ifPresent(fault -> giveUp(entry, new Outcome.Refused(CommandGate.GATE, fault)));
     }
 

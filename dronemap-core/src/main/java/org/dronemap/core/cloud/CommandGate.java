@@ -127,7 +127,11 @@ public final class CommandGate {
     }
 
     private CommandRecord begin(
-            ManagedDrone managed, Command command, CommandRecord given, ControlClearance.Cleared passage, Principal principal) {
+            ManagedDrone managed,
+            Command command,
+            CommandRecord given,
+            ControlClearance.Cleared passage,
+            Principal principal) {
         PendingCommand entry = underway(managed, command, given, passage, principal);
         PendingCommand earlier = underway.add(entry);
         return earlier == null
@@ -136,7 +140,11 @@ public final class CommandGate {
     }
 
     private PendingCommand underway(
-            ManagedDrone managed, Command command, CommandRecord given, ControlClearance.Cleared passage, Principal principal) {
+            ManagedDrone managed,
+            Command command,
+            CommandRecord given,
+            ControlClearance.Cleared passage,
+            Principal principal) {
         CommandRecord record = passage.epoch() == null ? given : given.withEpoch(passage.epoch());
         CommandTracker open = new CommandTracker(command, record, managed.lane().activeNanos(), time.nanos());
         return new PendingCommand(open, managed, passage, principal, new CompletableFuture<>());

@@ -113,7 +113,9 @@ final class ControlWatch implements Lane.Ticker {
         boolean byHand = FlightFacts.isLedByHand(drone.drone().state());
         if (takes && tenure != null && tenure.explicit() && !byHand) {
             drone.ours(true);
-        } else if (byHand && change.kind() == ControlChange.Kind.RELEASED && change.by() instanceof LeaseHolder.Operation) {
+        } else if (byHand
+                && change.kind() == ControlChange.Kind.RELEASED
+                && change.by() instanceof LeaseHolder.Operation) {
             // No operation steers by sticks: it lets go since a pilot does.
             drone.ours(false);
         }

@@ -165,7 +165,8 @@ final class DroneControl {
     }
 
     /** For what a rule of safety commands; empty when somebody has control, other than by this epoch. */
-    synchronized Optional<ControlClearance.Cleared> enterForSafety(Principal rule, Command command, @Nullable Long epoch) {
+    synchronized Optional<ControlClearance.Cleared> enterForSafety(
+            Principal rule, Command command, @Nullable Long epoch) {
         boolean goesOn = epoch != null && epoch == control.epoch();
         if (control.tenure() != null && !goesOn) {
             return Optional.empty();

@@ -20,7 +20,8 @@ final class ParameterOverrideRegistry {
     private final ReturnHeightAllocator heights;
     private final ConcurrentHashMap<DroneId, ParameterOverrides> kept = new ConcurrentHashMap<>();
 
-    ParameterOverrideRegistry(ParameterOverrideStore store, StoreWriter journal, int afterSeconds, ReturnHeightAllocator heights) {
+    ParameterOverrideRegistry(
+            ParameterOverrideStore store, StoreWriter journal, int afterSeconds, ReturnHeightAllocator heights) {
         this.store = store;
         this.journal = journal;
         this.afterSeconds = afterSeconds;

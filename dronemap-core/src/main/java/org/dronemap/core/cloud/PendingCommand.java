@@ -17,7 +17,8 @@ record PendingCommand(
     }
 
     SendAuthority mandate() {
-        return new SendAuthority(open.record().id(), passage.epoch(), open.record().by(), passage.fence());
+        return new SendAuthority(
+                open.record().id(), passage.epoch(), open.record().by(), passage.fence());
     }
 
     /** Given under the control of now. */

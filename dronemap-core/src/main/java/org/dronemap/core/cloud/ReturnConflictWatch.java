@@ -31,7 +31,8 @@ final class ReturnConflictWatch {
             return;
         }
         lookedNanos = nanos;
-        ReturnHeightAllocator.ReturnConflict now = heights.crossing(drone.drone().state()).orElse(null);
+        ReturnHeightAllocator.ReturnConflict now =
+                heights.crossing(drone.drone().state()).orElse(null);
         DroneId before = seen;
         seen = now == null ? null : now.other().id();
         if (now == null || !now.other().id().equals(before)) {

@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
  * @param command null: the cloud's own housekeeping
  * @param epoch null where nobody has ever had control
  */
-public record SendAuthority(@Nullable CommandId command, @Nullable Long epoch, String by, EpochGuard fence) {
+public record SendAuthority(
+        @Nullable CommandId command, @Nullable Long epoch, String by, EpochGuard fence) {
     /** What keeps the link to a vehicle: heartbeats, questions, measurements. */
     public static final SendAuthority HOUSEKEEPING = new SendAuthority(null, null, "dronemap", EpochGuard.NONE);
 }

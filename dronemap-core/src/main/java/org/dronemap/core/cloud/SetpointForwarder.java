@@ -54,7 +54,8 @@ final class SetpointForwarder implements Lane.Ticker {
     }
 
     /** A setpoint with who says it, and by what right. */
-    record PendingSetpoint(CommandGate.Source source, ControlClearance.Cleared passage, Setpoint setpoint, long saidNanos) {
+    record PendingSetpoint(
+            CommandGate.Source source, ControlClearance.Cleared passage, Setpoint setpoint, long saidNanos) {
         boolean goesOn(PendingSetpoint earlier) {
             return source.principal().name().equals(earlier.source.principal().name())
                     && source.face().equals(earlier.source.face())

@@ -54,7 +54,9 @@ public final class SetpointGate {
             return Optional.of(new Refusal(
                     OutcomeCode.COMMAND_UNDER_WAY, "Steer when what is under way has ended: " + busy.get() + "."));
         }
-        return managed.helm().take(new SetpointForwarder.PendingSetpoint(source, (ControlClearance.Cleared) passage, setpoint, time.nanos()))
+        return managed.helm()
+                        .take(new SetpointForwarder.PendingSetpoint(
+                                source, (ControlClearance.Cleared) passage, setpoint, time.nanos()))
                 ? Optional.empty()
                 : Optional.of(
                         new Refusal(OutcomeCode.SERVER_OVERLOADED, "The server is overloaded; nothing was sent."));

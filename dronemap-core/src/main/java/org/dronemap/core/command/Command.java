@@ -360,7 +360,9 @@ public sealed interface Command {
 
         @Override
         public String summary() {
-            return points.isEmpty() ? "take the rally points away" : "set " + CountText.of(points.size(), "rally point");
+            return points.isEmpty()
+                    ? "take the rally points away"
+                    : "set " + CountText.of(points.size(), "rally point");
         }
     }
 

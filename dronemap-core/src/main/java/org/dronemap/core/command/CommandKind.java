@@ -11,7 +11,8 @@ import org.dronemap.core.drone.Capability;
 public enum CommandKind {
     ARM("Arm", Capability.ARM, Contention.ARMING, Purpose.FLY, Movement.NONE, DeferredEffect.NOTHING),
     DISARM("Disarm", Capability.DISARM, Contention.ARMING, Purpose.CHANGE, Movement.NONE, DeferredEffect.NOTHING),
-    SET_MODE("SetMode", Capability.SET_MODE, Contention.FLIGHT, Purpose.FLY, Movement.CHANGES_MODE, DeferredEffect.MODE),
+    SET_MODE(
+            "SetMode", Capability.SET_MODE, Contention.FLIGHT, Purpose.FLY, Movement.CHANGES_MODE, DeferredEffect.MODE),
     TAKE_OFF("TakeOff", Capability.TAKE_OFF, Contention.FLIGHT, Purpose.FLY, Movement.CLIMBS, DeferredEffect.NOTHING),
     LAND("Land", Capability.LAND, Contention.FLIGHT, Purpose.SAFETY, Movement.COMES_DOWN, DeferredEffect.NOTHING),
     RETURN_TO_LAUNCH(
@@ -75,7 +76,8 @@ public enum CommandKind {
             Purpose.CHANGE,
             Movement.NONE,
             DeferredEffect.NOTHING),
-    SET_RELAY("SetRelay", Capability.SET_RELAY, Contention.RELAY, Purpose.CHANGE, Movement.NONE, DeferredEffect.NOTHING),
+    SET_RELAY(
+            "SetRelay", Capability.SET_RELAY, Contention.RELAY, Purpose.CHANGE, Movement.NONE, DeferredEffect.NOTHING),
     READ_PARAMETERS(
             "ReadParameters",
             Capability.READ_PARAMETERS,
@@ -122,7 +124,8 @@ public enum CommandKind {
     DOWNLOAD_LOG(
             "DownloadLog", Capability.READ_LOGS, Contention.LOGS, Purpose.READ, Movement.NONE, DeferredEffect.NOTHING),
     READ_FENCE("ReadFence", Capability.FENCE, Contention.TRANSFER, Purpose.READ, Movement.NONE, DeferredEffect.NOTHING),
-    SET_FENCE("SetFence", Capability.FENCE, Contention.TRANSFER, Purpose.CHANGE, Movement.STANDS, DeferredEffect.NOTHING),
+    SET_FENCE(
+            "SetFence", Capability.FENCE, Contention.TRANSFER, Purpose.CHANGE, Movement.STANDS, DeferredEffect.NOTHING),
     READ_RALLY_POINTS(
             "ReadRallyPoints",
             Capability.RALLY_POINTS,

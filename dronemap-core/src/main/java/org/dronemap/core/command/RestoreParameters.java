@@ -6,7 +6,8 @@ import org.dronemap.core.stored.Stored;
 
 /** Set what the cloud had changed as the vehicle's owner had it; what somebody else has changed since stays. */
 @Stored(as = "PutBack", names = "values keeper")
-public record RestoreParameters(List<OverriddenParameter> values, ParameterOverrideRecorder keeper) implements Command.Standalone {
+public record RestoreParameters(List<OverriddenParameter> values, ParameterOverrideRecorder keeper)
+        implements Command.Standalone {
     public RestoreParameters {
         values = List.copyOf(values);
     }

@@ -12,7 +12,8 @@ import org.dronemap.core.stored.Stored;
  * @param kept from earlier: where the vehicle shows what the cloud had written, the owner's value is still that of then
  */
 @Stored(as = "SetCloudLoss", names = "afterSeconds kept keeper")
-public record SetCloudLoss(int afterSeconds, List<OverriddenParameter> kept, ParameterOverrideRecorder keeper) implements Command.Standalone {
+public record SetCloudLoss(int afterSeconds, List<OverriddenParameter> kept, ParameterOverrideRecorder keeper)
+        implements Command.Standalone {
     public SetCloudLoss {
         kept = List.copyOf(kept);
     }

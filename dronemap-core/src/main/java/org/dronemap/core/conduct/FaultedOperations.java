@@ -47,7 +47,8 @@ final class FaultedOperations {
         }
     }
 
-    FaultedOperations(OperationExecution.Context means, ReturnCommander wayHome, Function<DroneId, Optional<DroneState>> drones) {
+    FaultedOperations(
+            OperationExecution.Context means, ReturnCommander wayHome, Function<DroneId, Optional<DroneState>> drones) {
         this.means = means;
         this.wayHome = wayHome;
         this.drones = drones;

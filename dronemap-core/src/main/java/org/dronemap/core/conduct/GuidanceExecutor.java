@@ -101,7 +101,8 @@ final class GuidanceExecutor<S> {
             }
         }
         ReporterState how = reach(scene.now());
-        OperationObservation now = new OperationObservation(scene.now(), scene.drones(), heard, how, scene.around(), Map.of());
+        OperationObservation now =
+                new OperationObservation(scene.now(), scene.drones(), heard, how, scene.around(), Map.of());
         Map<DroneId, Setpoint> said = guide.steer(state, now);
         refusals.clear();
         said.forEach(

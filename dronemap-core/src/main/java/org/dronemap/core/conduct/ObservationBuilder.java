@@ -36,7 +36,8 @@ final class ObservationBuilder {
     private List<DroneState> aloft = List.of();
     private long aloftNanos;
 
-    ObservationBuilder(CloudManager cloud, DroneGateway crew, OperationRights rights, Clock clock, LongSupplier nanoTime) {
+    ObservationBuilder(
+            CloudManager cloud, DroneGateway crew, OperationRights rights, Clock clock, LongSupplier nanoTime) {
         this.cloud = cloud;
         this.crew = crew;
         this.rights = rights;
@@ -53,7 +54,8 @@ final class ObservationBuilder {
         drones.forEach(id -> cloud.drone(id).ifPresent(state -> states.put(id.value(), state)));
         List<OperationObservation.ObservedDrone> seen = new ArrayList<>();
         for (DroneState state : states.values()) {
-            seen.add(new OperationObservation.ObservedDrone(state, sway(of, reins, state.id()), silence.of(state), stillness.of(state)));
+            seen.add(new OperationObservation.ObservedDrone(
+                    state, sway(of, reins, state.id()), silence.of(state), stillness.of(state)));
         }
         return new OperationObservation(clock.instant(), seen);
     }

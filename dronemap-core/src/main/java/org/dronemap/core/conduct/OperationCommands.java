@@ -74,7 +74,9 @@ final class OperationCommands {
         long now = nanoTime.getAsLong();
         LastProgress news = newest.compute(
                 given.command(),
-                (id, last) -> last == null || !last.record().equals(record.get()) ? new LastProgress(record.get(), now) : last);
+                (id, last) -> last == null || !last.record().equals(record.get())
+                        ? new LastProgress(record.get(), now)
+                        : last);
         return now - news.seenNanos() > LONGEST_WITHOUT_NEWS.toNanos()
                 ? Optional.of(new Outcome.Unknown("Nothing was heard of it; look at the drone."))
                 : Optional.empty();

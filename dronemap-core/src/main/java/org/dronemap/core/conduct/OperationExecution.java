@@ -178,7 +178,8 @@ final class OperationExecution<S, I> {
         drones.addAll(kind.machine().watched(state));
         SavedOperation saved = now.saved();
         OperationObservation scene = means.scenery().of(saved, reins, drones);
-        OperationObservation seen = wheel == null ? scene : wheel.turn(state, means.scenery().around(saved, scene, drones));
+        OperationObservation seen =
+                wheel == null ? scene : wheel.turn(state, means.scenery().around(saved, scene, drones));
         take(own(() -> kind.machine().looked(state, seen)));
     }
 

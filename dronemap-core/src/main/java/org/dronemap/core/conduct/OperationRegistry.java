@@ -137,7 +137,8 @@ final class OperationRegistry {
 
     /** Kinds are as good as their names: there is one of each. */
     @SuppressWarnings("unchecked")
-    private static <S, I> Optional<OperationExecution<S, I>> ofKind(OperationKind<S, I> kind, OperationExecution<?, ?> one) {
+    private static <S, I> Optional<OperationExecution<S, I>> ofKind(
+            OperationKind<S, I> kind, OperationExecution<?, ?> one) {
         return one.kind().name().equals(kind.name()) ? Optional.of((OperationExecution<S, I>) one) : Optional.empty();
     }
 

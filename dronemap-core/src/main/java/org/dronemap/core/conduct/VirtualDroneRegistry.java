@@ -49,7 +49,11 @@ final class VirtualDroneRegistry {
     }
 
     long nextTicket() {
-        return 1 + drones.values().stream().mapToLong(VirtualDroneRegistry::ticket).max().orElse(0);
+        return 1
+                + drones.values().stream()
+                        .mapToLong(VirtualDroneRegistry::ticket)
+                        .max()
+                        .orElse(0);
     }
 
     private static long ticket(VirtualDrone drone) {

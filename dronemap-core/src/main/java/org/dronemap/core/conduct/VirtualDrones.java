@@ -74,7 +74,11 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     public record QueuePosition(int position, int length) {}
 
     public VirtualDrones(
-            CloudManager cloud, VirtualDroneStore store, VirtualRunMachine machine, VirtualDroneRights rights, Time time) {
+            CloudManager cloud,
+            VirtualDroneStore store,
+            VirtualRunMachine machine,
+            VirtualDroneRights rights,
+            Time time) {
         this(cloud, store, machine, rights, USUAL_RHYTHM, time);
     }
 

@@ -75,10 +75,9 @@ final class VirtualRunExecutor {
         return book.waiting().stream()
                 .filter(waiting ->
                         rights.mayFly(waiting.account()) && rights.mayServe(waiting.organisation(), drone.id()))
-                .flatMap(waiting ->
-                        Optional.ofNullable(waiting.run())
-                                .map(run -> new VirtualDroneMatch(waiting, whyNot(waiting, run, drone)))
-                                .stream())
+                .flatMap(waiting -> Optional.ofNullable(waiting.run())
+                        .map(run -> new VirtualDroneMatch(waiting, whyNot(waiting, run, drone)))
+                        .stream())
                 .toList();
     }
 
@@ -148,7 +147,10 @@ final class VirtualRunExecutor {
             return Optional.empty();
         }
         VirtualDrone next = now.with(step.run());
-        leave(step.release() == VirtualRunStep.Release.RECALL ? next.recalling(assignment.drone()) : next, assignment, step);
+        leave(
+                step.release() == VirtualRunStep.Release.RECALL ? next.recalling(assignment.drone()) : next,
+                assignment,
+                step);
         return book.find(now.id());
     }
 
@@ -222,14 +224,16 @@ final class VirtualRunExecutor {
                 .orElse(null);
     }
 
-    private Optional<Against> objection(VirtualDrone drone, VirtualRun run, DroneState state, VirtualTourSection share) {
+    private Optional<Against> objection(
+            VirtualDrone drone, VirtualRun run, DroneState state, VirtualTourSection share) {
         return crew.busy(state.id())
                 .map(held -> Against.of(new Refusal(OutcomeCode.CONTROL_HELD, held)))
                 .or(() -> hindrance(drone, run, state, share));
     }
 
     /** What speaks against it though nobody has control of it. */
-    private Optional<Against> hindrance(VirtualDrone drone, VirtualRun run, DroneState state, VirtualTourSection share) {
+    private Optional<Against> hindrance(
+            VirtualDrone drone, VirtualRun run, DroneState state, VirtualTourSection share) {
         return VirtualRunMachine.avoids(run, state, clock.instant())
                 ? Optional.of(Against.of(UnfitCode.FAILED_BEFORE, "It could not go on with this mission a while ago."))
                 : crew.refusal(VirtualLeaseHolder.of(drone), state, new Command.UploadMission(share.mission()))

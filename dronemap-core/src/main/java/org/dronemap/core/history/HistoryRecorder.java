@@ -29,7 +29,8 @@ public final class HistoryRecorder implements CloudListener {
     private final Map<DroneId, Flight> open = new HashMap<>();
 
     /** Where things are kept. */
-    public record Persistence(TelemetryStore telemetry, TelemetryWriter writer, FlightRegistry flights, HistoryMaintenance keeper) {}
+    public record Persistence(
+            TelemetryStore telemetry, TelemetryWriter writer, FlightRegistry flights, HistoryMaintenance keeper) {}
 
     public HistoryRecorder(Persistence keeping, HistoryPolicy policy, InstantSource clock, Supplier<String> newIds) {
         this.keeping = keeping;
@@ -112,8 +113,8 @@ public final class HistoryRecorder implements CloudListener {
         FlightStatisticsBuilder meter = new FlightStatisticsBuilder(flight.measures());
         Instant[] heard = {flight.heard()};
         try {
-            TimeRange since =
-                    new TimeRange(flight.heard().plusNanos(1_000), clock.instant().plusSeconds(1));
+            TimeRange since = new TimeRange(
+                    flight.heard().plusNanos(1_000), clock.instant().plusSeconds(1));
             keeping.telemetry().points(flight.drone(), since, point -> {
                 meter.add(point);
                 heard[0] = point.at();

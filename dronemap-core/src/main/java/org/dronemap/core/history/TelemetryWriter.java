@@ -41,7 +41,8 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
      */
     public record BatchSettings(Duration every, int batch, int room, Duration pause) {
         /** Well within a second to the disk; room for some seconds of thousands of drones. */
-        public static final BatchSettings DEFAULT = new BatchSettings(Duration.ofMillis(250), 20_000, 60_000, Duration.ofSeconds(2));
+        public static final BatchSettings DEFAULT =
+                new BatchSettings(Duration.ofMillis(250), 20_000, 60_000, Duration.ofSeconds(2));
     }
 
     /** What is written at once. */

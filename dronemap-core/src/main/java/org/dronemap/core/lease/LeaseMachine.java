@@ -34,7 +34,11 @@ public final class LeaseMachine {
             return freed(epochs.getAsLong(), new LapsedLease(lease.user(), lease.since(), now.nanos(), false));
         }
         Lease tenure = new Lease(
-                new LeaseHolder.Person(lease.user()), true, lease.since(), now.nanos() + RETURNING_NANOS, lease.epoch());
+                new LeaseHolder.Person(lease.user()),
+                true,
+                lease.since(),
+                now.nanos() + RETURNING_NANOS,
+                lease.epoch());
         return new ControlState(epochs.getAsLong(), tenure, List.of(), null, null);
     }
 
@@ -142,8 +146,8 @@ public final class LeaseMachine {
                     "Too many have asked for control already. " + control.sentence());
         }
         requests.add(new LeaseRequest(request.user(), request.reason(), now.at(), now.nanos()));
-        ControlChange asked =
-                new ControlChange(Kind.REQUESTED, new LeaseHolder.Person(request.user()), tenure.holder(), request.reason());
+        ControlChange asked = new ControlChange(
+                Kind.REQUESTED, new LeaseHolder.Person(request.user()), tenure.holder(), request.reason());
         return new LeaseStep(control.withRequests(requests), new LeaseAnswer.Waiting(), List.of(asked));
     }
 
@@ -241,7 +245,9 @@ public final class LeaseMachine {
 
     private static LeaseStep disengage(ControlState control, String operation, ClockReading now) {
         Lease tenure = control.tenure();
-        return tenure != null && tenure.holder() instanceof LeaseHolder.Operation holder && holder.isOperation(operation)
+        return tenure != null
+                        && tenure.holder() instanceof LeaseHolder.Operation holder
+                        && holder.isOperation(operation)
                 ? LeaseStep.granted(
                         freed(control.epoch(), lapse(holder.user(), now)), change(Kind.RELEASED, holder, null))
                 : LeaseStep.granted(control);

@@ -45,7 +45,8 @@ public final class ReturnPlanner {
      * @param secondsLeft what its battery lasts for; empty: not known
      * @param failed what was tried lately without success
      */
-    public record Situation(DroneState drone, OptionalDouble secondsLeft, List<LandingSite> places, Set<ReturnOption> failed) {
+    public record Situation(
+            DroneState drone, OptionalDouble secondsLeft, List<LandingSite> places, Set<ReturnOption> failed) {
         public Situation {
             places = List.copyOf(places);
             failed = Set.copyOf(failed);

@@ -16,8 +16,8 @@ public final class FatalErrors {
      * lock, for one, ends with another exception.
      */
     public static Thread onDuty(Thread thread) {
-        thread.setUncaughtExceptionHandler((ended, why) ->
-                ended.getThreadGroup().uncaughtException(ended, why instanceof Error ? why : new EssentialThreadEnded(why)));
+        thread.setUncaughtExceptionHandler((ended, why) -> ended.getThreadGroup()
+                .uncaughtException(ended, why instanceof Error ? why : new EssentialThreadEnded(why)));
         return thread;
     }
 

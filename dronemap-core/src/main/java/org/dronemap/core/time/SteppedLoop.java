@@ -14,7 +14,8 @@ final class SteppedLoop implements Loop {
     private boolean woken;
     private boolean closed;
 
-    SteppedLoop(SteppedProcess time, SteppedEventQueue agenda, SteppedEventQueue.Lifetime life, String name, Turn turn) {
+    SteppedLoop(
+            SteppedProcess time, SteppedEventQueue agenda, SteppedEventQueue.Lifetime life, String name, Turn turn) {
         this.time = time;
         this.agenda = agenda;
         this.owner = new SteppedEventQueue.Owner(name, life);

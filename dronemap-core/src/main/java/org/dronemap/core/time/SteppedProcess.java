@@ -105,7 +105,8 @@ final class SteppedProcess implements SteppedTime.Killable {
     @Override
     public <T> CompletableFuture<T> within(CompletableFuture<T> what, Duration longest, T otherwise) {
         CompletableFuture<T> first = what.copy();
-        SteppedEventQueue.Entry end = agenda.add(waits, time.nanos() + longest.toNanos(), () -> first.complete(otherwise));
+        SteppedEventQueue.Entry end =
+                agenda.add(waits, time.nanos() + longest.toNanos(), () -> first.complete(otherwise));
         return first.whenComplete((value, failure) -> agenda.remove(end));
     }
 

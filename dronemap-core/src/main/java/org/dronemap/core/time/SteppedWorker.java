@@ -15,7 +15,8 @@ final class SteppedWorker implements Worker {
     private int waiting;
     private boolean closed;
 
-    SteppedWorker(SteppedProcess time, SteppedEventQueue agenda, SteppedEventQueue.Lifetime life, String name, int capacity) {
+    SteppedWorker(
+            SteppedProcess time, SteppedEventQueue agenda, SteppedEventQueue.Lifetime life, String name, int capacity) {
         this.time = time;
         this.agenda = agenda;
         this.owner = new SteppedEventQueue.Owner(name, life);

@@ -121,7 +121,8 @@ public record DroneSelection(List<Candidate> candidates, Optional<DroneChoice> c
         if (tooShort.isPresent()) {
             return Judged.unfit(tooShort.get());
         }
-        TourEnergyEstimate energy = TourEnergyEstimate.of(demand.tour(), demand.first(), drone, charge.stand(), demand.wind());
+        TourEnergyEstimate energy =
+                TourEnergyEstimate.of(demand.tour(), demand.first(), drone, charge.stand(), demand.wind());
         if (Double.isInfinite(energy.minutes())) {
             return Judged.unfit(
                     UnfitCode.NO_HEADWAY, "It makes no headway on its way: the mission takes " + energy.words() + ".");

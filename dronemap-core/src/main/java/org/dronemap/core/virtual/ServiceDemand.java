@@ -10,7 +10,10 @@ import org.jspecify.annotations.Nullable;
  * @param wind there; null: not known
  */
 public record ServiceDemand(
-        DroneRequirements needs, VirtualTour tour, int first, @Nullable Wind wind) {
+        DroneRequirements needs,
+        VirtualTour tour,
+        int first,
+        @Nullable Wind wind) {
     public ServiceDemand(DroneRequirements needs, VirtualTour tour, int first) {
         this(needs, tour, first, null);
     }

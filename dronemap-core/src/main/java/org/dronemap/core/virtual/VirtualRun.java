@@ -44,7 +44,17 @@ public record VirtualRun(
     /** Has just been asked for. */
     public static VirtualRun asked(long ticket, Mission mission, MissionCloudLossPolicy onCloudLoss, Instant now) {
         return new VirtualRun(
-                ticket, mission, onCloudLoss, 0, VirtualRunStage.QUEUED, null, Map.of(), 0, "It waits for a drone.", null, now);
+                ticket,
+                mission,
+                onCloudLoss,
+                0,
+                VirtualRunStage.QUEUED,
+                null,
+                Map.of(),
+                0,
+                "It waits for a drone.",
+                null,
+                now);
     }
 
     public VirtualTour tour() {
@@ -87,7 +97,18 @@ public record VirtualRun(
     VirtualRun requeued(DroneId drone, Instant until, String words, Instant now) {
         Map<DroneId, Instant> next = new LinkedHashMap<>(avoided);
         next.put(drone, until);
-        return new VirtualRun(ticket, mission, onCloudLoss, flown, VirtualRunStage.QUEUED, null, next, failures + 1, words, detail, now);
+        return new VirtualRun(
+                ticket,
+                mission,
+                onCloudLoss,
+                flown,
+                VirtualRunStage.QUEUED,
+                null,
+                next,
+                failures + 1,
+                words,
+                detail,
+                now);
     }
 
     /** By the user's word, who has looked at why it stopped. */
@@ -138,7 +159,8 @@ public record VirtualRun(
         return words.equals(note) ? this : with(stage, assignment, words, detail, now);
     }
 
-    private VirtualRun with(VirtualRunStage next, @Nullable Assignment served, String words, @Nullable String why, Instant now) {
+    private VirtualRun with(
+            VirtualRunStage next, @Nullable Assignment served, String words, @Nullable String why, Instant now) {
         return new VirtualRun(ticket, mission, onCloudLoss, flown, next, served, avoided, failures, words, why, now);
     }
 }

@@ -66,9 +66,12 @@ public final class VirtualRunMachine {
             return VirtualRunStep.stay(run);
         }
         if (!sight.mayFly() && run.stage().compareTo(VirtualRunStage.RETURNING) < 0) {
-            return VirtualRunStep.stay(run.to(VirtualRunStage.STOPPING, "Its owner may not fly virtual drones any more.", sight.now()));
+            return VirtualRunStep.stay(
+                    run.to(VirtualRunStage.STOPPING, "Its owner may not fly virtual drones any more.", sight.now()));
         }
-        return sight.underWay() ? VirtualRunStep.stay(progress(run, assignment, drone)) : go(run, assignment, drone, sight);
+        return sight.underWay()
+                ? VirtualRunStep.stay(progress(run, assignment, drone))
+                : go(run, assignment, drone, sight);
     }
 
     /** Somebody who goes first commands the drone now: the run waits for its user. */
@@ -110,22 +113,28 @@ public final class VirtualRunMachine {
         };
     }
 
-    private static VirtualRunStep upload(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private static VirtualRunStep upload(
+            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (sight.outcome() instanceof Outcome.Succeeded) {
-            return VirtualRunStep.stay(run.to(VirtualRunStage.ARMING, "The drone has the mission and is armed.", sight.now()));
+            return VirtualRunStep.stay(
+                    run.to(VirtualRunStage.ARMING, "The drone has the mission and is armed.", sight.now()));
         }
         if (Boolean.TRUE.equals(drone.armed())) {
-            return replace(run, assignment, "The drone was armed by somebody else.", sight, VirtualRunStep.Release.FREE);
+            return replace(
+                    run, assignment, "The drone was armed by somebody else.", sight, VirtualRunStep.Release.FREE);
         }
         if (sight.outcome() != null) {
             return tryAgain(run, assignment, drone, sight);
         }
-        return VirtualRunStep.send(run, new Command.UploadMission(share(run, assignment).mission()));
+        return VirtualRunStep.send(
+                run, new Command.UploadMission(share(run, assignment).mission()));
     }
 
-    private static VirtualRunStep arm(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private static VirtualRunStep arm(
+            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.TRUE.equals(drone.armed())) {
-            return VirtualRunStep.stay(run.to(VirtualRunStage.STARTING, assignment.tries(), "The drone starts.", sight.now()));
+            return VirtualRunStep.stay(
+                    run.to(VirtualRunStage.STARTING, assignment.tries(), "The drone starts.", sight.now()));
         }
         if (sight.outcome() != null && !(sight.outcome() instanceof Outcome.Succeeded)) {
             return tryAgain(run, assignment, drone, sight);
@@ -137,7 +146,8 @@ public final class VirtualRunMachine {
         return VirtualRunStep.send(run, mode.<Command>map(Command.SetMode::new).orElseGet(Command.Arm::new));
     }
 
-    private static VirtualRunStep start(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private static VirtualRunStep start(
+            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         boolean armed = Boolean.TRUE.equals(drone.armed());
         boolean up = assignment.takeOffMeters() == null || drone.airborne();
         if (armed && isOnMission(drone) && up) {
@@ -171,7 +181,8 @@ public final class VirtualRunMachine {
                         VirtualRunStep.Release.FREE);
     }
 
-    private static VirtualRunStep fly(VirtualRun before, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private static VirtualRunStep fly(
+            VirtualRun before, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         MissionProgress mission = drone.mission();
         if (mission.items() == null || (mission.current() == null && !isBackFromAll(drone))) {
             // After a restart, until the vehicle has been asked.
@@ -179,7 +190,8 @@ public final class VirtualRunMachine {
         }
         VirtualRun run = progress(before, assignment, drone);
         if (run.flown() == run.total()) {
-            return VirtualRunStep.stay(run.to(VirtualRunStage.RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
+            return VirtualRunStep.stay(
+                    run.to(VirtualRunStage.RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
         }
         if (Boolean.FALSE.equals(drone.armed())) {
             return replace(run, assignment, "The drone came down before the end.", sight, VirtualRunStep.Release.FREE);
@@ -189,7 +201,8 @@ public final class VirtualRunMachine {
         }
         Optional<Steering> steering = drone.capabilities().steering(drone.mode());
         if (drone.capabilities().isSafe(drone.mode())) {
-            return replace(run, assignment, "The drone went home or down by itself.", sight, VirtualRunStep.Release.FREE);
+            return replace(
+                    run, assignment, "The drone went home or down by itself.", sight, VirtualRunStep.Release.FREE);
         }
         if (steering.equals(Optional.of(Steering.STICKS))) {
             // No mission ends in one: a pilot has it, who may not be called home by anybody.
@@ -204,7 +217,8 @@ public final class VirtualRunMachine {
     }
 
     /** It may have crashed: vehicles do not always notice that themselves. */
-    private static boolean isStuck(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private static boolean isStuck(
+            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         MissionItem.Waypoint next = run.tour().waypoints().get(run.flown());
         Position position = drone.position();
         Double above = position == null ? null : position.altitudeAboveHomeMeters();
@@ -213,16 +227,24 @@ public final class VirtualRunMachine {
         return sight.still().compareTo(down ? LONGEST_STILL_ON_THE_GROUND : longest) > 0;
     }
 
-    private static VirtualRunStep comeHome(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private static VirtualRunStep comeHome(
+            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.FALSE.equals(drone.armed())) {
             return VirtualRunStep.leave(
-                    run.unbound(VirtualRunStage.DONE, "Done: all waypoints are flown and the drone is back.", null, sight.now()),
+                    run.unbound(
+                            VirtualRunStage.DONE,
+                            "Done: all waypoints are flown and the drone is back.",
+                            null,
+                            sight.now()),
                     VirtualRunStep.Release.FREE);
         }
         if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
             return VirtualRunStep.leave(
                     run.unbound(
-                            VirtualRunStage.DONE, "All waypoints are flown; the drone is stuck on its way.", null, sight.now()),
+                            VirtualRunStage.DONE,
+                            "All waypoints are flown; the drone is stuck on its way.",
+                            null,
+                            sight.now()),
                     VirtualRunStep.Release.FREE);
         }
         boolean hangs = drone.mission().complete()
@@ -233,11 +255,16 @@ public final class VirtualRunMachine {
                 : VirtualRunStep.stay(run);
     }
 
-    private static VirtualRunStep bringHome(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private static VirtualRunStep bringHome(
+            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.FALSE.equals(drone.armed())) {
             return run.stage() == VirtualRunStage.STOPPING
                     ? VirtualRunStep.leave(
-                            run.unbound(VirtualRunStage.STOPPED, "It was stopped; the drone is down.", run.detail(), sight.now()),
+                            run.unbound(
+                                    VirtualRunStage.STOPPED,
+                                    "It was stopped; the drone is down.",
+                                    run.detail(),
+                                    sight.now()),
                             VirtualRunStep.Release.FREE)
                     : replace(run, assignment, "The drone could not go on.", sight, VirtualRunStep.Release.FREE);
         }
@@ -264,7 +291,8 @@ public final class VirtualRunMachine {
     }
 
     /** A silent drone is still flying: what was given to it stays its own until it must be down. */
-    private VirtualRunStep unheard(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private VirtualRunStep unheard(
+            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         boolean neverArmed = run.stage().compareTo(VirtualRunStage.ARMING) <= 0 && !Boolean.TRUE.equals(drone.armed());
         Duration patience = neverArmed ? PATIENCE_ON_THE_GROUND : silence.plus(remaining(run, drone));
         if (sight.silence().compareTo(patience) <= 0) {
@@ -303,12 +331,14 @@ public final class VirtualRunMachine {
             return Duration.ZERO;
         }
         int next = Math.min(run.flown(), run.total() - 1);
-        return Duration.ofSeconds(
-                Math.round(TourEnergyEstimate.of(run.tour(), next, drone, at, null).minutes() * 60));
+        return Duration.ofSeconds(Math.round(
+                TourEnergyEstimate.of(run.tour(), next, drone, at, null).minutes() * 60));
     }
 
     private static VirtualRun progress(VirtualRun run, Assignment assignment, DroneState drone) {
-        if (run.stage() != VirtualRunStage.FLYING && run.stage() != VirtualRunStage.STOPPING && run.stage() != VirtualRunStage.GIVING_UP) {
+        if (run.stage() != VirtualRunStage.FLYING
+                && run.stage() != VirtualRunStage.STOPPING
+                && run.stage() != VirtualRunStage.GIVING_UP) {
             return run;
         }
         VirtualTourSection share = share(run, assignment);
@@ -334,7 +364,8 @@ public final class VirtualRunMachine {
         return Duration.between(assignment.changedAt(), sight.now());
     }
 
-    private static VirtualRunStep tryAgain(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private static VirtualRunStep tryAgain(
+            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         String why = reason(sight.outcome());
         if (assignment.tries() + 1 < MOST_TRIES) {
             return VirtualRunStep.stay(run.failedTry(why, sight.now()));
@@ -355,9 +386,15 @@ public final class VirtualRunMachine {
     }
 
     /** Another drone shall do the rest. */
-    private static VirtualRunStep replace(VirtualRun run, Assignment assignment, String why, VirtualRunObservation sight, VirtualRunStep.Release release) {
+    private static VirtualRunStep replace(
+            VirtualRun run,
+            Assignment assignment,
+            String why,
+            VirtualRunObservation sight,
+            VirtualRunStep.Release release) {
         if (run.stage() == VirtualRunStage.STOPPING) {
-            return VirtualRunStep.leave(run.unbound(VirtualRunStage.STOPPED, "It was stopped. " + why, run.detail(), sight.now()), release);
+            return VirtualRunStep.leave(
+                    run.unbound(VirtualRunStage.STOPPED, "It was stopped. " + why, run.detail(), sight.now()), release);
         }
         if (run.failures() + 1 >= MOST_FAILURES) {
             return VirtualRunStep.leave(

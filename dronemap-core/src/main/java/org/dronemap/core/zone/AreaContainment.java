@@ -74,7 +74,8 @@ final class AreaContainment {
                 || outline.edges().stream().anyMatch(edge -> edge.distanceMeters(spot) <= SAME_METERS);
     }
 
-    private static boolean holds(PlanePolygon outline, LocalPlane plane, List<Geodetic> corners, FenceZone.Circle circle) {
+    private static boolean holds(
+            PlanePolygon outline, LocalPlane plane, List<Geodetic> corners, FenceZone.Circle circle) {
         if (!outline.contains(plane.spot(circle.center()))) {
             return false;
         }

@@ -17,7 +17,8 @@ public final class CommandRoutes {
     public static Route of(DroneState drone, Command command) {
         return switch (command.kind().movement()) {
             case NONE, STANDS, TURNS, COMES_DOWN -> Route.NONE;
-            case CLIMBS -> new MissionRouteBuilder(drone).takeOff(((Command.TakeOff) command).altitudeMeters(), "The take-off");
+            case CLIMBS ->
+                new MissionRouteBuilder(drone).takeOff(((Command.TakeOff) command).altitudeMeters(), "The take-off");
             case GOES -> to(drone, (Command.GoTo) command);
             case GOES_ON_ITS_MAP -> new Route(List.of(), "Where the vehicle's own map lies on the Earth is not known");
             case TAKES_MISSION ->

@@ -12,7 +12,8 @@ import org.jspecify.annotations.Nullable;
  * @param homeAmslMeters null: not known
  * @param groundAmslMeters null: not known; then bounds are measured from home, too
  */
-record HeightReferences(@Nullable Double homeAmslMeters, @Nullable Double groundAmslMeters) {
+record HeightReferences(
+        @Nullable Double homeAmslMeters, @Nullable Double groundAmslMeters) {
     /** Nearer than this they are one. */
     private static final double SAME_METERS = 0.5;
 

@@ -81,7 +81,7 @@ public final class ZoneBreachDetector {
             findings.add(new Finding.Breach(zone));
             said = nanos;
         } else if (nanos - said >= REMINDER_NANOS) {
-            findings.add(new Finding.Still(zone));
+            findings.add(new Finding.Continuing(zone));
             said = nanos;
         }
         alerts.put(zone.id(), new Alert(nanos, nanos, said));
@@ -95,7 +95,7 @@ public final class ZoneBreachDetector {
                         ? new Alert(nanos, null, null)
                         : new Alert(nanos, before.breachNanos(), before.saidNanos()));
         if (before == null) {
-            findings.add(new Finding.Ahead(zone, seconds));
+            findings.add(new Finding.Predicted(zone, seconds));
         }
     }
 
@@ -117,7 +117,8 @@ public final class ZoneBreachDetector {
             return false;
         }
         List<Altitude> heights = Stream.concat(
-                        MissionRouteBuilder.altitudes(position).stream(), MissionRouteBuilder.altitudes(there.position()).stream())
+                        MissionRouteBuilder.altitudes(position).stream(),
+                        MissionRouteBuilder.altitudes(there.position()).stream())
                 .toList();
         // Whoever takes off or lands is below the floor of the area that it stays in.
         Leg leg = new Leg(

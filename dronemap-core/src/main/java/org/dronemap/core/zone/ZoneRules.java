@@ -24,7 +24,8 @@ public final class ZoneRules {
         List<Zone> zones = book.binding(user, drone.id(), now, now.plus(AHEAD));
         return zones.isEmpty()
                 ? Optional.empty()
-                : DeferredRoutes.whyNot(zones, drone, command).or(() -> whyNot(zones, drone, CommandRoutes.of(drone, command)));
+                : DeferredRoutes.whyNot(zones, drone, command)
+                        .or(() -> whyNot(zones, drone, CommandRoutes.of(drone, command)));
     }
 
     /** The same for bounds that hold whoever commands this, all of them; {@code words} is what they are called. */

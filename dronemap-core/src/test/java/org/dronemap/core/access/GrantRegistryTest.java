@@ -178,9 +178,14 @@ class GrantRegistryTest {
         gift(OrganisationId.HOME, RESCUE, NOON.plusSeconds(20), true);
         keep(Set.of());
         assertThat(sights(OrganisationId.HOME, -1, 5, 15, 25))
-                .containsExactly(VisibilityLevel.ALL, VisibilityLevel.WITHOUT_NAMES, VisibilityLevel.ALL, VisibilityLevel.NONE);
+                .containsExactly(
+                        VisibilityLevel.ALL, VisibilityLevel.WITHOUT_NAMES, VisibilityLevel.ALL, VisibilityLevel.NONE);
         assertThat(sights(RESCUE, -1, 5, 15, 25))
-                .containsExactly(VisibilityLevel.WITHOUT_NAMES, VisibilityLevel.ALL, VisibilityLevel.WITHOUT_NAMES, VisibilityLevel.ALL);
+                .containsExactly(
+                        VisibilityLevel.WITHOUT_NAMES,
+                        VisibilityLevel.ALL,
+                        VisibilityLevel.WITHOUT_NAMES,
+                        VisibilityLevel.ALL);
         assertThat(book.reach(OrganisationId.HOME).insight(THEIRS).within(Instant.EPOCH, NOON.plusSeconds(30)))
                 .contains(new HistoryVisibility.Period(Instant.EPOCH, NOON.plusSeconds(20), false));
     }

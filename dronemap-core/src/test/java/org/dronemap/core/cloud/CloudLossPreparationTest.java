@@ -172,7 +172,8 @@ class CloudLossPreparationTest extends CloudLossTestBase {
         another.settlesAtOnce = false;
         LinkSession session =
                 new LinkSession(new DroneKey("127.0.0.1", 14602, 2), "udp", false, "ArduCopter 2", another);
-        DroneLink second = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
+        DroneLink second =
+                CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
         second.lane().execute(() -> {
             second.accept(new DroneEvent.Identified(CloudFixtures.copter(null), MODES));
             second.accept(new DroneEvent.ModeReported("GUIDED", false));

@@ -140,7 +140,11 @@ class CloudManagerTest {
     void callsARecordingEndedAndNotLostWhenItIsOver() {
         DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(
                 new LinkSession(
-                        new DroneKey("replay", 1, 1), "replay", true, "ArduCopter 1", new CloudFixtures.RecordingChannel()),
+                        new DroneKey("replay", 1, 1),
+                        "replay",
+                        true,
+                        "ArduCopter 1",
+                        new CloudFixtures.RecordingChannel()),
                 CloudFixtures.copter(null),
                 null,
                 true,

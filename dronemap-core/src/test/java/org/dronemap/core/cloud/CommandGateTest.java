@@ -26,8 +26,8 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.command.Setpoint;
-import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -183,7 +183,8 @@ class CommandGateTest {
 
     @Test
     void doesNotSayThatAVehicleCannotWhatItWasNotAskedYet() {
-        link = CloudFixtures.bound(cloud.admit(new Claim(session(false, 5002), CloudFixtures.copter(null), null, true, 0)));
+        link = CloudFixtures.bound(
+                cloud.admit(new Claim(session(false, 5002), CloudFixtures.copter(null), null, true, 0)));
         hear(new DroneEvent.ModeReported("GUIDED", false));
 
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("early-001"), new Command.Arm());

@@ -157,7 +157,8 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
 
         until(() -> seen.contains(ControlChange.Kind.RETURN_DUE));
         hear(new DroneEvent.ModeReported("LOITER", true));
-        SteppedUntil.throughout(time, Duration.ofSeconds(1), () -> !vehicle.performed.contains(new Command.ReturnToLaunch()));
+        SteppedUntil.throughout(
+                time, Duration.ofSeconds(1), () -> !vehicle.performed.contains(new Command.ReturnToLaunch()));
     }
 
     @Test

@@ -113,7 +113,8 @@ class ControlRaceTest {
     private DroneLink connect() {
         LinkSession session =
                 new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
-        DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
+        DroneLink link =
+                CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
         CompletableFuture<Void> done = new CompletableFuture<>();
         link.lane().execute(() -> {
             link.accept(new DroneEvent.Identified(CloudFixtures.copter(null), CloudFixtures.ALL));

@@ -12,8 +12,8 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ParameterOverrideRecorder;
 import org.dronemap.core.command.SetCloudLoss;
-import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.CloudLossAction;
 import org.dronemap.core.drone.FlightPhase;
@@ -60,7 +60,8 @@ class FixedWingReturnTest extends CloudLossTestBase {
     private CommandRecord isArmed(CloudLossAction doing) {
         CommandRecord arm = arms("arm-00001");
         SetCloudLoss command = rule(SetCloudLoss.class);
-        assertThat(command.keeper().keep(new ParameterOverrideRecorder.OverridePlan(GOES_ON, doing, List.of(VALUE), null)))
+        assertThat(command.keeper()
+                        .keep(new ParameterOverrideRecorder.OverridePlan(GOES_ON, doing, List.of(VALUE), null)))
                 .isNotNull();
         time.settle();
         ruleReport(SetCloudLoss.class).ended(new Outcome.Succeeded());

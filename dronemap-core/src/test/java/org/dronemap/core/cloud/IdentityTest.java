@@ -180,9 +180,14 @@ class IdentityTest {
         DroneLink first = letIn(5001, null, new Proof.OfLink("key 7"));
         keepAlive(first);
         LinkSession twin = new LinkSession(
-                new DroneKey("192.0.2.7", 6001, 2), "dtls", false, "ArduCopter 2", new CloudFixtures.RecordingChannel());
+                new DroneKey("192.0.2.7", 6001, 2),
+                "dtls",
+                false,
+                "ArduCopter 2",
+                new CloudFixtures.RecordingChannel());
 
-        assertThat(cloud.admit(new Claim(twin, CloudFixtures.copter(null), new Proof.OfLink("key 7"), true, LONG_NANOS)))
+        assertThat(cloud.admit(
+                        new Claim(twin, CloudFixtures.copter(null), new Proof.OfLink("key 7"), true, LONG_NANOS)))
                 .isInstanceOf(ClaimResult.NotAdmitted.class);
 
         assertThat(cloud.waiting())
@@ -239,7 +244,8 @@ class IdentityTest {
 
         assertThat(cloud.waiting()).isEmpty();
         assertThat(enrolled.name()).isEqualTo("Rescue 7");
-        assertThat(CloudFixtures.bound(cloud.admit(claim(5001, "aa01", null, false))).id())
+        assertThat(CloudFixtures.bound(cloud.admit(claim(5001, "aa01", null, false)))
+                        .id())
                 .isEqualTo(enrolled.id());
         assertThat(cloud.letIn(waiting.id(), "again")).isEmpty();
     }
@@ -317,7 +323,8 @@ class IdentityTest {
 
         assertThat(robot.id()).isEqualTo(issuedFor).isNotEqualTo(before.id());
         assertThat(state(before).standing().strongest()).isEqualTo(Evidence.ADDRESS);
-        assertThat(CloudFixtures.bound(cloud.admit(claim(6001, null, key, false))).id())
+        assertThat(CloudFixtures.bound(cloud.admit(claim(6001, null, key, false)))
+                        .id())
                 .isEqualTo(issuedFor);
     }
 }

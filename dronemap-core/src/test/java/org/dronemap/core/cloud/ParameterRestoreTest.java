@@ -41,7 +41,9 @@ class ParameterRestoreTest extends CloudLossTestBase {
         hear(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
 
         SteppedUntil.throughout(
-                time, Duration.ofSeconds(60), () -> vehicle.performed.stream().noneMatch(RestoreParameters.class::isInstance));
+                time,
+                Duration.ofSeconds(60),
+                () -> vehicle.performed.stream().noneMatch(RestoreParameters.class::isInstance));
 
         landed();
         rule(RestoreParameters.class);
@@ -140,7 +142,8 @@ class ParameterRestoreTest extends CloudLossTestBase {
 
     @Test
     void listsWhatIsOutstandingOnADroneThatWasRemoved() {
-        ParameterOverrides left = new ParameterOverrides(new DroneId("gone-1"), "Falcon", BEGAN, 15.0, true, List.of(VALUE));
+        ParameterOverrides left =
+                new ParameterOverrides(new DroneId("gone-1"), "Falcon", BEGAN, 15.0, true, List.of(VALUE));
         owners.kept.put(left.drone(), left);
 
         CloudManager next = cloud();

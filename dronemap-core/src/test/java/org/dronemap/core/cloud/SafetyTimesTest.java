@@ -18,8 +18,8 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
-import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -133,7 +133,8 @@ class SafetyTimesTest {
     private DroneLink hovering(CloudManager cloud) {
         LinkSession session =
                 new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
-        DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
+        DroneLink link =
+                CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
         onLane(link, () -> {
             link.accept(new DroneEvent.Identified(CloudFixtures.copter(null), MODES));
             link.accept(new DroneEvent.ModeReported("GUIDED", true));

@@ -122,11 +122,15 @@ final class ArmingOperation implements Operation<ArmingOperation.State, String> 
         }
         String[] words = input.split(" ", 3);
         return switch (words[0]) {
-            case "note" -> new OperationDecision<>(state.heard(input.substring(5)), List.of(), "It heard " + input.substring(5));
+            case "note" ->
+                new OperationDecision<>(state.heard(input.substring(5)), List.of(), "It heard " + input.substring(5));
             case "arm" -> give(state, new Command.Arm());
             case "home" -> give(state, new Command.ReturnToLaunch());
             case "compute" ->
-                new OperationDecision<>(state.heard("asked"), List.of(new OperationAction.Compute<>(new TestComputation(words[1]))), null);
+                new OperationDecision<>(
+                        state.heard("asked"),
+                        List.of(new OperationAction.Compute<>(new TestComputation(words[1]))),
+                        null);
             case "taken" -> taken(state, words[1], words[2]);
             case "stop" ->
                 new OperationDecision<>(
@@ -140,7 +144,8 @@ final class ArmingOperation implements Operation<ArmingOperation.State, String> 
         int given = state.given();
         for (String drone : state.drones()) {
             given += step;
-            actions.add(new OperationAction.SendCommand<>(new DroneId(drone), new CommandId("command-" + given), command));
+            actions.add(
+                    new OperationAction.SendCommand<>(new DroneId(drone), new CommandId("command-" + given), command));
         }
         return new OperationDecision<>(new State(state.drones(), state.heard(), given, false), actions, null);
     }

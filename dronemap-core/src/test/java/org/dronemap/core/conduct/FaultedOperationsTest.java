@@ -46,7 +46,8 @@ class FaultedOperationsTest extends OperationTestBase {
 
         restartWithout(WHY);
 
-        assertThat(operations.find(ArmingOperation.KIND, ID).orElseThrow().setAside()).isEqualTo(WHY);
+        assertThat(operations.find(ArmingOperation.KIND, ID).orElseThrow().setAside())
+                .isEqualTo(WHY);
         assertThat(operations.underWay(ArmingOperation.KIND)).isEmpty();
         assertThat(operations.setAside(ArmingOperation.KIND)).hasSize(1);
         assertThat(operations.troubles()).containsExactly("The operation w1 is set aside. " + WHY);
@@ -60,7 +61,8 @@ class FaultedOperationsTest extends OperationTestBase {
         await().until(() -> stored().endedAt() != null);
         assertThat(isHeldByIt(link.id())).isFalse();
         await().until(() -> operations.troubles().isEmpty());
-        assertThat(operations.find(ArmingOperation.KIND, ID).orElseThrow().setAside()).startsWith("The server set it aside");
+        assertThat(operations.find(ArmingOperation.KIND, ID).orElseThrow().setAside())
+                .startsWith("The server set it aside");
         assertReplays();
     }
 

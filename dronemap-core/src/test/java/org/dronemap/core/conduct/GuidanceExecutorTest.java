@@ -41,8 +41,10 @@ class GuidanceExecutorTest {
                     journal),
             () -> new DroneId("d1"));
     private final List<Long> guided = new ArrayList<>();
-    private final GuidanceExecutor<String> wheel =
-            new GuidanceExecutor<>(new DroneGateway(cloud, "test"), new LeaseHolder.Operation("o1", "mia", "The trial"), new OperationGuidance<>() {
+    private final GuidanceExecutor<String> wheel = new GuidanceExecutor<>(
+            new DroneGateway(cloud, "test"),
+            new LeaseHolder.Operation("o1", "mia", "The trial"),
+            new OperationGuidance<>() {
                 @Override
                 public boolean sighted(TargetReport sighting) {
                     guided.add(sighting.number());

@@ -27,7 +27,11 @@ class InterruptedOperationsTest extends OperationTestBase {
         cloud.controls().apply(link.id(), new LeaseEvent.TakeOver("bob", "look out"));
 
         await().until(() -> heard().stream().anyMatch(one -> one.startsWith("taken bob has had control of it")));
-        assertThat(operations.find(ArmingOperation.KIND, ID).orElseThrow().state().drones())
+        assertThat(operations
+                        .find(ArmingOperation.KIND, ID)
+                        .orElseThrow()
+                        .state()
+                        .drones())
                 .isEmpty();
         assertThat(cloud.controls().control(link.id()).isHeldBy("bob")).isTrue();
     }

@@ -20,7 +20,8 @@ class JournalReplayTest {
         ArmingOperation.State state = ArmingOperation.of(new DroneId("d1"));
         List<JournalEntry> journal = new ArrayList<>(List.of(entry(0, CODEC.state(state), "")));
         for (String input : inputs) {
-            OperationDecision<ArmingOperation.State, String> decision = ArmingOperation.KIND.machine().decide(state, input);
+            OperationDecision<ArmingOperation.State, String> decision =
+                    ArmingOperation.KIND.machine().decide(state, input);
             journal.add(entry(journal.size(), input, CODEC.decision(decision)));
             state = decision.next();
         }
@@ -42,7 +43,8 @@ class JournalReplayTest {
 
     @Test
     void decidesAsWasWrittenDown() {
-        JournalReplay<ArmingOperation.State, String> replay = replay(ArmingOperation.KIND, journal("arm", "note one", "stop"));
+        JournalReplay<ArmingOperation.State, String> replay =
+                replay(ArmingOperation.KIND, journal("arm", "note one", "stop"));
 
         assertThat(replay.difference()).isEmpty();
         assertThat(replay.count()).isEqualTo(4);
@@ -81,7 +83,8 @@ class JournalReplayTest {
 
     @Test
     void tellsWhereAnotherMachineDecidesOtherwise() {
-        OperationKind<ArmingOperation.State, String> changed = new OperationKind<>("watch", new ArmingOperation(2), CODEC);
+        OperationKind<ArmingOperation.State, String> changed =
+                new OperationKind<>("watch", new ArmingOperation(2), CODEC);
 
         assertThat(replay(changed, journal("note one", "arm")).difference())
                 .hasValueSatisfying(

@@ -93,8 +93,8 @@ abstract class OperationTestBase {
     }
 
     Operations operations() {
-        Operations made =
-                new Operations(cloud, store, (owner, drone) -> rights.get(), new RealTime(), List.of(ArmingOperation.KIND));
+        Operations made = new Operations(
+                cloud, store, (owner, drone) -> rights.get(), new RealTime(), List.of(ArmingOperation.KIND));
         made.addListener((saved, why) -> told.add(why));
         return made;
     }
@@ -115,7 +115,9 @@ abstract class OperationTestBase {
                 new SavedOperation.Owner("ann", "ann", OrganisationId.HOME),
                 "a watch",
                 Instant.now());
-        return operations.begin(ArmingOperation.KIND, begun, ArmingOperation.of(link.id())).state();
+        return operations
+                .begin(ArmingOperation.KIND, begun, ArmingOperation.of(link.id()))
+                .state();
     }
 
     ArmingOperation.State wish(String what) {

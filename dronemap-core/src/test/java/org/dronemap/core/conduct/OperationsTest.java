@@ -229,7 +229,11 @@ class OperationsTest extends OperationTestBase {
 
         assertThat(isHeldByIt(link.id())).isFalse();
         assertThat(operations.underWay(ArmingOperation.KIND)).isEmpty();
-        assertThat(operations.find(ArmingOperation.KIND, ID).orElseThrow().saved().endedAt())
+        assertThat(operations
+                        .find(ArmingOperation.KIND, ID)
+                        .orElseThrow()
+                        .saved()
+                        .endedAt())
                 .isNotNull();
         assertThatThrownBy(() -> wish("arm"))
                 .isInstanceOfSatisfying(

@@ -19,7 +19,8 @@ class SensorSnapshotTest {
     void countsEachKindByItself() {
         RangeScan scan = new RangeScan(0, 1, List.of(1.0));
         Picture picture = Picture.of(PNG).orElseThrow();
-        SensorSnapshot sensed = SensorSnapshot.NOTHING.with(scan, THEN).with(scan, THEN).with(picture, THEN);
+        SensorSnapshot sensed =
+                SensorSnapshot.NOTHING.with(scan, THEN).with(scan, THEN).with(picture, THEN);
 
         assertThat(sensed.scan()).isEqualTo(new SensorSnapshot.Sample<>(scan, 2, THEN));
         assertThat(sensed.picture()).isEqualTo(new SensorSnapshot.Sample<>(picture, 1, THEN));

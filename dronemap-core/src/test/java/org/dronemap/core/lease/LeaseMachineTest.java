@@ -271,7 +271,8 @@ class LeaseMachineTest {
     @Test
     void givesAHolderTimeToComeBackAfterARestart() {
         control = machine.restored(
-                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, false), new ClockReading(START, 0));
+                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, false),
+                new ClockReading(START, 0));
 
         after(15, new LeaseEvent.Tick(false, true));
         assertThat(control.isHeldBy("ann")).isTrue();
@@ -295,7 +296,8 @@ class LeaseMachineTest {
 
     @Test
     void knowsAHolderByTheEpochFromBeforeARestart() {
-        control = machine.restored(new SavedLease(new DroneId("d1"), "ann", START, 77, false), new ClockReading(START, 0));
+        control = machine.restored(
+                new SavedLease(new DroneId("d1"), "ann", START, 77, false), new ClockReading(START, 0));
 
         granted(new LeaseEvent.Heartbeat("ann", 77));
         granted(new LeaseEvent.Command("ann", 77L));

@@ -49,7 +49,8 @@ class MissionWarningsTest {
 
     @Test
     void asksAboutNoDistanceWhileThePlaceOfTheDroneIsUnknown() {
-        assertThat(MissionWarnings.about(new Mission(List.of(at(60, 20))), null)).isEmpty();
+        assertThat(MissionWarnings.about(new Mission(List.of(at(60, 20))), null))
+                .isEmpty();
         assertThat(MissionWarnings.about(new Geodetic(60, 8), null)).isEmpty();
         assertThat(MissionWarnings.about(new Geodetic(47.2, 8), DRONE))
                 .containsExactly("The place is 22.24 km away from the drone.");

@@ -54,7 +54,9 @@ class BatteryEnduranceTest {
         Geodetic below =
                 Objects.requireNonNull(Objects.requireNonNull(high.position()).point());
 
-        assertThat(BatteryEndurance.secondsTo(high, below, 0)).as("20 m down at 1 m/s").hasValue(30 + 1.25 * 20);
+        assertThat(BatteryEndurance.secondsTo(high, below, 0))
+                .as("20 m down at 1 m/s")
+                .hasValue(30 + 1.25 * 20);
         assertThat(BatteryEndurance.secondsTo(high, below, 60))
                 .as("40 m up at 2 m/s, 60 m down")
                 .hasValue(30 + 1.25 * (20 + 60));

@@ -48,7 +48,8 @@ class ReturnPlannerTest {
     private static final String CROWD = "The way touches “Crowd”.";
 
     /** What some zones say. */
-    private record FakeZoneCheck(Optional<String> againstReturn, Optional<String> againstFlying, Optional<String> againstLanding)
+    private record FakeZoneCheck(
+            Optional<String> againstReturn, Optional<String> againstFlying, Optional<String> againstLanding)
             implements ReturnPlanner.ZoneCheck {
         static final FakeZoneCheck NOTHING = new FakeZoneCheck(Optional.empty(), Optional.empty(), Optional.empty());
 
@@ -107,21 +108,25 @@ class ReturnPlannerTest {
                 null);
     }
 
-    private static ReturnPlanner.PlannedReturn next(OptionalDouble left, ReturnPlanner.ZoneCheck zones, ReturnOption... failed) {
+    private static ReturnPlanner.PlannedReturn next(
+            OptionalDouble left, ReturnPlanner.ZoneCheck zones, ReturnOption... failed) {
         Set<ReturnOption> all = failed.length == 0 ? Set.of() : EnumSet.copyOf(List.of(failed));
-        return ReturnPlanner.next(new ReturnPlanner.Situation(drone(ALL, HERE), left, List.of(RALLY, FIELD), all), zones);
+        return ReturnPlanner.next(
+                new ReturnPlanner.Situation(drone(ALL, HERE), left, List.of(RALLY, FIELD), all), zones);
     }
 
     private static ReturnPlanner.PlannedReturn without(Capability missing) {
         Set<Capability> can = EnumSet.allOf(Capability.class);
         can.remove(missing);
-        return ReturnPlanner.next(new ReturnPlanner.Situation(drone(can, HERE), PLENTY, List.of(), Set.of()), FakeZoneCheck.NOTHING);
+        return ReturnPlanner.next(
+                new ReturnPlanner.Situation(drone(can, HERE), PLENTY, List.of(), Set.of()), FakeZoneCheck.NOTHING);
     }
 
     @Test
     void returnsWhereItCan() {
         assertThat(next(PLENTY, FakeZoneCheck.NOTHING).command()).isEqualTo(new Command.ReturnToLaunch());
-        assertThat(next(OptionalDouble.empty(), FakeZoneCheck.NOTHING).command()).isEqualTo(new Command.ReturnToLaunch());
+        assertThat(next(OptionalDouble.empty(), FakeZoneCheck.NOTHING).command())
+                .isEqualTo(new Command.ReturnToLaunch());
         ReturnPlanner.Situation untold = new ReturnPlanner.Situation(drone(ALL, null), PLENTY, List.of(), Set.of());
         assertThat(ReturnPlanner.next(untold, FakeZoneCheck.NOTHING).rung())
                 .as("what it does not tell it may know")
@@ -135,7 +140,8 @@ class ReturnPlannerTest {
         assertThat(step.command()).isEqualTo(new Command.GoTo(FIELD.point(), Altitude.aboveHome(20)));
         assertThat(step.place()).isEqualTo(FIELD);
         assertThat(step.why()).startsWith("Its battery lasts for about 150 s, and the way home takes about 3");
-        assertThat(next(PLENTY, FakeZoneCheck.NOTHING, ReturnOption.RETURN).place()).isEqualTo(FIELD);
+        assertThat(next(PLENTY, FakeZoneCheck.NOTHING, ReturnOption.RETURN).place())
+                .isEqualTo(FIELD);
     }
 
     @Test
@@ -144,10 +150,13 @@ class ReturnPlannerTest {
         DroneState low = drone(ALL, HERE, null, null);
         DroneState layered = drone(ALL, HERE, null, new ReturnHeight(120, 15));
 
-        assertThat(ReturnPlanner.next(new ReturnPlanner.Situation(low, enough, List.of(), Set.of()), FakeZoneCheck.NOTHING)
+        assertThat(ReturnPlanner.next(
+                                new ReturnPlanner.Situation(low, enough, List.of(), Set.of()), FakeZoneCheck.NOTHING)
                         .rung())
                 .isEqualTo(ReturnOption.RETURN);
-        assertThat(ReturnPlanner.next(new ReturnPlanner.Situation(layered, enough, List.of(), Set.of()), FakeZoneCheck.NOTHING)
+        assertThat(ReturnPlanner.next(
+                                new ReturnPlanner.Situation(layered, enough, List.of(), Set.of()),
+                                FakeZoneCheck.NOTHING)
                         .rung())
                 .as("up to its layer and down again takes longer than its battery lasts")
                 .isEqualTo(ReturnOption.LAND);
@@ -156,12 +165,14 @@ class ReturnPlannerTest {
     @Test
     void landsWhereItIsWhenNoPlaceIsToBeHad() {
         assertThat(next(NOTHING, FakeZoneCheck.NOTHING).command()).isEqualTo(new Command.Land());
-        assertThat(next(PLENTY, FakeZoneCheck.NOTHING, ReturnOption.RETURN, ReturnOption.ELSEWHERE).command())
+        assertThat(next(PLENTY, FakeZoneCheck.NOTHING, ReturnOption.RETURN, ReturnOption.ELSEWHERE)
+                        .command())
                 .isEqualTo(new Command.Land());
         assertThat(without(Capability.RETURN_TO_LAUNCH).command()).isEqualTo(new Command.Land());
         FakeZoneCheck nothingToBeAsked = new FakeZoneCheck(Optional.empty(), Optional.empty(), Optional.of(CROWD));
         Set<ReturnOption> refused = Set.of(ReturnOption.RETURN);
-        ReturnPlanner.Situation nowhere = new ReturnPlanner.Situation(drone(ALL, null), PLENTY, List.of(FIELD), refused);
+        ReturnPlanner.Situation nowhere =
+                new ReturnPlanner.Situation(drone(ALL, null), PLENTY, List.of(FIELD), refused);
         assertThat(ReturnPlanner.next(nowhere, nothingToBeAsked).command()).isEqualTo(new Command.Land());
     }
 
@@ -182,7 +193,8 @@ class ReturnPlannerTest {
     void saysWhyNothingCanBeDone() {
         Set<Capability> nothing = Set.of(Capability.ARM);
         ReturnPlanner.PlannedReturn step = ReturnPlanner.next(
-                new ReturnPlanner.Situation(drone(nothing, HERE), PLENTY, List.of(FIELD), Set.of()), FakeZoneCheck.NOTHING);
+                new ReturnPlanner.Situation(drone(nothing, HERE), PLENTY, List.of(FIELD), Set.of()),
+                FakeZoneCheck.NOTHING);
 
         assertThat(step.rung()).isNull();
         assertThat(step.why()).isEqualTo("It cannot return by itself. It cannot land by itself.");

@@ -63,7 +63,8 @@ class SteppedTimeTest {
 
     @Test
     void repeatsUntilItIsCalledOff() {
-        ScheduledTask rounds = time.worker("rounds", 1).every(Duration.ZERO, Duration.ofMillis(10), () -> note("round"));
+        ScheduledTask rounds =
+                time.worker("rounds", 1).every(Duration.ZERO, Duration.ofMillis(10), () -> note("round"));
         time.advance(Duration.ofMillis(25));
         rounds.callOff();
         time.advance(Duration.ofSeconds(1));

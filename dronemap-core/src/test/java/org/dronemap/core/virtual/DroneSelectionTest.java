@@ -117,7 +117,8 @@ class DroneSelectionTest {
     void isSlowerAgainstTheWindThanBeforeIt() {
         Drone plane = new Drone("plane", 1_030);
         plane.kind = VehicleKind.FIXED_WING;
-        VirtualTour northward = new VirtualTour(null, VirtualTour.of(VirtualFixtures.mission(1)).waypoints(), true);
+        VirtualTour northward =
+                new VirtualTour(null, VirtualTour.of(VirtualFixtures.mission(1)).waypoints(), true);
 
         double calm = minutes(plane, northward, null);
 
@@ -134,7 +135,8 @@ class DroneSelectionTest {
     }
 
     private static double minutes(Drone drone, double windFromNorth) {
-        return minutes(drone, VirtualTour.of(VirtualFixtures.mission(1)), windFromNorth == 0 ? null : wind(0, windFromNorth));
+        return minutes(
+                drone, VirtualTour.of(VirtualFixtures.mission(1)), windFromNorth == 0 ? null : wind(0, windFromNorth));
     }
 
     private static double minutes(Drone drone, VirtualTour tour, @Nullable Wind wind) {
@@ -199,7 +201,8 @@ class DroneSelectionTest {
             assertThat(after.chosen()).as("round %d: %s", round, sentence).isEqualTo(choice.runnerUp());
             assertThat(after.unfit()).as("round %d: for no other reason", round).isEmpty();
         }
-        assertThat(met).contains(SelectionCriterion.DISTANCE, SelectionCriterion.BATTERY_LEFT, SelectionCriterion.LINK_LOSS);
+        assertThat(met)
+                .contains(SelectionCriterion.DISTANCE, SelectionCriterion.BATTERY_LEFT, SelectionCriterion.LINK_LOSS);
     }
 
     /** Often alike in what counts first, so that each quantity decides now and then. */
@@ -260,7 +263,8 @@ class DroneSelectionTest {
         blind.can = Set.of(Capability.ARM, Capability.UPLOAD_MISSION, Capability.START_MISSION);
         Drone unready = new Drone("unready", 100);
         unready.ready = false;
-        DroneRequirements needs = new DroneRequirements(VehicleKind.MULTICOPTER, Set.of(Capability.TAKE_PICTURE), null, null);
+        DroneRequirements needs =
+                new DroneRequirements(VehicleKind.MULTICOPTER, Set.of(Capability.TAKE_PICTURE), null, null);
 
         DroneSelection selection = select(needs, lost, armed, unknown, empty, bad, plane, blind, unready);
 
@@ -297,7 +301,8 @@ class DroneSelectionTest {
 
     @Test
     void keepsToTheAreaAndTheEnduranceThatAreNeeded() {
-        DroneRequirements near = new DroneRequirements(null, Set.of(), null, new RequiredArea(VirtualFixtures.FIRST, 300));
+        DroneRequirements near =
+                new DroneRequirements(null, Set.of(), null, new RequiredArea(VirtualFixtures.FIRST, 300));
         assertThat(choose(near, new Drone("in", 290), new Drone("out", 310))
                         .orElseThrow()
                         .unfit())

@@ -196,7 +196,8 @@ class VirtualRunMachineTest {
     @Test
     void waitsForItsUserOnceSomebodyWhoGoesFirstHasTheDrone() {
         flyTo(2);
-        VirtualRunStep step = machine.next(run, sight(null, "The pilot at the vehicle has control.", Duration.ZERO, true));
+        VirtualRunStep step =
+                machine.next(run, sight(null, "The pilot at the vehicle has control.", Duration.ZERO, true));
 
         assertThat(step.run().stage()).isEqualTo(VirtualRunStage.SUSPENDED);
         VirtualRun resumed = machine.resume(step.run(), now).orElseThrow();
@@ -328,7 +329,8 @@ class VirtualRunMachineTest {
         return step;
     }
 
-    private VirtualRunObservation sight(@Nullable Outcome outcome, @Nullable String takenBy, Duration silence, boolean mayFly) {
+    private VirtualRunObservation sight(
+            @Nullable Outcome outcome, @Nullable String takenBy, Duration silence, boolean mayFly) {
         return new VirtualRunObservation(drone.state(), takenBy, outcome, false, silence, still, mayFly, now);
     }
 }

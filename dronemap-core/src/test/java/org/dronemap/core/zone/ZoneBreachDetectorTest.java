@@ -22,7 +22,8 @@ class ZoneBreachDetectorTest {
         List<ZoneBreachDetector.Finding> findings = fly(zone, 0, 140, 20);
 
         // From 222 m away at 10 m/s: 10 s ahead are 122 m on.
-        assertThat(findings.subList(2, findings.size())).allMatch(ZoneBreachDetector.Finding.Continuing.class::isInstance);
+        assertThat(findings.subList(2, findings.size()))
+                .allMatch(ZoneBreachDetector.Finding.Continuing.class::isInstance);
         assertThat(findings.get(0))
                 .isInstanceOfSatisfying(
                         ZoneBreachDetector.Finding.Predicted.class,

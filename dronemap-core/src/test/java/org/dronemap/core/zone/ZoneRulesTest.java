@@ -229,8 +229,8 @@ class ZoneRulesTest {
         book.put(List.of(ZoneFixtures.zone(
                 shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(new DroneId("other")), Validity.ALWAYS)));
         assertThat(why(drone, through)).isEqualTo("nothing");
-        book.put(List.of(
-                ZoneFixtures.zone(shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(ZoneFixtures.DRONE), Validity.ALWAYS)));
+        book.put(List.of(ZoneFixtures.zone(
+                shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(ZoneFixtures.DRONE), Validity.ALWAYS)));
         assertThat(why(drone, through)).contains("enters");
         book.remove("z1");
         assertThat(why(drone, through)).isEqualTo("nothing");
@@ -246,8 +246,8 @@ class ZoneRulesTest {
         assertThat(why(drone, through)).contains("enters");
         book.put(List.of(inForce(shape, Duration.ofMinutes(61))));
         assertThat(why(drone, through)).isEqualTo("nothing");
-        book.put(List.of(
-                ZoneFixtures.zone(shape, AltitudeBand.ALL, ZoneBinding.EVERYBODY, new Validity(null, ZoneFixtures.NOW))));
+        book.put(List.of(ZoneFixtures.zone(
+                shape, AltitudeBand.ALL, ZoneBinding.EVERYBODY, new Validity(null, ZoneFixtures.NOW))));
         assertThat(why(drone, through)).isEqualTo("nothing");
     }
 

@@ -102,9 +102,13 @@ final class ClientEndpoint implements Endpoint {
     }
 
     private void serve(ClientConnection open) throws IOException {
-        EndpointPeer.Origin place = new EndpointPeer.Origin(url, open.isLocal(), url.kind().isDatagram());
+        EndpointPeer.Origin place =
+                new EndpointPeer.Origin(url, open.isLocal(), url.kind().isDatagram());
         EndpointPeer seat = peers.add(
-                ONLY, open.address().host(), time.nanos(), welcome -> new EndpointPeer(place, open.address(), open, welcome));
+                ONLY,
+                open.address().host(),
+                time.nanos(),
+                welcome -> new EndpointPeer(place, open.address(), open, welcome));
         if (seat == null) {
             throw new IOException("an earlier line is still held");
         }

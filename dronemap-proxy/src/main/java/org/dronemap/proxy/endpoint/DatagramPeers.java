@@ -51,7 +51,8 @@ final class DatagramPeers<K> {
                 from,
                 address.host(),
                 now,
-                welcome -> new EndpointPeer(way.place(), address, frame -> way.out().test(from, frame), welcome));
+                welcome -> new EndpointPeer(
+                        way.place(), address, frame -> way.out().test(from, frame), welcome));
     }
 
     List<PeerStatus> status() {

@@ -135,7 +135,8 @@ final class DtlsServerEndpoint implements Endpoint {
 
     private @Nullable EndpointPeer welcome(Handshake handshake, EndpointContext context, long now) {
         peers.makeRoomFor(handshake.identity());
-        EndpointPeer.Origin place = new EndpointPeer.Origin(url.kind().transport(), local, true, Optional.of(handshake.identity()));
+        EndpointPeer.Origin place =
+                new EndpointPeer.Origin(url.kind().transport(), local, true, Optional.of(handshake.identity()));
         DtlsFrameSender wire = new DtlsFrameSender(connector, context, counters);
         return peers.add(
                 handshake,

@@ -10,7 +10,8 @@ public interface Endpoint extends AutoCloseable {
     /**
      * Opens the door that the URL names; one that dials fails later, and tries again. The failure's message says what to do.
      */
-    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, EndpointSecurity doors, Time time) throws IOException {
+    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, EndpointSecurity doors, Time time)
+            throws IOException {
         return switch (url.kind()) {
             case UDPSERVER -> UdpServerEndpoint.open(url, handlers, time);
             case TCPSERVER -> TcpServerEndpoint.open(url, handlers, time);

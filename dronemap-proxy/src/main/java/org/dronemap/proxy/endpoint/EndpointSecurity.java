@@ -13,7 +13,11 @@ import org.jspecify.annotations.Nullable;
  * @param limits of WebSockets that have not shaken hands
  * @param watch over whose bytes are being worked on
  */
-public record EndpointSecurity(DtlsKeys keys, Supplier<@Nullable SSLContext> tls, BoundedWebSocketFactory.Limits limits, PeerCrashGuard watch) {
+public record EndpointSecurity(
+        DtlsKeys keys,
+        Supplier<@Nullable SSLContext> tls,
+        BoundedWebSocketFactory.Limits limits,
+        PeerCrashGuard watch) {
     /** Without a certificate. */
     public static EndpointSecurity of(DtlsKeys keys) {
         return new EndpointSecurity(keys, () -> null, BoundedWebSocketFactory.Limits.DEFAULT, PeerCrashGuard.NONE);

@@ -34,7 +34,11 @@ final class PeerRegistry<K> {
 
     /** The counters, handlers and shared budget that a new peer is made with. */
     record Admission(
-            EndpointCounters counters, PeerHandler.Factory handlers, String host, TokenBucket hostsStrangers, long now) {}
+            EndpointCounters counters,
+            PeerHandler.Factory handlers,
+            String host,
+            TokenBucket hostsStrangers,
+            long now) {}
 
     /** The state that all peers of one host share. */
     private static final class Host {

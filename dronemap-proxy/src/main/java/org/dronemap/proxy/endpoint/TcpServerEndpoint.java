@@ -156,8 +156,8 @@ final class TcpServerEndpoint implements Endpoint {
             SelectionKey key = channel.register(selector, SelectionKey.OP_READ);
             PeerAddress address = PeerAddress.of((InetSocketAddress) channel.getRemoteAddress());
             TcpFrameSender wire = new TcpFrameSender(channel);
-            EndpointPeer seat =
-                    peers.add(key, address.host(), time.nanos(), welcome -> new EndpointPeer(place, address, wire, welcome));
+            EndpointPeer seat = peers.add(
+                    key, address.host(), time.nanos(), welcome -> new EndpointPeer(place, address, wire, welcome));
             if (seat == null) {
                 channel.close();
             }

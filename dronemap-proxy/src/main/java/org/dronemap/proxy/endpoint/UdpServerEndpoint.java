@@ -41,7 +41,8 @@ final class UdpServerEndpoint implements Endpoint {
         this.url = url.withPort(bound.getPort());
         this.channel = channel;
         this.selector = selector;
-        intake = new DatagramQueue(INTAKE_BYTES, INTAKE_DATAGRAMS, handlers.speech().longestDatagram());
+        intake = new DatagramQueue(
+                INTAKE_BYTES, INTAKE_DATAGRAMS, handlers.speech().longestDatagram());
         EndpointPeer.Origin place = new EndpointPeer.Origin(this.url, SocketAddresses.isLocal(bound), true);
         peers = new DatagramPeers<>(
                 counters, handlers, new DatagramPeers.Outbound<>(place, PeerAddress::of, this::send), time);

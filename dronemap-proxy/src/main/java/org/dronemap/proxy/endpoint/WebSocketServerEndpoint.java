@@ -43,19 +43,23 @@ final class WebSocketServerEndpoint implements Endpoint {
     private volatile boolean over;
 
     private WebSocketServerEndpoint(
-            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, EndpointSecurity doors, Time time) {
+            EndpointUrl url,
+            InetSocketAddress address,
+            PeerHandler.Factory handlers,
+            EndpointSecurity doors,
+            Time time) {
         this.url = url;
         this.handlers = handlers;
         this.time = time;
         peers = new PeerRegistry<>(counters, handlers, LIMITS, time);
         boolean encrypted = url.kind() == EndpointUrl.Kind.WSSSERVER;
-        BoundedWebSocketFactory door =
-                new BoundedWebSocketFactory(doors.limits(), encrypted ? doors.tls() : () -> null, counters::refusedPeer, time);
+        BoundedWebSocketFactory door = new BoundedWebSocketFactory(
+                doors.limits(), encrypted ? doors.tls() : () -> null, counters::refusedPeer, time);
         server = new Server(address, new EndpointPeer.Origin(url, SocketAddresses.isLocal(address), false), door);
     }
 
-    static WebSocketServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, EndpointSecurity doors, Time time)
-            throws IOException {
+    static WebSocketServerEndpoint open(
+            EndpointUrl url, PeerHandler.Factory handlers, EndpointSecurity doors, Time time) throws IOException {
         if (url.kind() == EndpointUrl.Kind.WSSSERVER && doors.tls().get() == null) {
             throw new IOException("Cannot listen on " + url
                     + ": the server has no certificate; give it one (DRONEMAP_TLS_CERT, DRONEMAP_TLS_KEY).");
@@ -125,7 +129,10 @@ final class WebSocketServerEndpoint implements Endpoint {
         private final CompletableFuture<Integer> listening = new CompletableFuture<>();
 
         Server(InetSocketAddress address, EndpointPeer.Origin place, BoundedWebSocketFactory door) {
-            super(address, 1, List.<Draft>of(new BoundedWebSocketDraft(handlers.speech().longestMessage())));
+            super(
+                    address,
+                    1,
+                    List.<Draft>of(new BoundedWebSocketDraft(handlers.speech().longestMessage())));
             this.place = place;
             setWebSocketFactory(door);
             setReuseAddr(true);
@@ -167,10 +174,11 @@ final class WebSocketServerEndpoint implements Endpoint {
                 return;
             }
             PeerAddress address = PeerAddress.of(remote);
-            WebSocketFrameSender queue = new WebSocketFrameSender(socket, handlers.speech().text());
+            WebSocketFrameSender queue =
+                    new WebSocketFrameSender(socket, handlers.speech().text());
             EndpointPeer.Origin at = place.at(handshake.getResourceDescriptor());
-            EndpointPeer seat =
-                    peers.add(socket, address.host(), time.nanos(), welcome -> new EndpointPeer(at, address, queue, welcome));
+            EndpointPeer seat = peers.add(
+                    socket, address.host(), time.nanos(), welcome -> new EndpointPeer(at, address, queue, welcome));
             if (seat == null) {
                 socket.close(CloseFrame.TRY_AGAIN_LATER, "there is no room for more vehicles");
             }

@@ -117,7 +117,10 @@ final class ClientCommandHandler {
             controls.take(asked, wish);
         } else if (wish instanceof ClientIntent.Show show) {
             Frame newest = asked.vehicle().newest(show.messageId());
-            acknowledge(asked, number, newest == null ? OutcomeTranslator.TEMPORARILY_REJECTED : OutcomeTranslator.ACCEPTED);
+            acknowledge(
+                    asked,
+                    number,
+                    newest == null ? OutcomeTranslator.TEMPORARILY_REJECTED : OutcomeTranslator.ACCEPTED);
             if (newest != null) {
                 asked.client().say(new ClientMessage.OfVehicle(asked.drone(), newest));
             }
@@ -133,7 +136,9 @@ final class ClientCommandHandler {
     }
 
     private static boolean changes(ClientIntent wish) {
-        return wish instanceof ClientIntent.Order || wish instanceof ClientIntent.Control || wish instanceof ClientIntent.Release;
+        return wish instanceof ClientIntent.Order
+                || wish instanceof ClientIntent.Control
+                || wish instanceof ClientIntent.Release;
     }
 
     private void order(ClientRequest asked, int number, Command command, boolean again, long now) {

@@ -76,7 +76,8 @@ final class ClientCommandReader {
     private static Map<Integer, Entry> words() {
         Map<Integer, Entry> words = new TreeMap<>();
         words.put(17, new Entry("NAV_LOITER_UNLIM", "hold", asked -> order(new Command.Hold())));
-        words.put(20, new Entry("NAV_RETURN_TO_LAUNCH", "returnToLaunch", asked -> order(new Command.ReturnToLaunch())));
+        words.put(
+                20, new Entry("NAV_RETURN_TO_LAUNCH", "returnToLaunch", asked -> order(new Command.ReturnToLaunch())));
         words.put(21, new Entry("NAV_LAND", "land", asked -> order(new Command.Land())));
         words.put(22, new Entry("NAV_TAKEOFF", "takeOff", ClientCommandReader::takeOff));
         words.put(115, new Entry("CONDITION_YAW", "turn", ClientCommandReader::turn));
@@ -89,7 +90,9 @@ final class ClientCommandReader {
         words.put(
                 300,
                 new Entry(
-                        "MISSION_START", "startMission", asked -> order(new Command.StartMission(MissionCloudLossPolicy.CONTINUE))));
+                        "MISSION_START",
+                        "startMission",
+                        asked -> order(new Command.StartMission(MissionCloudLossPolicy.CONTINUE))));
         words.put(400, new Entry("COMPONENT_ARM_DISARM", "arm, disarm", ClientCommandReader::arm));
         words.put(410, new Entry("GET_HOME_POSITION", "from the cache", asked -> new ClientIntent.Show(242)));
         words.put(511, new Entry("SET_MESSAGE_INTERVAL", "the usual rate only", ClientCommandReader::rate));
@@ -98,12 +101,18 @@ final class ClientCommandReader {
                 new Entry(
                         "REQUEST_MESSAGE",
                         "from the cache",
-                        asked -> new ClientIntent.Show(Math.round(asked.command().param1()))));
+                        asked ->
+                                new ClientIntent.Show(Math.round(asked.command().param1()))));
         words.put(519, new Entry("REQUEST_PROTOCOL_VERSION", "from the cache", asked -> new ClientIntent.Show(300)));
-        words.put(520, new Entry("REQUEST_AUTOPILOT_CAPABILITIES", "from the cache", asked -> new ClientIntent.Show(148)));
+        words.put(
+                520,
+                new Entry("REQUEST_AUTOPILOT_CAPABILITIES", "from the cache", asked -> new ClientIntent.Show(148)));
         words.put(
                 OPERATOR_CONTROL,
-                new Entry("REQUEST_OPERATOR_CONTROL", "takes, asks for, hands over, gives back", ClientCommandReader::control));
+                new Entry(
+                        "REQUEST_OPERATOR_CONTROL",
+                        "takes, asks for, hands over, gives back",
+                        ClientCommandReader::control));
         words.put(2000, new Entry("IMAGE_START_CAPTURE", "takePicture", asked -> order(new Command.TakePicture())));
         return words;
     }

@@ -66,7 +66,8 @@ final class ClientControlHandler {
     }
 
     /** Null when all is as wanted. */
-    private @Nullable LeaseEvent event(ClientRequest asked, String user, ControlState control, ClientIntent.Control wish) {
+    private @Nullable LeaseEvent event(
+            ClientRequest asked, String user, ControlState control, ClientIntent.Control wish) {
         if (!control.isHeldBy(user)) {
             return new LeaseEvent.Request(user, REASON);
         }
@@ -161,7 +162,7 @@ final class ClientControlHandler {
     }
 
     private static void acknowledge(ClientRequest asked, int result) {
-        asked.answer(
-                new CommandAck(ClientCommandReader.OPERATOR_CONTROL, result, 0, 0, asked.fromSystem(), asked.fromComponent()));
+        asked.answer(new CommandAck(
+                ClientCommandReader.OPERATOR_CONTROL, result, 0, 0, asked.fromSystem(), asked.fromComponent()));
     }
 }

@@ -80,7 +80,11 @@ final class ClientMessageDispatcher implements AutoCloseable {
     private final ClientMissionWriteHandler intake;
     private final ClientSteeringHandler steering;
 
-    ClientMessageDispatcher(OutletDependencies policy, OutletCounts counts, Map<DroneId, VehicleTap> vehicles, ControlStatusPublisher.Clients room) {
+    ClientMessageDispatcher(
+            OutletDependencies policy,
+            OutletCounts counts,
+            Map<DroneId, VehicleTap> vehicles,
+            ControlStatusPublisher.Clients room) {
         this.cloud = policy.cloud();
         this.counts = counts;
         this.vehicles = vehicles;
@@ -169,7 +173,8 @@ final class ClientMessageDispatcher implements AutoCloseable {
         }
         Timesync question = Timesync.decode(frame);
         if (question.tc1() == 0) {
-            client.say(new ClientMessage.OfCloud(new Timesync(now, question.ts1(), frame.systemId(), frame.componentId())));
+            client.say(new ClientMessage.OfCloud(
+                    new Timesync(now, question.ts1(), frame.systemId(), frame.componentId())));
         }
     }
 

@@ -155,7 +155,8 @@ final class ClientMissionReadHandler {
     private @Nullable MissionItemInt home(ClientRequest asked, int kind) {
         Frame beat = asked.vehicle().newest(Heartbeat.ID);
         Home home = cloud.drone(asked.drone()).map(DroneState::home).orElse(null);
-        boolean kept = beat != null && AutopilotAdapter.of(Heartbeat.decode(beat)).itemsBeforeMission() > 0;
+        boolean kept =
+                beat != null && AutopilotAdapter.of(Heartbeat.decode(beat)).itemsBeforeMission() > 0;
         if (home == null || !kept || kind != MavMissionType.MISSION.number()) {
             return null;
         }

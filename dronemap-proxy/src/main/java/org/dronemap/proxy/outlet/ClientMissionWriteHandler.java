@@ -94,7 +94,11 @@ final class ClientMissionWriteHandler {
             return;
         }
         if (announced.count() > MOST_ITEMS) {
-            refuse(asked, ClientMissionReadHandler.ACK_NO_SPACE, kind, "A mission has at most " + Mission.MAX_ITEMS + " items.");
+            refuse(
+                    asked,
+                    ClientMissionReadHandler.ACK_NO_SPACE,
+                    kind,
+                    "A mission has at most " + Mission.MAX_ITEMS + " items.");
             return;
         }
         Upload intake = new Upload(asked, kind, announced.count());
@@ -164,7 +168,8 @@ final class ClientMissionWriteHandler {
 
     private static ClientMissionReader.Read read(Upload intake) {
         Frame beat = intake.asked.vehicle().newest(Heartbeat.ID);
-        int before = beat == null ? 0 : AutopilotAdapter.of(Heartbeat.decode(beat)).itemsBeforeMission();
+        int before =
+                beat == null ? 0 : AutopilotAdapter.of(Heartbeat.decode(beat)).itemsBeforeMission();
         return ClientMissionReader.of(intake.kind, intake.items, before);
     }
 
@@ -249,10 +254,21 @@ final class ClientMissionWriteHandler {
         public void ended(Outcome outcome) {
             intakes.remove(place, intake);
             switch (outcome.kind()) {
-                case SUCCEEDED -> ClientMissionReadHandler.acknowledge(intake.asked, ClientMissionReadHandler.ACK_ACCEPTED, intake.kind);
-                case REFUSED -> refuse(intake.asked, ClientMissionReadHandler.ACK_DENIED, intake.kind, OutcomeTranslator.sentence(outcome));
+                case SUCCEEDED ->
+                    ClientMissionReadHandler.acknowledge(
+                            intake.asked, ClientMissionReadHandler.ACK_ACCEPTED, intake.kind);
+                case REFUSED ->
+                    refuse(
+                            intake.asked,
+                            ClientMissionReadHandler.ACK_DENIED,
+                            intake.kind,
+                            OutcomeTranslator.sentence(outcome));
                 case FAILED, TIMED_OUT, SUPERSEDED, UNKNOWN ->
-                    refuse(intake.asked, ClientMissionReadHandler.ACK_ERROR, intake.kind, OutcomeTranslator.sentence(outcome));
+                    refuse(
+                            intake.asked,
+                            ClientMissionReadHandler.ACK_ERROR,
+                            intake.kind,
+                            OutcomeTranslator.sentence(outcome));
             }
             if (intake.next != null) {
                 due.add(intake.next);

@@ -46,7 +46,10 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         keys = new OutletKeys(policy.store(), policy.time());
         rights = new RightsWatch(policy.rights(), keys, policy.time());
         room = new OutletLoop(policy, counts, vehicles, rights);
-        links = new EndpointRegistry(this, new EndpointSecurity(keys::dtlsSecret, doors.tls(), doors.limits(), doors.watch()), policy.time());
+        links = new EndpointRegistry(
+                this,
+                new EndpointSecurity(keys::dtlsSecret, doors.tls(), doors.limits(), doors.watch()),
+                policy.time());
         ports = new PersonalPorts(this, urls, personal, policy);
     }
 

@@ -142,7 +142,8 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
             return false;
         }
         tasks.add(() -> {
-            Disconnected whom = new Disconnected(found.user(), found.peer().address().host());
+            Disconnected whom =
+                    new Disconnected(found.user(), found.peer().address().host());
             sentAwayUntil.put(whom, time.nanos() + OUTSIDE_NANOS);
             end(found.peer(), "somebody disconnected it");
         });
@@ -167,11 +168,15 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
         }
         long now = time.nanos();
         int count = 0;
-        for (ClientFrame heard = fromClients.poll(); heard != null; heard = count < AT_ONCE ? fromClients.poll() : null) {
+        for (ClientFrame heard = fromClients.poll();
+                heard != null;
+                heard = count < AT_ONCE ? fromClients.poll() : null) {
             take(heard, now);
             count++;
         }
-        for (VehicleFrame said = fromVehicles.poll(); said != null; said = count < 2 * AT_ONCE ? fromVehicles.poll() : null) {
+        for (VehicleFrame said = fromVehicles.poll();
+                said != null;
+                said = count < 2 * AT_ONCE ? fromVehicles.poll() : null) {
             show(said);
             count++;
         }
@@ -210,7 +215,8 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
 
     /** Asks once what a new client's user may do; what it sends meanwhile is lost, and is sent again by all who need it. */
     private void knock(ClientFrame heard, long now) {
-        Disconnected whom = new Disconnected(heard.pass().user(), heard.peer().address().host());
+        Disconnected whom =
+                new Disconnected(heard.pass().user(), heard.peer().address().host());
         if (isBefore(now, outsideUntil.get(heard.peer())) || isBefore(now, sentAwayUntil.get(whom))) {
             counts.turnedAway();
             return;

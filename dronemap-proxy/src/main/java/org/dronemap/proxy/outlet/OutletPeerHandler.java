@@ -49,12 +49,15 @@ final class OutletPeerHandler implements PeerHandler {
     private void judge(Frame frame) {
         UserKey before = key;
         UserKey owner = before;
-        SignatureVerdict verdict = before == null || before.isWithdrawn() ? SignatureVerdict.BAD_SIGNATURE : before.judge(frame);
+        SignatureVerdict verdict =
+                before == null || before.isWithdrawn() ? SignatureVerdict.BAD_SIGNATURE : before.judge(frame);
         if (verdict == SignatureVerdict.BAD_SIGNATURE) {
             // The address may be another user's program's by now, which does not wait until the one before is
             // forgotten.
             owner = keys.owner(frame).orElse(null);
-            verdict = owner != null ? owner.judge(frame) : frame.signed() ? SignatureVerdict.BAD_SIGNATURE : SignatureVerdict.UNSIGNED;
+            verdict = owner != null
+                    ? owner.judge(frame)
+                    : frame.signed() ? SignatureVerdict.BAD_SIGNATURE : SignatureVerdict.UNSIGNED;
         }
         if (owner == null || !verdict.isValid()) {
             counts.refused(verdict);

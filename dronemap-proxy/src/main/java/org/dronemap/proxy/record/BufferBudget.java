@@ -6,7 +6,7 @@ import java.util.concurrent.atomic.AtomicLong;
 final class BufferBudget {
     private final AtomicLong free;
 
-    BufferBudget(long bytes) {
+    public BufferBudget(long bytes) {
         free = new AtomicLong(bytes);
     }
 

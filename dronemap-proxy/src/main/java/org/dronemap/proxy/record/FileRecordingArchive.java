@@ -54,7 +54,8 @@ public final class FileRecordingArchive implements RecordingArchive {
     private volatile @Nullable String notice;
     private volatile Instant nextLookAtAge = Instant.MIN;
 
-    FileRecordingArchive(RecordingFiles files, RecordingPolicy policy, Recorder.Dependencies keeping, Time time, Recorder recorder) {
+    FileRecordingArchive(
+            RecordingFiles files, RecordingPolicy policy, Recorder.Dependencies keeping, Time time, Recorder recorder) {
         this.files = files;
         this.policy = policy;
         this.keeping = keeping;
@@ -164,8 +165,8 @@ public final class FileRecordingArchive implements RecordingArchive {
     }
 
     @Override
-    public BufferBudget room() {
-        return new BufferBudget(usedBytes.get(), policy.mostBytes(), policy.keepDays(), removed.get(), notice);
+    public DiskUsage room() {
+        return new DiskUsage(usedBytes.get(), policy.mostBytes(), policy.keepDays(), removed.get(), notice);
     }
 
     void measure() {

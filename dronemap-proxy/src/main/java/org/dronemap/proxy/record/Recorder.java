@@ -104,7 +104,8 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (policy.when() == RecordingPolicy.When.NEVER) {
             return FrameTap.NONE;
         }
-        FrameRecordingBuffer tape = new FrameRecordingBuffer(time.clock(), room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
+        FrameRecordingBuffer tape =
+                new FrameRecordingBuffer(time.clock(), room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
         tapes.add(tape);
         return tape;
     }
@@ -114,7 +115,8 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (policy.when() == RecordingPolicy.When.NEVER) {
             return LineTap.NONE;
         }
-        LineRecordingBuffer tape = new LineRecordingBuffer(time.clock(), room, policy.when() == RecordingPolicy.When.ALWAYS);
+        LineRecordingBuffer tape =
+                new LineRecordingBuffer(time.clock(), room, policy.when() == RecordingPolicy.When.ALWAYS);
         tapes.add(tape);
         return tape;
     }
@@ -167,7 +169,8 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
 
     private void round() {
         try {
-            List<RecordingBuffer> over = tapes.stream().filter(RecordingBuffer::isEnded).toList();
+            List<RecordingBuffer> over =
+                    tapes.stream().filter(RecordingBuffer::isEnded).toList();
             writeAll(false);
             for (FlightFile file : List.copyOf(open.values())) {
                 endWhenOver(file);

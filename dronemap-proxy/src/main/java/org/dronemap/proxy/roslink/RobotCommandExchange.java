@@ -23,7 +23,8 @@ final class RobotCommandExchange {
     private boolean reported;
     private boolean ended;
 
-    RobotCommandExchange(RobotGoal aim, RobotStatus now, Consumer<RobotOrder> send, VehicleChannel.Report report, long nowNanos) {
+    RobotCommandExchange(
+            RobotGoal aim, RobotStatus now, Consumer<RobotOrder> send, VehicleChannel.Report report, long nowNanos) {
         this.aim = aim;
         this.send = send;
         this.report = report;

@@ -56,9 +56,12 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         tape = table.tape();
         links = new RobotLinks(first);
         standstill = new ZeroVelocitySender(
-                type.words().flies(), order -> links.best().send(order, SendAuthority.HOUSEKEEPING), () -> tell(DRIVES_ON));
+                type.words().flies(),
+                order -> links.best().send(order, SendAuthority.HOUSEKEEPING),
+                () -> tell(DRIVES_ON));
         // On each link: a fail-safe of the robot's own may look at either.
-        heartbeat = new CloudHeartbeatSender(order -> links.all().forEach(link -> link.send(order, SendAuthority.HOUSEKEEPING)));
+        heartbeat = new CloudHeartbeatSender(
+                order -> links.all().forEach(link -> link.send(order, SendAuthority.HOUSEKEEPING)));
         telemetry = new RobotTelemetryTranslator(
                 type, name.hardware(), this::tell, () -> table.refusals().unreadable());
     }

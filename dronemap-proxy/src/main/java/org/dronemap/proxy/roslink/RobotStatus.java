@@ -15,7 +15,8 @@ record RobotStatus(
         @Nullable FlightPhase phase,
         Kinematics course,
         boolean mapShown) {
-    static final RobotStatus NONE = new RobotStatus(null, null, null, new Kinematics(null, null, null, null, null), false);
+    static final RobotStatus NONE =
+            new RobotStatus(null, null, null, new Kinematics(null, null, null, null, null), false);
 
     /**
      * The position and motion of a robot in its map.

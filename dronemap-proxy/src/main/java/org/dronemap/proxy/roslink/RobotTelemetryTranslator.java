@@ -56,7 +56,8 @@ final class RobotTelemetryTranslator {
     private @Nullable Double altitude;
 
     /** {@code hardware}: what tells the robot from others where it can show no key; null when nothing does. {@code unreadable}: told of what is no picture. */
-    RobotTelemetryTranslator(RobotType type, @Nullable String hardware, Consumer<DroneEvent> news, Runnable unreadable) {
+    RobotTelemetryTranslator(
+            RobotType type, @Nullable String hardware, Consumer<DroneEvent> news, Runnable unreadable) {
         senses = new RobotSensorTranslator(news, unreadable);
         this.type = type;
         this.hardware = hardware;
@@ -190,8 +191,8 @@ final class RobotTelemetryTranslator {
         Triple place = motion.place();
         boolean flies = type.words().flies();
         Double height = flies ? place.z() : null;
-        facts = facts.moving(
-                new RobotStatus.Kinematics(place.x(), place.y(), height, greatest(motion.speed()), greatest(motion.turn())));
+        facts = facts.moving(new RobotStatus.Kinematics(
+                place.x(), place.y(), height, greatest(motion.speed()), greatest(motion.turn())));
         if (place.x() != null && place.y() != null) {
             Double yaw = motion.angles().heading();
             if (yaw == null && type.words() == RobotType.Dialect.WHEELS) {

@@ -19,7 +19,8 @@ final class ActiveCommands {
     private record ActiveCommand(Exchange exchange, VehicleChannel.Report report, boolean transfer) {}
 
     void begin(CommandId id, Command command, Exchange exchange, VehicleChannel.Report report, long nowNanos) {
-        ActiveCommand errand = new ActiveCommand(exchange, report, command.kind().contention() == Contention.TRANSFER);
+        ActiveCommand errand =
+                new ActiveCommand(exchange, report, command.kind().contention() == Contention.TRANSFER);
         underway.put(id, errand);
         exchange.start(nowNanos);
         settle();

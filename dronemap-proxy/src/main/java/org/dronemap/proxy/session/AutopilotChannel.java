@@ -69,7 +69,8 @@ final class AutopilotChannel {
         this.news = news;
         this.nanoTime = nanoTime;
         Heartbeat heartbeat = Heartbeat.decode(first);
-        target = new MavlinkTarget(first.systemId(), first.componentId(), links::send, links::roundTrip, new CommandSendTimes());
+        target = new MavlinkTarget(
+                first.systemId(), first.componentId(), links::send, links::roundTrip, new CommandSendTimes());
         autopilot = AutopilotAdapter.of(heartbeat);
         status = new VehicleStatus(heartbeat.type(), anyNumber(nanoTime.getAsLong()));
         telemetry = new TelemetryTranslator(autopilot, status, this::tell);

@@ -200,7 +200,9 @@ final class MissionWatch {
                 : first + seen.items().size();
         for (int index = 0; index < seen.items().size(); index++) {
             boolean own = first + index >= autopilot.itemsBeforeMission();
-            if (own && !WireMissionItems.same(held.get(first + index), seen.items().get(index))) {
+            if (own
+                    && !WireMissionItems.same(
+                            held.get(first + index), seen.items().get(index))) {
                 return false;
             }
         }

@@ -36,8 +36,8 @@ final class VehicleLink {
         this.nanoTime = nanoTime;
         lastHeardNanos = nanoTime.getAsLong();
         proof = label.identity() == null ? null : new Proof.OfLink(label.identity());
-        MavlinkTarget target =
-                new MavlinkTarget(first.systemId(), first.componentId(), message -> send(message, SendAuthority.HOUSEKEEPING));
+        MavlinkTarget target = new MavlinkTarget(
+                first.systemId(), first.componentId(), message -> send(message, SendAuthority.HOUSEKEEPING));
         meter = new LinkMeter(new RoundTripProbe(target, new RoundTripEstimator()), lastHeardNanos);
     }
 

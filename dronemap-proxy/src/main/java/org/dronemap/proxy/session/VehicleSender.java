@@ -19,8 +19,10 @@ final class VehicleSender {
     private static final int MOST_HELD = 256;
 
     private final Peer peer;
-    private final FrameWriter version1 = new FrameWriter(MavlinkTarget.OWN_SYSTEM_ID, MavlinkTarget.OWN_COMPONENT_ID, 1);
-    private final FrameWriter version2 = new FrameWriter(MavlinkTarget.OWN_SYSTEM_ID, MavlinkTarget.OWN_COMPONENT_ID, 2);
+    private final FrameWriter version1 =
+            new FrameWriter(MavlinkTarget.OWN_SYSTEM_ID, MavlinkTarget.OWN_COMPONENT_ID, 1);
+    private final FrameWriter version2 =
+            new FrameWriter(MavlinkTarget.OWN_SYSTEM_ID, MavlinkTarget.OWN_COMPONENT_ID, 2);
     private final ArrayDeque<Held> held = new ArrayDeque<>();
     private @Nullable LinkGuard guard;
     private FrameTap tap = FrameTap.NONE;

@@ -67,7 +67,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         introduction = new DroneBinder(surroundings, links, conversation);
         lane = surroundings.lanes().registry();
         String mark = label.peer().text();
-        mailbox = new SessionFrameQueue(lane, frame -> surroundings.watch().atWork().at(mark, () -> take(frame)));
+        mailbox = new SessionFrameQueue(
+                lane, frame -> surroundings.watch().atWork().at(mark, () -> take(frame)));
         lastHeardNanos = surroundings.now();
         Lane registry = lane;
         registry.execute(() -> registry.addTicker(this));

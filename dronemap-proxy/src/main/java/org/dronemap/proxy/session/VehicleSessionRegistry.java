@@ -27,7 +27,8 @@ public final class VehicleSessionRegistry implements PeerHandler.Factory {
     private static final long BETWEEN_WORDS_NANOS = 60_000_000_000L;
 
     private final SessionDependencies surroundings;
-    private final FrameWriter greetings = new FrameWriter(MavlinkTarget.OWN_SYSTEM_ID, MavlinkTarget.OWN_COMPONENT_ID, 2);
+    private final FrameWriter greetings =
+            new FrameWriter(MavlinkTarget.OWN_SYSTEM_ID, MavlinkTarget.OWN_COMPONENT_ID, 2);
     private final Set<VehicleLink> links = ConcurrentHashMap.newKeySet();
     private final AtomicInteger open = new AtomicInteger();
     private final LongAdder refused = new LongAdder();

@@ -122,7 +122,8 @@ final class Keyring {
         if (open) {
             return FrameAdmission.ADMITTED;
         }
-        if (verdict == SignatureVerdict.UNSIGNED && (frame.messageId() == RadioStatus.ID || frame.messageId() == RADIO)) {
+        if (verdict == SignatureVerdict.UNSIGNED
+                && (frame.messageId() == RadioStatus.ID || frame.messageId() == RADIO)) {
             return FrameAdmission.ASIDE;
         }
         refusals.refused(verdict, nowNanos).ifPresent(keeper.warn());
@@ -268,7 +269,8 @@ final class Keyring {
     /** Why a change cannot begin now; null: it can. */
     synchronized KeyChangeResult.@Nullable Failed obstacle(KeyChangeKind kind, boolean confirmed) {
         if (change != null) {
-            return new KeyChangeResult.Failed(KeyChangeFault.CHANGING, "The key of this drone is being changed already.");
+            return new KeyChangeResult.Failed(
+                    KeyChangeFault.CHANGING, "The key of this drone is being changed already.");
         }
         if (current == null) {
             return new KeyChangeResult.Failed(KeyChangeFault.NO_KEY, "There is no key for this drone; make one first.");
@@ -290,7 +292,8 @@ final class Keyring {
     }
 
     /** Begins once {@code newKey} is durable; it is null but for a rotation. */
-    synchronized CompletableFuture<KeyChangeResult> begin(KeyChangeKind kind, @Nullable LinkKey newKey, boolean confirmed) {
+    synchronized CompletableFuture<KeyChangeResult> begin(
+            KeyChangeKind kind, @Nullable LinkKey newKey, boolean confirmed) {
         next = newKey == null ? next : held(newKey);
         change = new KeyChange(kind);
         changeConfirmed = confirmed || kind == KeyChangeKind.REVOKE;

@@ -54,7 +54,10 @@ class BoundedWebSocketDraftTest {
             }
         };
         return Endpoint.open(
-                EndpointUrl.parse("wsserver://127.0.0.1:0"), handlers, EndpointSecurity.of(DtlsKeys.none()), new RealTime());
+                EndpointUrl.parse("wsserver://127.0.0.1:0"),
+                handlers,
+                EndpointSecurity.of(DtlsKeys.none()),
+                new RealTime());
     }
 
     private static int opcode(boolean text) {

@@ -77,7 +77,10 @@ class BoundedWebSocketFactoryTest {
             }
             TestCloud.await(
                     PATIENCE,
-                    () -> halves.stream().filter(BoundedWebSocketFactoryTest::isClosed).count() == 3,
+                    () -> halves.stream()
+                                    .filter(BoundedWebSocketFactoryTest::isClosed)
+                                    .count()
+                            == 3,
                     () -> "not three are turned away");
             assertThat(endpoint.counters().counts().refusedPeers()).isEqualTo(3);
             for (Socket socket : halves) {
@@ -199,7 +202,8 @@ class BoundedWebSocketFactoryTest {
     @Test
     void carriesBytesOverTlsWithTheCertificateOfTheMoment(@TempDir Path directory) throws Exception {
         SSLContext certificate = certificate(directory);
-        EndpointSecurity doors = new EndpointSecurity(DtlsKeys.none(), () -> certificate, BoundedWebSocketFactory.Limits.DEFAULT, PeerCrashGuard.NONE);
+        EndpointSecurity doors = new EndpointSecurity(
+                DtlsKeys.none(), () -> certificate, BoundedWebSocketFactory.Limits.DEFAULT, PeerCrashGuard.NONE);
         try (Endpoint endpoint =
                 Endpoint.open(EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, doors, new RealTime())) {
             WebSocket vehicle = HttpClient.newBuilder()

@@ -41,7 +41,8 @@ class DtlsServerEndpointTest {
         endpoint = Endpoint.open(
                 EndpointUrl.parse("dtlsserver://127.0.0.1:0"),
                 gathering,
-                EndpointSecurity.of(identity -> Optional.ofNullable(keys.get(identity)).map(byte[]::clone)),
+                EndpointSecurity.of(
+                        identity -> Optional.ofNullable(keys.get(identity)).map(byte[]::clone)),
                 new RealTime());
     }
 

@@ -28,7 +28,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 class EndpointRegistryTest {
     private static final Duration RETRY = Duration.ofMillis(50);
 
-    private final EndpointRegistry links = new EndpointRegistry(new CountingPeerHandlers(), EndpointSecurity.of(DtlsKeys.none()), new RealTime(), RETRY);
+    private final EndpointRegistry links = new EndpointRegistry(
+            new CountingPeerHandlers(), EndpointSecurity.of(DtlsKeys.none()), new RealTime(), RETRY);
 
     @AfterEach
     void close() {

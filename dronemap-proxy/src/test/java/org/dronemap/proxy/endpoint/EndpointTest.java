@@ -85,10 +85,14 @@ class EndpointTest {
     @ValueSource(strings = {"udpserver", "tcpserver", "wsserver", "dtlsserver"})
     void saysThatAPortIsTaken(String scheme) throws IOException {
         try (Endpoint first = Endpoint.open(
-                EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting, EndpointSecurity.of(DtlsKeys.none()), new RealTime())) {
+                EndpointUrl.parse(scheme + "://127.0.0.1:0"),
+                counting,
+                EndpointSecurity.of(DtlsKeys.none()),
+                new RealTime())) {
             EndpointUrl taken = first.url();
 
-            assertThatThrownBy(() -> Endpoint.open(taken, counting, EndpointSecurity.of(DtlsKeys.none()), new RealTime()))
+            assertThatThrownBy(
+                            () -> Endpoint.open(taken, counting, EndpointSecurity.of(DtlsKeys.none()), new RealTime()))
                     .isInstanceOf(IOException.class)
                     .hasMessage("Cannot listen on " + taken + ": port " + taken.port()
                             + " is taken by another program; stop it or configure another port.");
@@ -98,7 +102,10 @@ class EndpointTest {
     @Test
     void answersATcpPeerAndNoticesThatItLeft() throws IOException {
         try (Endpoint endpoint = Endpoint.open(
-                EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting, EndpointSecurity.of(DtlsKeys.none()), new RealTime())) {
+                EndpointUrl.parse("tcpserver://127.0.0.1:0"),
+                counting,
+                EndpointSecurity.of(DtlsKeys.none()),
+                new RealTime())) {
             try (Socket socket = new Socket("127.0.0.1", endpoint.url().port())) {
                 socket.getOutputStream().write(new byte[] {1, 2, 3});
                 assertThat(socket.getInputStream().read()).isEqualTo(1);

@@ -25,13 +25,17 @@ class PeerRegistryTest {
     private final SteppedTime time = new SteppedTime(Instant.EPOCH);
     private final EndpointCounters counters = new EndpointCounters();
     private final CountingPeerHandlers gathering = new CountingPeerHandlers();
-    private final PeerRegistry<String> book = new PeerRegistry<>(counters, gathering, new PeerRegistry.Limits(6, 4), time);
+    private final PeerRegistry<String> book =
+            new PeerRegistry<>(counters, gathering, new PeerRegistry.Limits(6, 4), time);
     private final long start = time.nanos() + 100 * SECOND;
     private final FrameWriter writer = new FrameWriter(1, 1, 2);
 
     private @Nullable EndpointPeer add(String host, int port, long now) {
         return book.add(
-                host + port, host, now, welcome -> new EndpointPeer(PLACE, new PeerAddress(host, port), f -> true, welcome));
+                host + port,
+                host,
+                now,
+                welcome -> new EndpointPeer(PLACE, new PeerAddress(host, port), f -> true, welcome));
     }
 
     private EndpointPeer seat(String host, int port, long now) {
@@ -81,7 +85,11 @@ class PeerRegistryTest {
                 () -> book.sweep(start + 61 * SECOND));
         for (Runnable ending : endings) {
             Reporting wire = new Reporting();
-            book.add("key", "host", start, welcome -> new EndpointPeer(PLACE, new PeerAddress("host", 1), wire, welcome));
+            book.add(
+                    "key",
+                    "host",
+                    start,
+                    welcome -> new EndpointPeer(PLACE, new PeerAddress("host", 1), wire, welcome));
 
             ending.run();
 

@@ -71,7 +71,10 @@ class SerialConnectionTest {
         Process cable = cable();
         String device = line(cable);
         try (Endpoint endpoint = Endpoint.open(
-                EndpointUrl.parse("serial://" + device), gathering, EndpointSecurity.of(DtlsKeys.none()), new RealTime())) {
+                EndpointUrl.parse("serial://" + device),
+                gathering,
+                EndpointSecurity.of(DtlsKeys.none()),
+                new RealTime())) {
             TestCloud.await(PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "not open");
             cable.destroy();
             TestCloud.await(
@@ -89,7 +92,10 @@ class SerialConnectionTest {
         Process cable = cable();
         String device = line(cable);
         try (Endpoint endpoint = Endpoint.open(
-                EndpointUrl.parse("serial://" + device), gathering, EndpointSecurity.of(DtlsKeys.none()), new RealTime())) {
+                EndpointUrl.parse("serial://" + device),
+                gathering,
+                EndpointSecurity.of(DtlsKeys.none()),
+                new RealTime())) {
             TestCloud.await(PATIENCE, () -> !gathering.guests().isEmpty(), () -> "not open");
             Peer peer = gathering.guests().get(0).peer();
             // Nobody reads the other end's output: its pipe fills, then the terminal, then the queue.
@@ -107,7 +113,10 @@ class SerialConnectionTest {
     @Test
     void saysThatThereIsNoDevice() throws IOException {
         try (Endpoint endpoint = Endpoint.open(
-                EndpointUrl.parse("serial:///dev/ttyNONE9"), gathering, EndpointSecurity.of(DtlsKeys.none()), new RealTime())) {
+                EndpointUrl.parse("serial:///dev/ttyNONE9"),
+                gathering,
+                EndpointSecurity.of(DtlsKeys.none()),
+                new RealTime())) {
             TestCloud.await(
                     PATIENCE,
                     () -> endpoint.state().phase() == EndpointState.Phase.FAILED,

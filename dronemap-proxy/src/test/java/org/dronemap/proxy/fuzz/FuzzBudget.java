@@ -30,7 +30,8 @@ final class FuzzBudget {
     static FuzzBudget lasting(String what, Duration length) {
         long began = System.nanoTime();
         AtomicBoolean first = new AtomicBoolean(true);
-        return new FuzzBudget(what, began, () -> first.getAndSet(false) || System.nanoTime() - began < length.toNanos());
+        return new FuzzBudget(
+                what, began, () -> first.getAndSet(false) || System.nanoTime() - began < length.toNanos());
     }
 
     Random random() {

@@ -26,6 +26,7 @@ class FuzzSoakTest {
         Duration length =
                 Duration.ofMinutes(Long.parseLong(System.getenv().getOrDefault("DRONEMAP_FUZZ_MINUTES", "60")));
 
-        assertThat(TARGETS.get(target).apply(FuzzBudget.lasting(target, length))).isPositive();
+        assertThat(TARGETS.get(target).apply(FuzzBudget.lasting(target, length)))
+                .isPositive();
     }
 }

@@ -33,6 +33,7 @@ class FuzzTest {
 
     @Test
     void anythingInJsonIsAMessageOfARobotOrSaysWhyItIsNone() {
-        assertThat(PacketFuzz.run(FuzzBudget.rounds("messages of robots", 6_000))).isPositive();
+        assertThat(PacketFuzz.run(FuzzBudget.rounds("messages of robots", 6_000)))
+                .isPositive();
     }
 }

@@ -27,7 +27,8 @@ final class TranslatorFuzz {
         for (int autopilot : AUTOPILOTS) {
             int type = random.nextInt(45);
             Heartbeat heartbeat = new Heartbeat(type, autopilot, 81, random.nextInt(), 4, 3);
-            translators.add(new TelemetryTranslator(AutopilotAdapter.of(heartbeat), new VehicleStatus(type, 0), this::look));
+            translators.add(
+                    new TelemetryTranslator(AutopilotAdapter.of(heartbeat), new VehicleStatus(type, 0), this::look));
         }
     }
 

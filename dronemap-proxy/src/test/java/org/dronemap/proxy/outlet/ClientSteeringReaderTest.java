@@ -29,7 +29,8 @@ class ClientSteeringReaderTest {
     @ValueSource(ints = {0, 3, 5, 6})
     void speedsInGlobalFramesAreCountedFromNorth(int frame) {
         assertThat(wish(global(frame, SPEEDS)))
-                .isEqualTo(new ClientSteeringReader.Intent.Steer(new Setpoint.Velocity(Frame.EARTH, 1, 2, 0, Facing.ANY)));
+                .isEqualTo(
+                        new ClientSteeringReader.Intent.Steer(new Setpoint.Velocity(Frame.EARTH, 1, 2, 0, Facing.ANY)));
     }
 
     @ParameterizedTest

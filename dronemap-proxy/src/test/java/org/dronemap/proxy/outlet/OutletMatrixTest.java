@@ -26,7 +26,8 @@ class OutletMatrixTest {
             "planner", new MatrixTestBench.Sender(Optional.of(Role.PLANNER), false),
             "operator without control", new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), false),
             "operator with control", new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), true),
-            "operator with control at a personal port", new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), true, true));
+            "operator with control at a personal port",
+                    new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), true, true));
 
     /** Few enough that what a client may give in a second is not reached. */
     private static final int AT_ONCE = 20;
@@ -79,7 +80,8 @@ class OutletMatrixTest {
     private static Map<MatrixTable.Row, String> steering(Map<MatrixTable.Row, String> column) {
         Map<MatrixTable.Row, String> some = new LinkedHashMap<>(column);
         some.keySet()
-                .removeIf(row -> !row.kind().equals("message") || !ClientSteeringHandler.STEERING.contains(row.number()));
+                .removeIf(
+                        row -> !row.kind().equals("message") || !ClientSteeringHandler.STEERING.contains(row.number()));
         return some;
     }
 

@@ -197,8 +197,8 @@ class SteppedProxyTest {
                 return false;
             }
         };
-        RoslinkProxy.Policy policy =
-                new RoslinkProxy.Policy(keys, () -> LineTap.NONE, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK);
+        RoslinkProxy.Policy policy = new RoslinkProxy.Policy(
+                keys, () -> LineTap.NONE, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK);
         try (RoslinkProxy robots = new RoslinkProxy(cloud.cloud(), cloud.lanes(), List.of(), policy, time)) {
             MemoryLink robot =
                     new MemoryLink(robots.handlers(), new PeerAddress("127.0.0.1", 14_570), frame -> {}, time);

@@ -43,9 +43,9 @@ class SplitRecordingTest {
 
     @BeforeEach
     void begin() throws IOException {
-        Recorder.Dependencies keeping = new Recorder.Dependencies(new TestRecordingStore(), journal, drone -> "Copter 1");
-        recorder =
-                new Recorder(directory, RecordingPolicy.DEFAULT, keeping, new RealTime(clock), () -> Long.MAX_VALUE);
+        Recorder.Dependencies keeping =
+                new Recorder.Dependencies(new TestRecordingStore(), journal, drone -> "Copter 1");
+        recorder = new Recorder(directory, RecordingPolicy.DEFAULT, keeping, new RealTime(clock), () -> Long.MAX_VALUE);
         recorder.start();
         tap = recorder.open(1);
         tap.bound(DRONE);

@@ -55,7 +55,8 @@ class BridgeQuirksTest {
                 new RobotOrder.GetMap(),
                 new RobotOrder.EmergencyStop(),
                 new RobotOrder.Heartbeat());
-        assertThat(all.stream().map(RobotOrder::messageId)).containsExactly(100, 101, 102, 103, 104, 105, 106, 107, 108, 0);
+        assertThat(all.stream().map(RobotOrder::messageId))
+                .containsExactly(100, 101, 102, 103, 104, 105, 106, 107, 108, 0);
     }
 
     /** The field is called milliseconds since the start, and holds seconds since 1970, or something else. */
@@ -167,7 +168,8 @@ class BridgeQuirksTest {
 
     private static RobotMessage read(int messageId, String body) {
         String text = "{\"header\":{\"system_id\":7,\"message_id\":" + messageId + "}," + body + "}";
-        PacketReadResult reading = new RoslinkPacketReader().read(ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8)));
+        PacketReadResult reading =
+                new RoslinkPacketReader().read(ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8)));
         return ((PacketReadResult.Good) reading).packet().message();
     }
 }

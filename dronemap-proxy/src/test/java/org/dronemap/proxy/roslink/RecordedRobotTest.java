@@ -90,8 +90,10 @@ class RecordedRobotTest extends RobotTestBase {
         StringOrNumber key = new StringOrNumber("geheimnis", false);
         assertThat(RobotRecordingTap.blanked("{\"key\" : \"geh\\\"x\",\"key\":12,\"a\":\"geheimnis\"}", key))
                 .isEqualTo("{\"key\" : \"***\",\"key\":\"***\",\"a\":\"***\"}");
-        assertThat(RobotRecordingTap.blanked("{\"k\\u0065y\":\"geheimnis\"}", key)).isNull();
-        assertThat(RobotRecordingTap.blanked("{\"a\":\"\\u0067eheimnis\"}", key)).isNull();
+        assertThat(RobotRecordingTap.blanked("{\"k\\u0065y\":\"geheimnis\"}", key))
+                .isNull();
+        assertThat(RobotRecordingTap.blanked("{\"a\":\"\\u0067eheimnis\"}", key))
+                .isNull();
     }
 
     private List<Recording> shelf() {

@@ -8,9 +8,9 @@ import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotMessage.Angles;
 import org.dronemap.proxy.roslink.wire.RobotMessage.Triple;
-import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotOrder;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -25,7 +25,8 @@ class RobotCommandExchangeTest {
     private final List<RobotOrder> orders = new ArrayList<>();
     private final List<Outcome> outcomes = new ArrayList<>();
     private final List<DroneEvent> news = new ArrayList<>();
-    private final RobotTelemetryTranslator telemetry = new RobotTelemetryTranslator(RobotType.QUADROTOR, null, news::add, () -> {});
+    private final RobotTelemetryTranslator telemetry =
+            new RobotTelemetryTranslator(RobotType.QUADROTOR, null, news::add, () -> {});
     private long now = 100 * SECOND;
     private @Nullable RobotCommandExchange errand;
 
@@ -165,7 +166,8 @@ class RobotCommandExchangeTest {
     }
 
     private void begin(Command command) {
-        errand = new RobotCommandExchange(RobotGoal.of(command).orElseThrow(), telemetry.facts(), orders::add, new Kept(), now);
+        errand = new RobotCommandExchange(
+                RobotGoal.of(command).orElseThrow(), telemetry.facts(), orders::add, new Kept(), now);
     }
 
     private void later(double seconds) {

@@ -13,9 +13,9 @@ import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ReadMap;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotMessage.Angles;
 import org.dronemap.proxy.roslink.wire.RobotMessage.Triple;
-import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotOrder;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -132,7 +132,8 @@ class RobotGoalExchangeTest {
     }
 
     private void begin(Command command) {
-        errand = new RobotCommandExchange(RobotGoal.of(command).orElseThrow(), telemetry.facts(), orders::add, new Kept(), now);
+        errand = new RobotCommandExchange(
+                RobotGoal.of(command).orElseThrow(), telemetry.facts(), orders::add, new Kept(), now);
     }
 
     private void later(double seconds) {

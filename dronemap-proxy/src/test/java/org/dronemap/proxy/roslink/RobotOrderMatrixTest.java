@@ -88,7 +88,8 @@ class RobotOrderMatrixTest extends RobotTestBase {
         keys.issue("rk-of-eight", TestRobotKeys.ROBOT_8, 8, null);
         Participant rover = join(7, "rk-of-seven", TURTLEBOT, way);
         Participant flyer = join(9, "rk-of-nine", QUADROTOR, way);
-        List<Participant> others = List.of(join(8, "rk-of-eight", TURTLEBOT, way), join(10, "rk-of-ten", QUADROTOR, way));
+        List<Participant> others =
+                List.of(join(8, "rk-of-eight", TURTLEBOT, way), join(10, "rk-of-ten", QUADROTOR, way));
         lie(7, "rk-of-seven", "rk-of-eight");
         lie(9, "rk-of-nine", "rk-of-ten");
 

@@ -14,10 +14,12 @@ class RobotWebSocketPathTest {
 
     @Test
     void knowsNoOthers() {
-        assertThat(RobotWebSocketPath.of("/websockets/roslink/user/12/robot/ab/user")).isEmpty();
+        assertThat(RobotWebSocketPath.of("/websockets/roslink/user/12/robot/ab/user"))
+                .isEmpty();
         assertThat(RobotWebSocketPath.of("/websockets/roslink")).isEmpty();
         assertThat(RobotWebSocketPath.of("/?key=1")).isEmpty();
-        assertThat(RobotWebSocketPath.of("/websockets/roslink/user/%zz/robot/ab/robot")).isEmpty();
+        assertThat(RobotWebSocketPath.of("/websockets/roslink/user/%zz/robot/ab/robot"))
+                .isEmpty();
         assertThat(RobotWebSocketPath.of("/websockets/roslink/user/1/robot/" + "a".repeat(500) + "/robot"))
                 .isEmpty();
     }

@@ -52,7 +52,8 @@ abstract class SteppedRobotTestBase {
             house.cloud(),
             house.lanes(),
             List.of(),
-            new RoslinkProxy.Policy(new TestRobotKeys(), () -> LineTap.NONE, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK),
+            new RoslinkProxy.Policy(
+                    new TestRobotKeys(), () -> LineTap.NONE, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK),
             time);
     private int port = 15_000;
 

@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotMessage.Angles;
 import org.dronemap.proxy.roslink.wire.RobotMessage.Triple;
-import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotOrder;
 import org.junit.jupiter.api.Test;
 

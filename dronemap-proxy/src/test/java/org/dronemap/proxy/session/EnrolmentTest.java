@@ -43,7 +43,8 @@ class EnrolmentTest {
     void letsInEverybodyOrNobodyWhenToldTo() {
         assertThat(Enrolment.EVERYWHERE.admits(from("192.0.2.1"))).isTrue();
         assertThat(Enrolment.NOWHERE.admits(from("127.0.0.1"))).isFalse();
-        assertThat(Enrolment.NOWHERE.admits(LinkOrigin.ofReplay("replay", 1, 1))).isTrue();
+        assertThat(Enrolment.NOWHERE.admits(LinkOrigin.ofReplay("replay", 1, 1)))
+                .isTrue();
         assertThat(LinkOrigin.ofReplay("replay", 1, 1).key()).isEqualTo(new DroneKey("replay", 1, 1));
     }
 }

@@ -42,8 +42,8 @@ class LinkGuardTest {
 
     private LinkGuard guard(LinkPolicy policy) {
         kept.all.add(new LinkSecurity(DRONE, policy, KEY, null, true, 0));
-        KeyringRegistry.Dependencies keeping =
-                new KeyringRegistry.Dependencies(kept, journal, drone -> SigningVehicle.SYSTEM_ID, (drone, sentence) -> {});
+        KeyringRegistry.Dependencies keeping = new KeyringRegistry.Dependencies(
+                kept, journal, drone -> SigningVehicle.SYSTEM_ID, (drone, sentence) -> {});
         return new KeyringRegistry(keeping, time).guard(0, () -> true);
     }
 

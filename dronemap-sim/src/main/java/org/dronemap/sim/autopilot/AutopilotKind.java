@@ -10,6 +10,10 @@ public record AutopilotKind(String name, String banner, Maker maker) {
     /** Builds an autopilot around a craft. */
     public interface Maker {
         SimulatedAutopilot make(
-                SimulatedCraft craft, int systemId, Consumer<FlightEvent> events, Consumer<Message> out, Runnable modeAnnouncer);
+                SimulatedCraft craft,
+                int systemId,
+                Consumer<FlightEvent> events,
+                Consumer<Message> out,
+                Runnable modeAnnouncer);
     }
 }

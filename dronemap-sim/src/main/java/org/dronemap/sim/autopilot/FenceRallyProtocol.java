@@ -82,8 +82,8 @@ final class FenceRallyProtocol {
             out.accept(new MissionAck(toSystem, toComponent, INVALID, missionType));
             return;
         }
-        out.accept(
-                MissionItemMessages.write(held.get(seq), new MissionItemMessages.Address(seq, missionType, toSystem, toComponent)));
+        out.accept(MissionItemMessages.write(
+                held.get(seq), new MissionItemMessages.Address(seq, missionType, toSystem, toComponent)));
     }
 
     void clear(int toSystem, int toComponent) {

@@ -45,7 +45,11 @@ final class MissionProtocol {
     private long lastItemAt;
     private long askedAt;
 
-    MissionProtocol(SimulatedAutopilot autopilot, StorageFaults alterations, Consumer<Message> out, Consumer<FlightEvent> events) {
+    MissionProtocol(
+            SimulatedAutopilot autopilot,
+            StorageFaults alterations,
+            Consumer<Message> out,
+            Consumer<FlightEvent> events) {
         this.autopilot = autopilot;
         this.alterations = alterations;
         this.style = autopilot.missionStyle();
@@ -246,7 +250,8 @@ final class MissionProtocol {
         StoredMissionItem item = index == 0 && style.firstItemIsHome()
                 ? StoredMissionItem.home(autopilot.craft().home())
                 : plan.item(index);
-        MissionItemInt message = MissionItemMessages.write(item, new MissionItemMessages.Address(index, 0, toSystem, toComponent));
+        MissionItemInt message =
+                MissionItemMessages.write(item, new MissionItemMessages.Address(index, 0, toSystem, toComponent));
         if (inFloats && style.overwritesInPlace()) {
             say(TextSeverity.WARNING, "got MISSION_REQUEST; use MISSION_REQUEST_INT!");
         }

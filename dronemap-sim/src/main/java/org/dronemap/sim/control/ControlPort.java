@@ -57,7 +57,8 @@ public final class ControlPort implements AutoCloseable {
 
     private String answer(String line) {
         try {
-            return fleet.ask(vehicles -> ControlPortCommands.run(line, vehicles)).join();
+            return fleet.ask(vehicles -> ControlPortCommands.run(line, vehicles))
+                    .join();
         } catch (CompletionException e) {
             LOG.warn("Control line '{}' failed", line, e);
             return "err " + e.getCause();

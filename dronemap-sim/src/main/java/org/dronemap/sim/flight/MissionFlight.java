@@ -37,7 +37,8 @@ public final class MissionFlight implements Manoeuvre {
             begin(craft);
         }
         if (item != null && leg != null) {
-            MotionSetpoint setpoint = facing(leg.fly(craft, nowMillis), craft.body().position());
+            MotionSetpoint setpoint =
+                    facing(leg.fly(craft, nowMillis), craft.body().position());
             if (isComplete(item, leg, nowMillis)) {
                 finish(craft);
             }

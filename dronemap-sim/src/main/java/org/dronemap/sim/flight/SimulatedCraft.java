@@ -30,7 +30,8 @@ public final class SimulatedCraft {
         this(frame, Airframe.quadcopter(), battery, wind, navigation);
     }
 
-    public SimulatedCraft(LocalFrame frame, Airframe airframe, BatteryModel battery, WindModel wind, NavigationEstimator navigation) {
+    public SimulatedCraft(
+            LocalFrame frame, Airframe airframe, BatteryModel battery, WindModel wind, NavigationEstimator navigation) {
         this.frame = frame;
         this.home = frame;
         this.body = new MulticopterBody(airframe, 0);

@@ -61,7 +61,8 @@ final class MovingTargetController {
         HorizontalVector wanted = target.velocity()
                 .plus(approach(target.place().minus(place), SPEED_GAIN / 2, ACCELERATION / 2)
                         .within(speed));
-        HorizontalVector faster = approach(wanted.minus(velocity), SPEED_GAIN, JERK).within(ACCELERATION);
+        HorizontalVector faster =
+                approach(wanted.minus(velocity), SPEED_GAIN, JERK).within(ACCELERATION);
         acceleration = acceleration.plus(faster.minus(acceleration).within(JERK * seconds));
     }
 

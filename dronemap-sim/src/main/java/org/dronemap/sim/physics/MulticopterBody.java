@@ -50,7 +50,12 @@ public final class MulticopterBody {
 
     /** Comes up to a place that moves with that velocity. */
     private void reach(
-            MotionSetpoint.Reach reach, double movingNorth, double movingEast, double movingUp, WindModel wind, double seconds) {
+            MotionSetpoint.Reach reach,
+            double movingNorth,
+            double movingEast,
+            double movingUp,
+            WindModel wind,
+            double seconds) {
         double distance =
                 Math.hypot(reach.target().north() - north, reach.target().east() - east);
         double speed = Math.min(reach.horizontalSpeed(), approach(distance, airframe.horizontalDeceleration()));
@@ -92,13 +97,14 @@ public final class MulticopterBody {
 
     /** What the autopilot leans for: what the air takes of that it learns only as it falls behind. */
     private HorizontalVector leans(MotionSetpoint.Track chase, WindModel wind, double seconds) {
-        MovingTargetController.Moving here = new MovingTargetController.Moving(new HorizontalVector(north, east), new HorizontalVector(velocityNorth, velocityEast));
+        MovingTargetController.Moving here = new MovingTargetController.Moving(
+                new HorizontalVector(north, east), new HorizontalVector(velocityNorth, velocityEast));
         if (chaser == null) {
             chaser = new MovingTargetController(here, GRAVITY * Math.tan(airframe.asksToLean()), resistance(wind));
         }
         NeuPosition place = chase.place().target();
-        MovingTargetController.Moving target =
-                new MovingTargetController.Moving(new HorizontalVector(place.north(), place.east()), new HorizontalVector(chase.north(), chase.east()));
+        MovingTargetController.Moving target = new MovingTargetController.Moving(
+                new HorizontalVector(place.north(), place.east()), new HorizontalVector(chase.north(), chase.east()));
         return chaser.leans(target, here, chase.place().horizontalSpeed(), seconds);
     }
 

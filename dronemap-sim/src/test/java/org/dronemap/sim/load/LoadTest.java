@@ -176,7 +176,9 @@ class LoadTest {
     }
 
     private String check(int vehicles) throws IOException {
-        return new RecordingChecker(arguments("--folder", folder, "--vehicles", vehicles, "--rate", 20, "--steps", STEPS)).run();
+        return new RecordingChecker(
+                        arguments("--folder", folder, "--vehicles", vehicles, "--rate", 20, "--steps", STEPS))
+                .run();
     }
 
     private static LoadArguments arguments(Object... words) {

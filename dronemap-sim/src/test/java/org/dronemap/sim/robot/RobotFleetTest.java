@@ -121,7 +121,9 @@ class RobotFleetTest {
 
     @Test
     void showsScanPictureAndMapAndSpeaksAsItsBridgeDoes() throws IOException {
-        start("rover", EnumSet.of(BridgeQuirk.STATUS_IS_HEARTBEAT, BridgeQuirk.COUNTS_EACH_KIND, BridgeQuirk.BROKEN_LINES));
+        start(
+                "rover",
+                EnumSet.of(BridgeQuirk.STATUS_IS_HEARTBEAT, BridgeQuirk.COUNTS_EACH_KIND, BridgeQuirk.BROKEN_LINES));
         JsonNode scan = heard(4);
         assertThat(scan.path("ranges")).hasSize(180);
         assertThat(scan.path("header").path("owner_id").isNumber()).isTrue();

@@ -37,7 +37,9 @@ public final class MemoryGrantStore implements GrantStore {
     @Override
     public synchronized OrganisationDirectory holdings() {
         return new OrganisationDirectory(
-                organisations.values().stream().sorted(GrantOrdering.ORGANISATIONS).toList(),
+                organisations.values().stream()
+                        .sorted(GrantOrdering.ORGANISATIONS)
+                        .toList(),
                 owners,
                 groups.values().stream().sorted(GrantOrdering.GROUPS).toList(),
                 fleets.values().stream().sorted(GrantOrdering.FLEETS).toList(),

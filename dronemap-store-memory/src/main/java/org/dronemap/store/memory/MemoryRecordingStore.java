@@ -16,7 +16,9 @@ public final class MemoryRecordingStore implements RecordingStore {
 
     @Override
     public synchronized List<Recording> recordings() {
-        return recordings.values().stream().sorted(RecordingOrdering.NEWEST_FIRST).toList();
+        return recordings.values().stream()
+                .sorted(RecordingOrdering.NEWEST_FIRST)
+                .toList();
     }
 
     @Override

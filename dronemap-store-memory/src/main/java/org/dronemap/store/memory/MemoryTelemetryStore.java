@@ -70,7 +70,8 @@ public final class MemoryTelemetryStore implements TelemetryStore {
             known.headMap(kept, false).clear();
             NavigableMap<Instant, TelemetryPoint> old = known.headMap(full, false);
             Map<Instant, TelemetryPoint> thinned = new TreeMap<>();
-            TelemetryDownsampler thinning = new TelemetryDownsampler(retention.thinned(), point -> thinned.put(point.at(), point));
+            TelemetryDownsampler thinning =
+                    new TelemetryDownsampler(retention.thinned(), point -> thinned.put(point.at(), point));
             old.values().forEach(thinning::add);
             thinning.finish();
             old.values().retainAll(thinned.values());

@@ -91,7 +91,8 @@ final class ThinnedDays {
                 Filters.gte(PointDocument.AT, Date.from(begin(day))),
                 Filters.lt(PointDocument.AT, Date.from(begin(day.plusDays(1)))));
         List<Document> kept = new ArrayList<>();
-        TelemetryDownsampler thinning = new TelemetryDownsampler(retention.thinned(), point -> kept.add(PointDocument.of(point)));
+        TelemetryDownsampler thinning =
+                new TelemetryDownsampler(retention.thinned(), point -> kept.add(PointDocument.of(point)));
         collections
                 .points()
                 .find(within)

@@ -50,7 +50,8 @@ final class AuditLedger implements AutoCloseable {
     record WriteResult(int rows, @Nullable AuditRecord record) {}
 
     /** Null for a record without a change. */
-    private record QueuedWrite(@Nullable DatabaseChange change, AuditEntry entry, CompletableFuture<WriteResult> done) {}
+    private record QueuedWrite(
+            @Nullable DatabaseChange change, AuditEntry entry, CompletableFuture<WriteResult> done) {}
 
     AuditLedger(DataSource dataSource, Writability writability) {
         this.dataSource = dataSource;
@@ -216,7 +217,8 @@ final class AuditLedger implements AutoCloseable {
         }
     }
 
-    private static WriteResult one(Connection connection, QueuedWrite work, AuditChain links, AuditHead at) throws SQLException {
+    private static WriteResult one(Connection connection, QueuedWrite work, AuditChain links, AuditHead at)
+            throws SQLException {
         DatabaseChange change = work.change();
         int rows = change == null ? 1 : change.on(connection);
         if (rows == 0) {

@@ -96,7 +96,8 @@ final class BackupRestore {
             migration.toLatest(staging);
             changePlaces();
         } catch (SQLException e) {
-            throw new StoreException("The backup cannot be restored; nothing was changed. " + SqlErrorMessages.of(e), e);
+            throw new StoreException(
+                    "The backup cannot be restored; nothing was changed. " + SqlErrorMessages.of(e), e);
         } finally {
             dropStaging();
         }

@@ -210,7 +210,10 @@ public final class PostgresGrantStore implements GrantStore {
 
     private static Fleet fleet(ResultRow row) throws SQLException {
         return new Fleet(
-                row.text("id"), OrganisationColumn.read(row), row.text("name"), KeyScopeColumns.ids(row.text("drones")));
+                row.text("id"),
+                OrganisationColumn.read(row),
+                row.text("name"),
+                KeyScopeColumns.ids(row.text("drones")));
     }
 
     private static GrantSubject subject(ResultRow row) throws SQLException {

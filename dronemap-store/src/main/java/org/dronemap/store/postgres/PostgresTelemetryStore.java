@@ -96,8 +96,8 @@ public final class PostgresTelemetryStore implements TelemetryStore {
         try (Connection connection = dataSource.getConnection()) {
             // The driver reads in portions only within a transaction.
             connection.setAutoCommit(false);
-            try (PreparedStatement statement =
-                    SqlTransactions.prepare(connection, sql, drone.value(), ceiling(span.from()), ceiling(span.until()))) {
+            try (PreparedStatement statement = SqlTransactions.prepare(
+                    connection, sql, drone.value(), ceiling(span.from()), ceiling(span.until()))) {
                 statement.setFetchSize(ROWS_AT_ONCE);
                 eachOnce(statement, each);
             } finally {

@@ -157,7 +157,9 @@ final class TelemetryDayTables {
 
     private void thin(Retention retention, @Nullable LocalDate firstFull) throws SQLException {
         for (Day day : days()) {
-            if (firstFull != null && day.form() != RowLayout.THINNED && day.date().isBefore(firstFull)) {
+            if (firstFull != null
+                    && day.form() != RowLayout.THINNED
+                    && day.date().isBefore(firstFull)) {
                 patiently(connection -> thin(connection, day, retention));
                 LOG.info("The telemetry of {} was thinned", day.date());
             }

@@ -55,7 +55,8 @@ final class OpenLoopLoad implements AutoCloseable {
         while (brought < all) {
             long due = Math.min(all, (long) ((System.nanoTime() - start) / NANOS * rate));
             while (brought < due) {
-                history.droneChanged(BenchmarkFleet.state(brought, BenchmarkFleet.drone(brought), times.apply(brought)));
+                history.droneChanged(
+                        BenchmarkFleet.state(brought, BenchmarkFleet.drone(brought), times.apply(brought)));
                 brought++;
             }
             LockSupport.parkNanos(PAUSE_NANOS);

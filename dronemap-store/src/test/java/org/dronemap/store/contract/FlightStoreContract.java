@@ -19,8 +19,8 @@ public abstract class FlightStoreContract {
     private static final Instant START = Instant.parse("2026-03-04T05:06:07.123456Z");
     private static final DroneId DRONE = new DroneId("copter-1");
     private static final DroneId OTHER = new DroneId("plane-2");
-    private static final FlightStatistics MEASURES =
-            new FlightStatistics(1234.5, 99.25, 12.5, 600.0, 98, 42, new Geodetic(47.3977, 8.5456), new Geodetic(47.5, 8.6));
+    private static final FlightStatistics MEASURES = new FlightStatistics(
+            1234.5, 99.25, 12.5, 600.0, 98, 42, new Geodetic(47.3977, 8.5456), new Geodetic(47.5, 8.6));
 
     private FlightStore store;
 

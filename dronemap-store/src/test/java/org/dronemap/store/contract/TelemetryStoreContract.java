@@ -189,7 +189,10 @@ public abstract class TelemetryStoreContract {
         store.append(List.of(height(DRONE, 0, 1), height(DRONE, 5, 2)), List.of());
 
         List<SeriesSlot> slots = store.series(new SeriesQuery(
-                DRONE, new TimeRange(START, START.plusSeconds(10)), List.of(TelemetryField.ALTITUDE_ABOVE_HOME), 1_000));
+                DRONE,
+                new TimeRange(START, START.plusSeconds(10)),
+                List.of(TelemetryField.ALTITUDE_ABOVE_HOME),
+                1_000));
 
         assertThat(slots)
                 .containsExactly(

@@ -83,7 +83,8 @@ public abstract class VirtualDroneStoreContract {
                         25,
                         new RequiredArea(new Geodetic(-17, 179.9), 250.5)),
                 run(VirtualRunStage.FLYING, assignment(COPTER)));
-        VirtualDrone waiting = drone("v3", DroneRequirements.NONE, run(VirtualRunStage.QUEUED, null)).recalling(OTHER);
+        VirtualDrone waiting = drone("v3", DroneRequirements.NONE, run(VirtualRunStage.QUEUED, null))
+                .recalling(OTHER);
 
         store.save(planned);
         store.save(demanding);
@@ -96,7 +97,8 @@ public abstract class VirtualDroneStoreContract {
     void replacesAndForgets() {
         VirtualDrone bound = drone("v1", DroneRequirements.NONE, run(VirtualRunStage.UPLOADING, assignment(COPTER)));
         store.save(bound);
-        VirtualDrone done = bound.with(run(VirtualRunStage.DONE, null)).with("Renamed “x”", DroneRequirements.NONE, MISSION);
+        VirtualDrone done =
+                bound.with(run(VirtualRunStage.DONE, null)).with("Renamed “x”", DroneRequirements.NONE, MISSION);
         store.save(done);
 
         assertThat(store.virtualDrones()).containsExactly(done);

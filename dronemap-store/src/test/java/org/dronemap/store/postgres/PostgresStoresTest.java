@@ -125,7 +125,8 @@ class PostgresStoresTest {
     }
 
     private PostgresStores open(String withPassword) {
-        return PostgresStores.open(new DatabaseSettings(url, SharedDatabase.user(), withPassword, Duration.ofSeconds(20)));
+        return PostgresStores.open(
+                new DatabaseSettings(url, SharedDatabase.user(), withPassword, Duration.ofSeconds(20)));
     }
 
     private static String text(PostgresStores database, String sql) throws SQLException {

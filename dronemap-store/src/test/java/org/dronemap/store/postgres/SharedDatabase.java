@@ -20,8 +20,8 @@ import org.dronemap.store.postgres.bundled.TestDatabaseDirectories;
 final class SharedDatabase {
     private static final Path DIRECTORY = temporary();
     private static final BundledPostgres OWN = start();
-    private static final PostgresStores DATABASE =
-            PostgresStores.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
+    private static final PostgresStores DATABASE = PostgresStores.open(
+            new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
 
     /** Only of those that hold something, since each table that is emptied has its files made anew, also an empty one. */
     private static final String EMPTY = """
@@ -88,7 +88,8 @@ final class SharedDatabase {
 
     /** The same with what is in it. */
     static PostgresStores again() {
-        return PostgresStores.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
+        return PostgresStores.open(
+                new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
     }
 
     static String url(String database) {

@@ -10,7 +10,10 @@ import org.jspecify.annotations.Nullable;
  *     not have it
  */
 public record AccessRule(
-        AccessLevel from, RequestCost costs, AuditPolicy audit, @Nullable RestOperation operation) {
+        AccessLevel from,
+        RequestCost costs,
+        AuditPolicy audit,
+        @Nullable RestOperation operation) {
     static AccessRule of(RestOperation operation) {
         Access access = operation.access();
         return new AccessRule(access.from(), access.costs(), operation.audit(), operation);

@@ -40,7 +40,7 @@ public final class RoleChecks {
     }
 
     /** With that drone, which the asker sees. */
-    static void require(Principal principal, Role needed, DroneId drone) {
+    public static void require(Principal principal, Role needed, DroneId drone) {
         if (!principal.may(needed, drone)) {
             throw lacking(principal, needed);
         }
@@ -101,7 +101,7 @@ public final class RoleChecks {
                 principal.scope().permissions().stream().map(WireNames::camel).toList());
     }
 
-    static Role named(@Nullable String text) {
+    public static Role named(@Nullable String text) {
         if (text == null) {
             throw InvalidInput.missing("role", NAMES);
         }

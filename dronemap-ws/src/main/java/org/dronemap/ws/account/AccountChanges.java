@@ -40,25 +40,25 @@ public final class AccountChanges {
      *
      * @param keeps keeps the user; false when the name is taken
      */
-    synchronized boolean add(User user, Predicate<User> keeps) {
+    public synchronized boolean add(User user, Predicate<User> keeps) {
         boolean taken = store.users().stream().anyMatch(known -> UserNameRules.lookAlike(known.name(), user.name()));
         return !taken && keeps.test(user);
     }
 
     /** What nobody may do to themself, so that an administrator is left. */
-    void changeOther(Principal actor, String name, UnaryOperator<User> change) {
+    public void changeOther(Principal actor, String name, UnaryOperator<User> change) {
         changeOther(actor, name, () -> store.updateUser(change.apply(find(actor, name))));
     }
 
     /** Ends the user's sessions as well. */
-    void changeOtherAndSignOut(Principal actor, String name, UnaryOperator<User> change) {
+    public void changeOtherAndSignOut(Principal actor, String name, UnaryOperator<User> change) {
         changeOther(actor, name, () -> {
             store.updateUser(change.apply(find(actor, name)));
             store.deleteOtherSignIns(name, "");
         });
     }
 
-    void delete(Principal actor, String name) {
+    public void delete(Principal actor, String name) {
         changeOther(actor, name, () -> {
             if (!store.deleteUser(find(actor, name).name())) {
                 throw Rejection.unknown(NotFoundProblem.USER, name);
@@ -67,7 +67,7 @@ public final class AccountChanges {
     }
 
     /** A user's own change, which takes no rights from others. */
-    void changeOwn(String name, UnaryOperator<User> change, String keepTokenHash) {
+    public void changeOwn(String name, UnaryOperator<User> change, String keepTokenHash) {
         synchronized (this) {
             store.updateUser(
                     change.apply(store.user(name).orElseThrow(() -> Rejection.unknown(NotFoundProblem.USER, name))));
@@ -77,12 +77,12 @@ public final class AccountChanges {
     }
 
     /** Sessions or keys of that user have been taken away. */
-    void tell(String name) {
+    public void tell(String name) {
         listeners.forEach(listener -> listener.accept(name));
     }
 
     /** Users of other organisations are not there. */
-    User find(Principal actor, String name) {
+    public User find(Principal actor, String name) {
         return store.user(name)
                 .filter(user -> user.organisation().equals(actor.organisation()))
                 .orElseThrow(() -> Rejection.unknown(NotFoundProblem.USER, name));

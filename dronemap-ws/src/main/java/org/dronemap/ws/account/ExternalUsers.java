@@ -35,7 +35,8 @@ public final class ExternalUsers {
             @Nullable String name,
             @Nullable Role role) {}
 
-    public ExternalUsers(AccessStore store, AccountChanges accounts, PasswordHashing passwords, SecretGenerator secrets) {
+    public ExternalUsers(
+            AccessStore store, AccountChanges accounts, PasswordHashing passwords, SecretGenerator secrets) {
         this.store = store;
         this.accounts = accounts;
         this.passwords = passwords;
@@ -45,7 +46,8 @@ public final class ExternalUsers {
     /** The user with the role that the authority gives now; a new one, in that state, when there was none. */
     public User admit(Identity identity, AccountState whenNew) {
         String mark = BETWEEN
-                + SecretGenerator.hash(identity.authority() + "\n" + identity.subject()).substring(0, MARK);
+                + SecretGenerator.hash(identity.authority() + "\n" + identity.subject())
+                        .substring(0, MARK);
         User user = find(mark).orElseGet(() -> add(identity, mark, whenNew));
         Role role = identity.role();
         if (role == null || role == user.role()) {

@@ -6,13 +6,13 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Checks that a password meets the rule. */
-final class PasswordRule {
-    static final int SHORTEST = 10;
-    static final int LONGEST = 200;
+public final class PasswordRule {
+    public static final int SHORTEST = 10;
+    public static final int LONGEST = 200;
 
     private PasswordRule() {}
 
-    static String acceptable(String field, @Nullable String password) {
+    public static String acceptable(String field, @Nullable String password) {
         String allowed = SHORTEST + " to " + LONGEST + " characters";
         if (password == null) {
             throw InvalidInput.missing(field, allowed);

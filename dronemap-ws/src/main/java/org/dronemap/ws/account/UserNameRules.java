@@ -10,7 +10,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Rules for user names: allowed form and names that look alike. */
-final class UserNameRules {
+public final class UserNameRules {
     private static final String FORM = "1 to 40 of letters of one script, digits, '.', '_', '-' and '@'";
     private static final Set<UnicodeScript> OF_ANY = EnumSet.of(UnicodeScript.COMMON, UnicodeScript.INHERITED);
     private static final Set<UnicodeScript> JAPANESE =
@@ -25,7 +25,7 @@ final class UserNameRules {
 
     private UserNameRules() {}
 
-    static String checked(@Nullable String name) {
+    public static String checked(@Nullable String name) {
         if (name == null) {
             throw InvalidInput.missing("name", FORM);
         }

@@ -56,7 +56,8 @@ public final class AuditService {
         this.verification = verification;
     }
 
-    public AuditPage page(Principal principal, AuditSearchRequest search, @Nullable Long before, @Nullable Integer limit) {
+    public AuditPage page(
+            Principal principal, AuditSearchRequest search, @Nullable Long before, @Nullable Integer limit) {
         AuditQuery query = checked(principal, search);
         int most = limit == null ? USUALLY : limit;
         if (most < 1 || most > MOST_AT_ONCE) {

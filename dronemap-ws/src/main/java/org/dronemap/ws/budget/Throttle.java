@@ -12,7 +12,7 @@ import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.Throttled;
 
 /** So many times within so long for each who asks, and no more. Any thread. */
-final class Throttle {
+public final class Throttle {
     private static final int MOST_REMEMBERED = 10_000;
 
     private final Clock clock;
@@ -29,7 +29,7 @@ final class Throttle {
         }
     };
 
-    Throttle(Clock clock, int times, Duration within) {
+    public Throttle(Clock clock, int times, Duration within) {
         this.clock = clock;
         this.times = times;
         this.within = within;
@@ -40,7 +40,7 @@ final class Throttle {
      *
      * @throws Rejection when it is one too many, with how long to wait
      */
-    synchronized void take(String who, String what) {
+    public synchronized void take(String who, String what) {
         Instant now = clock.instant();
         Deque<Instant> mine = asked.computeIfAbsent(who, unused -> new ArrayDeque<>(times));
         while (!mine.isEmpty() && !mine.peek().plus(within).isAfter(now)) {

@@ -11,7 +11,7 @@ import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
 
 /** Response to a command: 202 while it is under way, 200 with its outcome. */
-final class CommandResponse {
+public final class CommandResponse {
     private static final int LONGEST_WAIT_SECONDS = 60;
 
     private CommandResponse() {}
@@ -21,7 +21,7 @@ final class CommandResponse {
     }
 
     /** Who does not wait is told that it is under way, also where its outcome was quicker than the answer. */
-    static ResponseEntity<CommandView> begun(CommandView command) {
+    public static ResponseEntity<CommandView> begun(CommandView command) {
         return answer(HttpStatus.ACCEPTED, command);
     }
 
@@ -32,14 +32,14 @@ final class CommandResponse {
     }
 
     /** The outcome, if it comes in that time; else the command under way. */
-    static CompletableFuture<ResponseEntity<CommandView>> within(
+    public static CompletableFuture<ResponseEntity<CommandView>> within(
             Duration longest, CommandService commands, CommandView command) {
         return longest.isZero()
                 ? CompletableFuture.completedFuture(of(command))
                 : commands.awaitEnd(command, longest).thenApply(CommandResponse::of);
     }
 
-    static Duration wait(@Nullable Double seconds) {
+    public static Duration wait(@Nullable Double seconds) {
         if (seconds == null) {
             return Duration.ZERO;
         }

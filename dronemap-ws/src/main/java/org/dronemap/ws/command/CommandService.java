@@ -106,7 +106,8 @@ public final class CommandService {
     }
 
     /** Gives a checked command; {@code givenId} is the client's own. */
-    CommandView give(Principal principal, String face, DroneState drone, @Nullable String givenId, Command command) {
+    public CommandView give(
+            Principal principal, String face, DroneState drone, @Nullable String givenId, Command command) {
         budgets.take(WorkKind.COMMAND, principal.name());
         return give(new CommandGate.Source(principal, face), drone, givenId, command);
     }
@@ -129,8 +130,9 @@ public final class CommandService {
     private static void requireSame(CommandRecord record, Principal principal, DroneState drone, Command asked) {
         if (!record.isOf(
                 principal.name(), principal.account(), drone.id(), CommandReader.complete(asked, drone), asked)) {
-            String which =
-                    principal.sight(record.drone(), record.at()) != VisibilityLevel.NONE ? " (" + record.summary() + ")" : "";
+            String which = principal.sight(record.drone(), record.at()) != VisibilityLevel.NONE
+                    ? " (" + record.summary() + ")"
+                    : "";
             throw Rejection.of(
                     DroneProblem.COMMAND_ID_TAKEN,
                     "The id " + record.id() + " belongs to another command already" + which + "; take a new one.",
@@ -157,12 +159,12 @@ public final class CommandService {
     }
 
     /** The command once it has ended, or as it stands when there was no news of it for so long (twice as long at most). */
-    CompletableFuture<CommandView> awaitEndOrSilence(CommandView command, Duration silence) {
+    public CompletableFuture<CommandView> awaitEndOrSilence(CommandView command, Duration silence) {
         return awaitEndOrSilence(command, now -> awaitEnd(now, silence));
     }
 
     /** The same where one silence is as long as that function says. */
-    static CompletableFuture<CommandView> awaitEndOrSilence(
+    public static CompletableFuture<CommandView> awaitEndOrSilence(
             CommandView command, Function<CommandView, CompletableFuture<CommandView>> silence) {
         return silence.apply(command)
                 .thenCompose(now -> now.outcome() != null || now.equals(command)
@@ -194,7 +196,7 @@ public final class CommandService {
         };
     }
 
-    Optional<DroneState> known(Principal principal, String droneId) {
+    public Optional<DroneState> known(Principal principal, String droneId) {
         return drones.find(principal, droneId);
     }
 

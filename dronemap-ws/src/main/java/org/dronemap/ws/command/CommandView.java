@@ -71,7 +71,7 @@ public record CommandView(
                 List.of());
     }
 
-    CommandView warned(List<String> sentences) {
+    public CommandView warned(List<String> sentences) {
         return new CommandView(
                 id, drone, by, face, type, summary, at, phase, outcome, finishedAt, progress, epoch, sentences);
     }

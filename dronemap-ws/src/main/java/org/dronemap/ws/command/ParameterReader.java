@@ -13,7 +13,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Checks parameters that a client wants to have changed, as far as the vehicle's own are known. */
-final class ParameterReader {
+public final class ParameterReader {
     private static final String NAMES = "1 to 16 of A-Z, a-z, 0-9, _ . and -";
     private static final String COUNT = "1 to 10000 parameters";
     static final int MOST = 10_000;
@@ -42,7 +42,7 @@ final class ParameterReader {
         return values;
     }
 
-    static ParameterValue checked(
+    public static ParameterValue checked(
             String nameField, @Nullable String name, String valueField, @Nullable Double value, ParameterSet vehicle) {
         if (name == null) {
             throw InvalidInput.missing(nameField, NAMES);
@@ -68,7 +68,7 @@ final class ParameterReader {
         return type.decimal() ? "a number" : "a whole number from " + (long) type.least() + " to " + (long) type.most();
     }
 
-    static List<ParameterValue> file(String text) {
+    public static List<ParameterValue> file(String text) {
         try {
             List<ParameterValue> values = ParameterFile.read(text);
             if (values.isEmpty() || values.size() > MOST) {

@@ -100,7 +100,11 @@ public class ControlController {
     }
 
     @PostMapping("/heartbeat")
-    @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.NOTHING, audit = AuditPolicy.LEFT_OUT)
+    @Access(
+            from = AccessLevel.OPERATOR,
+            about = ResourceScope.DRONE,
+            costs = RequestCost.NOTHING,
+            audit = AuditPolicy.LEFT_OUT)
     @Operation(
             operationId = "keepControl",
             summary = "Say that the holder is there (holder)",

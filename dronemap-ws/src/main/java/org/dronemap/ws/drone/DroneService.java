@@ -67,7 +67,7 @@ public final class DroneService {
     }
 
     /** For those who may do with it what takes that role. */
-    DroneState state(Principal principal, String id, Role needed) {
+    public DroneState state(Principal principal, String id, Role needed) {
         RoleChecks.require(principal, needed);
         DroneState state = state(principal, id);
         RoleChecks.require(principal, needed, state.id());
@@ -75,7 +75,7 @@ public final class DroneService {
     }
 
     /** The same for those who may do what takes either role, such as plan or command. */
-    DroneState state(Principal principal, String id, Role needed, Role orElse) {
+    public DroneState state(Principal principal, String id, Role needed, Role orElse) {
         RoleChecks.require(principal, principal.may(needed) ? needed : orElse);
         DroneState state = state(principal, id);
         RoleChecks.require(principal, principal.may(needed, state.id()) ? needed : orElse, state.id());
@@ -83,11 +83,11 @@ public final class DroneService {
     }
 
     /** What the asker may not see is told from what is not there by nothing. */
-    DroneState state(Principal principal, String id) {
+    public DroneState state(Principal principal, String id) {
         return find(principal, id).orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, id));
     }
 
-    Optional<DroneState> find(Principal principal, String id) {
+    public Optional<DroneState> find(Principal principal, String id) {
         return parse(id).filter(principal::sees).flatMap(cloud::drone);
     }
 

@@ -199,15 +199,15 @@ public record DroneView(
             @Schema(description = "The vehicle refuses it in its mode of now: change to this one first") @Nullable
             String mode) {
 
-        static ActionView allowedIn(@Nullable String mode) {
+        public static ActionView allowedIn(@Nullable String mode) {
             return new ActionView(true, null, null, mode);
         }
 
-        static ActionView forbidden(Rejection why) {
+        public static ActionView forbidden(Rejection why) {
             return new ActionView(false, why.sentence(), why.code().word(), null);
         }
 
-        static ActionView forbidden(Refusal why, @Nullable String mode) {
+        public static ActionView forbidden(Refusal why, @Nullable String mode) {
             return new ActionView(false, why.sentence(), why.code().word(), mode);
         }
     }

@@ -137,7 +137,7 @@ public final class DroneViewMapper {
         return value == null ? null : (Double) ((double) Math.round(value * parts) / parts);
     }
 
-    static DroneView.@Nullable PositionView position(@Nullable Position position) {
+    public static DroneView.@Nullable PositionView position(@Nullable Position position) {
         if (position == null) {
             return null;
         }
@@ -162,11 +162,11 @@ public final class DroneViewMapper {
                         number(sensed.scan()), number(sensed.picture()), number(sensed.map()));
     }
 
-    private static @Nullable Long number(SensorSnapshot.@Nullable Kept<?> kept) {
+    private static @Nullable Long number(SensorSnapshot.@Nullable Sample<?> kept) {
         return kept == null ? null : (Long) kept.number();
     }
 
-    static DroneView.@Nullable MotionView motion(DroneState state) {
+    public static DroneView.@Nullable MotionView motion(DroneState state) {
         var motion = state.motion();
         return motion == null
                 ? null

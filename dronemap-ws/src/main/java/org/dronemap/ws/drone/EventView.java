@@ -31,7 +31,7 @@ public record EventView(
     @Schema(name = "Events")
     public record Events(String drone, Instant from, Instant until, List<EventView> events, boolean more) {}
 
-    static EventView of(HistoryEvent event) {
+    public static EventView of(HistoryEvent event) {
         return new EventView(
                 WireTimes.shown(event.at()),
                 WireNames.camel(event.kind()),

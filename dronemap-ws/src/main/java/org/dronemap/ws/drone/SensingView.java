@@ -42,7 +42,7 @@ public record SensingView(
         return new SensingView(scan(sensed.scan()), picture(sensed.picture()), map(sensed.map()));
     }
 
-    private static @Nullable ScanView scan(SensorSnapshot.@Nullable Kept<RangeScan> kept) {
+    private static @Nullable ScanView scan(SensorSnapshot.@Nullable Sample<RangeScan> kept) {
         if (kept == null) {
             return null;
         }
@@ -55,13 +55,13 @@ public record SensingView(
                 Collections.unmodifiableList(scan.rangesMeters()));
     }
 
-    private static @Nullable PictureView picture(SensorSnapshot.@Nullable Kept<Picture> kept) {
+    private static @Nullable PictureView picture(SensorSnapshot.@Nullable Sample<Picture> kept) {
         return kept == null
                 ? null
                 : new PictureView(kept.number(), millis(kept.at()), kept.value().mediaType());
     }
 
-    private static @Nullable MapView map(SensorSnapshot.@Nullable Kept<AreaMap> kept) {
+    private static @Nullable MapView map(SensorSnapshot.@Nullable Sample<AreaMap> kept) {
         if (kept == null) {
             return null;
         }

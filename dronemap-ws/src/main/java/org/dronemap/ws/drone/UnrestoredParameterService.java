@@ -18,7 +18,8 @@ public final class UnrestoredParameterService {
 
     /** A drone that is not there any more, as it was called, and what its owner had set on it. */
     @Schema(name = "LeftBehindView")
-    public record UnrestoredDroneView(String id, String name, Instant since, List<DroneView.OutstandingView> outstanding) {}
+    public record UnrestoredDroneView(
+            String id, String name, Instant since, List<DroneView.OutstandingView> outstanding) {}
 
     public UnrestoredParameterService(CloudManager cloud) {
         this.cloud = cloud;

@@ -9,7 +9,6 @@ import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.FieldRanges;
-import org.dronemap.ws.reading.TelemetryPointView;
 import org.jspecify.annotations.Nullable;
 
 /** Turns a fence or rally points that a client wrote into the real ones, or says which member is wrong. */
@@ -47,7 +46,7 @@ final class FenceReader {
         return inside;
     }
 
-    static List<Geodetic> corners(String at, @Nullable List<FenceView.PointView> corners) {
+    static List<Geodetic> corners(String at, @Nullable List<FenceView.TelemetryPointView> corners) {
         if (corners == null || corners.size() < LEAST_CORNERS || corners.size() > MOST_CORNERS) {
             throw InvalidInput.outside(
                     ValueProblem.SIZE_OUT_OF_RANGE,
@@ -85,7 +84,7 @@ final class FenceReader {
             String at = "points[" + index + "].";
             FenceView.RallyPointView one = points.get(index);
             read.add(new RallyPoint(
-                    point(at, new FenceView.PointView(one.latitude(), one.longitude())),
+                    point(at, new FenceView.TelemetryPointView(one.latitude(), one.longitude())),
                     FieldRanges.checked(at + "altitude", one.altitude(), 0, 10_000, "m above home")));
         }
         return read;

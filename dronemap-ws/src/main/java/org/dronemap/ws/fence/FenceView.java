@@ -135,6 +135,7 @@ public record FenceView(@Nullable List<ZoneView> zones) {
 
     private static ZoneView polygon(FenceZone.Polygon polygon) {
         return new PolygonView(
-                polygon.inside(), polygon.corners().stream().map(TelemetryPointView::of).toList());
+                polygon.inside(),
+                polygon.corners().stream().map(TelemetryPointView::of).toList());
     }
 }

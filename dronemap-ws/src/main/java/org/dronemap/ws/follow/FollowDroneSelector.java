@@ -39,8 +39,8 @@ import org.jspecify.annotations.Nullable;
 /** Finds the drone that follows a phone, by the same reckoning as for virtual drones, and what binds it. */
 final class FollowDroneSelector {
     private static final double SECONDS = 60;
-    private static final DroneRequirements NEEDS =
-            new DroneRequirements(null, Set.of(Capability.TAKE_OFF, Capability.TRACK, Capability.RETURN_TO_LAUNCH), null, null);
+    private static final DroneRequirements NEEDS = new DroneRequirements(
+            null, Set.of(Capability.TAKE_OFF, Capability.TRACK, Capability.RETURN_TO_LAUNCH), null, null);
 
     private final CloudManager cloud;
 

@@ -18,7 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Turns what a client wants of a follow into what the follow understands, or says which member is wrong. */
 final class FollowReader {
-    private static final FollowOrder.RelativePlace USUAL = new FollowOrder.RelativePlace(new StandOffSide.Behind(), 8, 15);
+    private static final FollowOrder.RelativePlace USUAL =
+            new FollowOrder.RelativePlace(new StandOffSide.Behind(), 8, 15);
     static final int LONGEST_NAME = 60;
     static final int MOST_POSITIONS = 60;
     static final int MOST_MINUTES = 60;
@@ -64,7 +65,8 @@ final class FollowReader {
 
     static Geodetic near(FollowRequest.OpenRequest request) {
         return new Geodetic(
-                FieldRanges.latitude("latitude", request.latitude()), FieldRanges.longitude("longitude", request.longitude()));
+                FieldRanges.latitude("latitude", request.latitude()),
+                FieldRanges.longitude("longitude", request.longitude()));
     }
 
     static double minutes(FollowRequest.OpenRequest request) {
@@ -85,10 +87,12 @@ final class FollowReader {
         return place == null ? USUAL : place(place, USUAL, "place.");
     }
 
-    static FollowOrder.RelativePlace place(FollowRequest.PlaceRequest request, FollowOrder.RelativePlace before, String above) {
+    static FollowOrder.RelativePlace place(
+            FollowRequest.PlaceRequest request, FollowOrder.RelativePlace before, String above) {
         return new FollowOrder.RelativePlace(
                 side(request, before.side(), above),
-                FieldRanges.checked(above + "distance", or(request.distance(), before.distanceMeters()), 0, FARTHEST, "m"),
+                FieldRanges.checked(
+                        above + "distance", or(request.distance(), before.distanceMeters()), 0, FARTHEST, "m"),
                 FieldRanges.checked(
                         above + "height",
                         or(request.height(), before.heightMeters()),
@@ -105,8 +109,8 @@ final class FollowReader {
             case "behind" -> new StandOffSide.Behind();
             case "ahead" -> new StandOffSide.Ahead();
             case "fixed" ->
-                new StandOffSide.Fixed(
-                        FieldRanges.checked(above + "bearing", request.bearing(), -FULL_CIRCLE, FULL_CIRCLE, "degrees"));
+                new StandOffSide.Fixed(FieldRanges.checked(
+                        above + "bearing", request.bearing(), -FULL_CIRCLE, FULL_CIRCLE, "degrees"));
             case "orbit" -> orbit(request, above);
             default ->
                 throw InvalidInput.outside(
@@ -158,7 +162,9 @@ final class FollowReader {
         List<TargetReport> sightings = new ArrayList<>();
         for (int index = 0; index < positions.size(); index++) {
             sightings.add(sighting(
-                    positions.get(index), "positions[" + index + "]", new Transmission(time("sent", sent), heard, measured)));
+                    positions.get(index),
+                    "positions[" + index + "]",
+                    new Transmission(time("sent", sent), heard, measured)));
         }
         sightings.sort(Comparator.comparingLong(TargetReport::number));
         return sightings;
@@ -175,7 +181,8 @@ final class FollowReader {
     private record Transmission(
             Instant sent, Instant heard, @Nullable Duration roundTrip) {}
 
-    private static TargetReport sighting(FollowRequest.@Nullable PositionRequest position, String field, Transmission said) {
+    private static TargetReport sighting(
+            FollowRequest.@Nullable PositionRequest position, String field, Transmission said) {
         if (position == null || position.at() == null) {
             throw InvalidInput.missing(field + ".at", "a time");
         }
@@ -207,7 +214,8 @@ final class FollowReader {
                 new Geodetic(
                         FieldRanges.latitude(field + ".latitude", position.latitude()),
                         FieldRanges.longitude(field + ".longitude", position.longitude())),
-                FieldRanges.checked(field + ".accuracy", or(position.accuracy(), USUAL_ACCURACY), 0, WORST_ACCURACY, "m"),
+                FieldRanges.checked(
+                        field + ".accuracy", or(position.accuracy(), USUAL_ACCURACY), 0, WORST_ACCURACY, "m"),
                 speed == null || course == null ? null : new TargetReport.Motion(speed, course));
     }
 

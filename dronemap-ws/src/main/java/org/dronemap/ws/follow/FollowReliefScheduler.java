@@ -17,8 +17,8 @@ import org.dronemap.cognitive.operation.follow.FollowStage;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -71,7 +71,8 @@ public final class FollowReliefScheduler implements AutoCloseable {
         Optional<Principal> find(String account);
     }
 
-    public FollowReliefScheduler(FollowService.OperationContext conduct, FollowService.Warehouse warehouse, Owners owners, Time time) {
+    public FollowReliefScheduler(
+            FollowService.OperationContext conduct, FollowService.Warehouse warehouse, Owners owners, Time time) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
         this.cloud = conduct.cloud();

@@ -14,8 +14,8 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.OperationListener;
-import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.TargetReportResult;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -44,7 +44,8 @@ public final class FollowService {
     private final Warehouse warehouse;
 
     /** What follows are conducted by. */
-    public record OperationContext(Operations operations, OperationKind<FollowState, FollowInput> kind, CloudManager cloud) {}
+    public record OperationContext(
+            Operations operations, OperationKind<FollowState, FollowInput> kind, CloudManager cloud) {}
 
     /** The drones that may be armed with nobody beside them, as they are whenever it is asked. */
     @FunctionalInterface
@@ -162,7 +163,8 @@ public final class FollowService {
         RoleChecks.require(principal, Role.OPERATOR, follow.state().drone());
         FollowReceipt.Count count = new FollowReceipt.Count();
         for (TargetReport sighting : FollowReader.sightings(request, desk.now())) {
-            TargetReportResult reception = operations.sighted(kind, follow.saved().id(), sighting);
+            TargetReportResult reception =
+                    operations.sighted(kind, follow.saved().id(), sighting);
             if (reception == TargetReportResult.UNHEARD) {
                 throw desk.over(id);
             }

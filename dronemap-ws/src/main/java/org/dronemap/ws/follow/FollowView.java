@@ -62,7 +62,8 @@ public record FollowView(
             String drone,
             String droneName,
 
-            @Schema(description = "As of a follow: starting, tracking, suspended or returning") @EnumValues(FollowStage.class)
+            @Schema(description = "As of a follow: starting, tracking, suspended or returning")
+            @EnumValues(FollowStage.class)
             String state,
 
             @Schema(description = "It is on its way to replace the drone that follows; false: it flies home")

@@ -5,8 +5,8 @@ import org.dronemap.cognitive.operation.follow.Endurance;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
@@ -72,7 +72,7 @@ final class FollowViewMapper {
                 phone.heard().truncatedTo(ChronoUnit.MILLIS));
     }
 
-    private static FollowView.PointView point(Geodetic point) {
-        return new FollowView.PointView(point.latitudeDegrees(), point.longitudeDegrees());
+    private static FollowView.TelemetryPointView point(Geodetic point) {
+        return new FollowView.TelemetryPointView(point.latitudeDegrees(), point.longitudeDegrees());
     }
 }

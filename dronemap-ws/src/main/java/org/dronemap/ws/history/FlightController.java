@@ -117,7 +117,8 @@ public class FlightController {
             description =
                     "All that are kept, or when these are more than most (1 to 20000, usually 5000), so many evenly"
                             + " over the time.")
-    public TelemetryPointView.Points points(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
+    public TelemetryPointView.Points points(
+            @PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.points(telemetry.flight(current.principal(), id), search);
     }
 
@@ -154,7 +155,8 @@ public class FlightController {
             summary = "Look at what happened in a flight",
             description =
                     "Messages, modes, commands with their outcomes and so on, from ten seconds before to ten after.")
-    public EventView.Events events(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
+    public EventView.Events events(
+            @PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.events(telemetry.flight(current.principal(), id), search);
     }
 }

@@ -6,9 +6,9 @@ import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.HistoryEvent;
 
 /** Takes names of people, and the words that they wrote, out of what a drone did while it belonged to others. */
-final class NameRedaction {
+public final class NameRedaction {
     /** Stands for whoever it was. */
-    static final String OTHERS = "another organisation";
+    public static final String OTHERS = "another organisation";
 
     /** Earlier versions kept messages about control without saying whom they name. */
     private static final Pattern OF_CONTROL = Pattern.compile("handed control over to |took control over from"

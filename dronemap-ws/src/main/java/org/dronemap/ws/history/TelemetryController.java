@@ -61,7 +61,8 @@ public class TelemetryController {
             description =
                     "All that are kept, or when these are more than most (1 to 20000, usually 5000), so many evenly"
                             + " over the time.")
-    public TelemetryPointView.Points points(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
+    public TelemetryPointView.Points points(
+            @PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.points(telemetry.drone(current.principal(), id), search);
     }
 
@@ -97,7 +98,8 @@ public class TelemetryController {
             operationId = "listDroneEvents",
             summary = "Look at what happened to a drone",
             description = "Oldest first, at most 5000.")
-    public EventView.Events events(@PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
+    public EventView.Events events(
+            @PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.events(telemetry.drone(current.principal(), id), search);
     }
 }

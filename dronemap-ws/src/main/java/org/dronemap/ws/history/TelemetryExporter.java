@@ -41,7 +41,8 @@ public final class TelemetryExporter {
     }
 
     /** Whole before its first byte is handed out, so that a slow reader holds nothing up. */
-    public Export export(TelemetryService.Subject subject, TelemetrySearchRequest search, String form) throws IOException {
+    public Export export(TelemetryService.Subject subject, TelemetrySearchRequest search, String form)
+            throws IOException {
         TimeRange span = subject.span(search);
         return switch (form) {
             case TlogExporter.FORM ->

@@ -80,7 +80,8 @@ public final class TelemetryService {
     public Subject drone(Principal principal, String id) {
         DroneState state = drones.state(principal, id);
         Instant now = clock.instant();
-        return new Subject(state.id(), state.name(), new TimeRange(now.minus(USUAL), now), principal.insight(state.id()));
+        return new Subject(
+                state.id(), state.name(), new TimeRange(now.minus(USUAL), now), principal.insight(state.id()));
     }
 
     /** A flight, from its beginning to its end or to now. */

@@ -67,7 +67,8 @@ public final class AuditFilter extends OncePerRequestFilter {
     private AuditedCall rest(HttpServletRequest request) {
         AccessRule rule = operations.rule(request);
         AuditedOperation operation = AuditedOperation.of(request, rule.operation());
-        String face = CurrentPrincipal.otherFace(request).map(ForwardedCaller::face).orElse("rest");
+        String face =
+                CurrentPrincipal.otherFace(request).map(ForwardedCaller::face).orElse("rest");
         AuditedCall call = desk.begin(face, operation.name());
         call.drone(operation.drone());
         call.parameters(operation.parameters());

@@ -33,7 +33,9 @@ public class FallbackErrorController implements ErrorController {
         Object code = request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE);
         int status = code instanceof Integer number ? number : RejectionKind.UNKNOWN.status();
         Object thrown = request.getAttribute(RequestDispatcher.ERROR_EXCEPTION);
-        ProblemView problem = (thrown instanceof Throwable cause ? OutageClassifier.of(cause) : Optional.<Rejection>empty())
+        ProblemView problem = (thrown instanceof Throwable cause
+                        ? OutageClassifier.of(cause)
+                        : Optional.<Rejection>empty())
                 .map(ProblemView::of)
                 .orElseGet(() -> ProblemView.ofStatus(status));
         return ResponseEntity.status(problem.status())

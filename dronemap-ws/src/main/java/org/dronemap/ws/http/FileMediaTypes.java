@@ -10,7 +10,7 @@ import java.lang.annotation.Target;
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.METHOD)
-@interface FileMediaTypes {
+public @interface FileMediaTypes {
     /** Media types, any of which the body may be. */
     String[] takes() default {};
 

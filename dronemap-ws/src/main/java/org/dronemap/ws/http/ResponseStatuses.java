@@ -10,7 +10,7 @@ import java.lang.annotation.Target;
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.METHOD)
-@interface ResponseStatuses {
+public @interface ResponseStatuses {
     /** Of success, where it decides that itself. */
     int[] value() default {};
 

@@ -2,11 +2,11 @@ package org.dronemap.ws.journal;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowInput.ModeMeaning;
 import org.dronemap.cognitive.operation.follow.FollowInput.Observation;
 import org.dronemap.cognitive.operation.follow.FollowInput.Observed;
 import org.dronemap.cognitive.operation.follow.FollowInput.OtherDrone;
-import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.jspecify.annotations.Nullable;
 
@@ -41,8 +41,8 @@ public final class FollowCodec extends JsonOperationCodec<FollowState, FollowInp
                         looked.reach(),
                         looked.unsteered(),
                         looked.others().stream()
-                                .map(other ->
-                                        new OtherDrone(other.drone(), changed(other.look(), change), other.apartMeters()))
+                                .map(other -> new OtherDrone(
+                                        other.drone(), changed(other.look(), change), other.apartMeters()))
                                 .toList())
                 : input;
     }

@@ -61,7 +61,8 @@ public class JsonOperationCodec<S, I> implements OperationCodec<S, I> {
     public final String decision(OperationDecision<S, I> decision) {
         ObjectNode node = mapper.createObjectNode();
         ArrayNode actions = node.putArray("actions");
-        decision.actions().forEach(action -> actions.add(forms.of(OperationAction.class).write(action)));
+        decision.actions()
+                .forEach(action -> actions.add(forms.of(OperationAction.class).write(action)));
         node.put("why", decision.why());
         node.put("next", hash(state(decision.next())));
         return text(node);

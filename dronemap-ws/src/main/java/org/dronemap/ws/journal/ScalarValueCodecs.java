@@ -23,7 +23,8 @@ final class ScalarValueCodecs {
             value -> NODES.numberNode(((Number) value).longValue()),
             node -> node.isIntegralNumber() && node.canConvertToLong(),
             JsonNode::longValue);
-    private static final ValueCodec DOUBLE = form(ScalarValueCodecs::number, ScalarValueCodecs::isNumber, ScalarValueCodecs::number);
+    private static final ValueCodec DOUBLE =
+            form(ScalarValueCodecs::number, ScalarValueCodecs::isNumber, ScalarValueCodecs::number);
     private static final ValueCodec TRUTH =
             form(value -> NODES.booleanNode((Boolean) value), JsonNode::isBoolean, JsonNode::booleanValue);
     private static final ValueCodec TEXT =

@@ -61,7 +61,7 @@ public record AccessKeyRequest(
         @EnumValues(Altitude.Reference.class) @Nullable String altitudeReference,
         @Min(1) @Max(AccessKeyRequest.MOST_DAYS) @Nullable Integer days) {
     static final int LONGEST_LABEL = 60;
-    static final String OPERATIONS = "a list of view, plan, command and administer";
+    public static final String OPERATIONS = "a list of view, plan, command and administer";
     static final int MOST_DRONES = 500;
     static final int MOST_DAYS = 3650;
 
@@ -99,7 +99,8 @@ public record AccessKeyRequest(
                     reference + ", as for the key that it is made with",
                     "\"" + altitudeReference + "\"");
         }
-        return new AltitudeBandReader("").band(within("floor", floor, outer), within("ceiling", ceiling, outer), reference);
+        return new AltitudeBandReader("")
+                .band(within("floor", floor, outer), within("ceiling", ceiling, outer), reference);
     }
 
     private static @Nullable Double within(String field, @Nullable Double meters, AltitudeBand outer) {
@@ -155,7 +156,7 @@ public record AccessKeyRequest(
         return ids;
     }
 
-    static Set<Permission> permissions(List<@Nullable String> operations) {
+    public static Set<Permission> permissions(List<@Nullable String> operations) {
         EnumSet<Permission> permissions = EnumSet.noneOf(Permission.class);
         for (String operation : operations) {
             permissions.add(Arrays.stream(Permission.values())

@@ -40,7 +40,8 @@ public final class HostConcurrencyFilter extends OncePerRequestFilter {
     protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
             throws ServletException, IOException {
         // A literal: nobody is asked for it.
-        ClientHost host = ClientHost.of(InetAddress.getByName(request.getRemoteAddr()).getAddress());
+        ClientHost host =
+                ClientHost.of(InetAddress.getByName(request.getRemoteAddr()).getAddress());
         int now = atWork.merge(host, 1, Integer::sum);
         try {
             if (now > most) {

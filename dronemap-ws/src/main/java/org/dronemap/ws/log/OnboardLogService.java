@@ -26,7 +26,8 @@ public final class OnboardLogService {
     private final CommandService commands;
     private final OnboardLogArchive shelf;
 
-    public OnboardLogService(CloudManager cloud, DroneService drones, CommandService commands, OnboardLogArchive shelf) {
+    public OnboardLogService(
+            CloudManager cloud, DroneService drones, CommandService commands, OnboardLogArchive shelf) {
         this.cloud = cloud;
         this.drones = drones;
         this.commands = commands;

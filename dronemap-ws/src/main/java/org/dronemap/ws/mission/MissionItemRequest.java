@@ -165,7 +165,8 @@ public sealed interface MissionItemRequest extends MissionItemView {
         @Override
         public MissionItem read(String at) {
             return new MissionItem.LookAt(
-                    FieldRanges.point(at, latitude, longitude), MissionReader.altitude(at, altitude, altitudeReference));
+                    FieldRanges.point(at, latitude, longitude),
+                    MissionReader.altitude(at, altitude, altitudeReference));
         }
     }
 

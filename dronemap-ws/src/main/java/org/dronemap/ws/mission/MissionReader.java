@@ -12,13 +12,13 @@ import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
 /** Turns the items that a client wrote into a mission, or says which member of which item is wrong. */
-final class MissionReader {
+public final class MissionReader {
     private static final String COUNT = "1 to " + Mission.MAX_ITEMS + " items";
     private static final String REFERENCES = "home or amsl";
 
     private MissionReader() {}
 
-    static Mission read(@Nullable List<MissionItemRequest> items) {
+    public static Mission read(@Nullable List<MissionItemRequest> items) {
         if (items == null || items.isEmpty()) {
             throw InvalidInput.missing("items", COUNT);
         }
@@ -38,12 +38,13 @@ final class MissionReader {
         return new Mission(read);
     }
 
-    static MissionItem.SetServo servo(String at, @Nullable Integer output, @Nullable Integer pulse) {
-        return new MissionItem.SetServo(FieldRanges.output(at + "output", output), FieldRanges.pulse(at + "pulse", pulse));
+    public static MissionItem.SetServo servo(String at, @Nullable Integer output, @Nullable Integer pulse) {
+        return new MissionItem.SetServo(
+                FieldRanges.output(at + "output", output), FieldRanges.pulse(at + "pulse", pulse));
     }
 
     /** {@code at} is what stands before the field's name, such as {@code items[2].}. */
-    static Altitude altitude(String at, @Nullable Double meters, @Nullable String reference) {
+    public static Altitude altitude(String at, @Nullable Double meters, @Nullable String reference) {
         double checked = FieldRanges.altitude(at + "altitude", meters);
         return switch (reference == null ? "home" : reference) {
             case "home" -> new Altitude(checked, Altitude.Reference.HOME);

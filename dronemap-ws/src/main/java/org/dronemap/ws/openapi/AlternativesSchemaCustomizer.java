@@ -51,7 +51,8 @@ public final class AlternativesSchemaCustomizer implements ModelConverter, OpenA
         return reference;
     }
 
-    private static Schema<?> choice(Class<?> raw, RecordAlternatives all, String description, ModelConverterContext context) {
+    private static Schema<?> choice(
+            Class<?> raw, RecordAlternatives all, String description, ModelConverterContext context) {
         Schema<Object> choice = new Schema<>();
         choice.setDescription(description);
         // One that is itself among the alternatives of another choice.

@@ -11,8 +11,8 @@ import java.util.function.BiPredicate;
 import java.util.random.RandomGenerator;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Lease;
 import org.dronemap.core.lease.LeaseEvent;
@@ -36,7 +36,7 @@ import org.dronemap.ws.problem.ServerProblem;
  * @param <S> its state
  * @param <I> its inputs
  */
-final class OperationService<S, I> {
+public final class OperationService<S, I> {
     private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
     private static final int ID_LENGTH = 16;
     private static final int MOST_UNDER_WAY = 50;
@@ -57,10 +57,10 @@ final class OperationService<S, I> {
      * @param one "mission run"
      * @param flies "a mission run flies"
      */
-    record Terms(char letter, String one, String flies, NotFoundProblem unknown) {}
+    public record Terms(char letter, String one, String flies, NotFoundProblem unknown) {}
 
     /** {@code shown}: for others of its organisation it does not exist. */
-    OperationService(
+    public OperationService(
             Operations operations,
             OperationKind<S, I> kind,
             CloudManager cloud,
@@ -77,7 +77,7 @@ final class OperationService<S, I> {
     }
 
     /** Those under way and the newest that are over, the newest first. */
-    List<Snapshot<S>> all(Principal principal) {
+    public List<Snapshot<S>> all(Principal principal) {
         List<Snapshot<S>> all = new ArrayList<>(operations.underWay(kind));
         all.addAll(operations.setAside(kind));
         operations.latest(principal.organisation(), kind, MOST_LISTED).stream()
@@ -92,7 +92,7 @@ final class OperationService<S, I> {
     }
 
     /** As it is stored; empty: it is another kind of operation, or cannot be read. */
-    Optional<Snapshot<S>> picture(SavedOperation saved) {
+    public Optional<Snapshot<S>> picture(SavedOperation saved) {
         return operations.picture(kind, saved);
     }
 
@@ -100,7 +100,7 @@ final class OperationService<S, I> {
         return principal.organisation().equals(one.saved().organisation()) && shown.test(principal, one);
     }
 
-    Snapshot<S> find(Principal principal, String id) {
+    public Snapshot<S> find(Principal principal, String id) {
         return parse(id)
                 .flatMap(known -> operations.find(kind, known))
                 .filter(one -> isShown(principal, one))
@@ -116,7 +116,7 @@ final class OperationService<S, I> {
     }
 
     /** It flies on without whoever started it, as its user: bounds of a key cannot be kept. */
-    void requireWithoutBounds(Principal principal) {
+    public void requireWithoutBounds(Principal principal) {
         if (principal.scope().isBounded()) {
             throw Rejection.of(
                     AccessProblem.KEY_BOUNDED,
@@ -124,7 +124,7 @@ final class OperationService<S, I> {
         }
     }
 
-    void requireRoom(Principal principal) {
+    public void requireRoom(Principal principal) {
         long underWay = operations.underWay(kind).stream()
                 .filter(one -> one.saved().organisation().equals(principal.organisation()))
                 .count();
@@ -138,7 +138,7 @@ final class OperationService<S, I> {
     }
 
     /** What a user has in hand goes over to the operation of the same user. */
-    void giveBack(Principal principal, DroneId drone) {
+    public void giveBack(Principal principal, DroneId drone) {
         if (cloud.controls().control(drone).isHeldBy(principal.name())) {
             cloud.controls().apply(drone, new LeaseEvent.Release(principal.name()));
         }
@@ -149,7 +149,7 @@ final class OperationService<S, I> {
      * the pilot at the vehicle as well, before whom goes who says so in so many words. Nothing changes hands for a wish that
      * would be refused.
      */
-    void takeBack(Principal principal, String id, S state, I wish, DroneId drone) {
+    public void takeBack(Principal principal, String id, S state, I wish, DroneId drone) {
         kind.machine().refusal(state, wish).ifPresent(why -> {
             throw ObjectionProblem.rejection(why, id);
         });
@@ -160,7 +160,7 @@ final class OperationService<S, I> {
         giveBack(principal, drone);
     }
 
-    Snapshot<S> begin(Principal principal, OperationId id, String name, S state, Instant at) {
+    public Snapshot<S> begin(Principal principal, OperationId id, String name, S state, Instant at) {
         kind.machine().drones(state).forEach(drone -> giveBack(principal, drone));
         SavedOperation begun = SavedOperation.begun(
                 id,
@@ -176,12 +176,12 @@ final class OperationService<S, I> {
             throw cloud.drone(held.drone())
                     .map(drone -> Rejection.held(
                             held.why(), drone.id(), cloud.controls().control(drone.id())))
-                    .orElseGet(() ->
-                            Rejection.unknown(NotFoundProblem.DRONE, held.drone().value()));
+                    .orElseGet(() -> Rejection.unknown(
+                            NotFoundProblem.DRONE, held.drone().value()));
         }
     }
 
-    Snapshot<S> wish(Snapshot<S> one, I input) {
+    public Snapshot<S> wish(Snapshot<S> one, I input) {
         try {
             return operations.wish(kind, one.saved().id(), input);
         } catch (Operations.Refused refused) {
@@ -190,16 +190,16 @@ final class OperationService<S, I> {
         }
     }
 
-    Rejection over(String id) {
+    public Rejection over(String id) {
         return ObjectionProblem.rejection(
                 Objection.of(OperationObjection.OVER, "This " + words.one() + " is over."), id);
     }
 
-    Instant now() {
+    public Instant now() {
         return clock.instant().truncatedTo(ChronoUnit.MICROS);
     }
 
-    OperationId newId() {
+    public OperationId newId() {
         StringBuilder id = new StringBuilder().append(words.letter());
         while (id.length() < ID_LENGTH) {
             id.append(LETTERS.charAt(random.nextInt(LETTERS.length())));

@@ -24,7 +24,7 @@ public final class GrantChanges {
         return book;
     }
 
-    boolean isOnlyGranted(String user) {
+    public boolean isOnlyGranted(String user) {
         return book.isOnlyGranted(user);
     }
 
@@ -36,7 +36,7 @@ public final class GrantChanges {
         }
     }
 
-    void forgetUser(String name) {
+    public void forgetUser(String name) {
         make(kept -> kept.forgetUser(name));
     }
 }

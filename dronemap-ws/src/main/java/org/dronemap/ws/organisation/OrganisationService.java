@@ -126,7 +126,7 @@ public final class OrganisationService {
     }
 
     /** Null: the default one. */
-    OrganisationId named(@Nullable String id) {
+    public OrganisationId named(@Nullable String id) {
         if (id == null || id.equals(OrganisationId.HOME.value())) {
             return OrganisationId.HOME;
         }
@@ -137,7 +137,7 @@ public final class OrganisationService {
     }
 
     /** Only those who run the server invite into others than their own. */
-    OrganisationId invitedInto(Principal principal, @Nullable String id) {
+    public OrganisationId invitedInto(Principal principal, @Nullable String id) {
         if (id == null) {
             return principal.organisation();
         }
@@ -146,14 +146,14 @@ public final class OrganisationService {
     }
 
     /** Whether that drone has changed hands since. */
-    boolean wasGiven(DroneId drone, Instant since) {
+    public boolean wasGiven(DroneId drone, Instant since) {
         return grants.book()
                 .lastGift(drone)
                 .filter(gift -> gift.at().isAfter(since))
                 .isPresent();
     }
 
-    void enrolled(DroneId drone, OrganisationId owner) {
+    public void enrolled(DroneId drone, OrganisationId owner) {
         if (!grants.book().owner(drone).equals(owner)) {
             grants.make(store -> store.assign(drone, owner));
         }

@@ -7,10 +7,10 @@ import io.prometheus.metrics.model.snapshots.MetricSnapshot;
 import java.util.List;
 
 /** Metrics of the outlet: the number of attached clients and the messages refused. */
-final class OutletMetrics {
+public final class OutletMetrics {
     private OutletMetrics() {}
 
-    static List<MetricSnapshot> of(OutletView now) {
+    public static List<MetricSnapshot> of(OutletView now) {
         GaugeSnapshot clients = GaugeSnapshot.builder()
                 .name("dronemap_outlet_clients")
                 .help("Ground stations and programs that are attached.")

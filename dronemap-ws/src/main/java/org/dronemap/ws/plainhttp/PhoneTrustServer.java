@@ -76,7 +76,8 @@ public final class PhoneTrustServer implements AutoCloseable {
             throw new IOException("The certificate " + place.authority() + " cannot be handed out.", e);
         }
         HttpServer server = HttpServer.create(new InetSocketAddress(place.address(), place.port()), WAITING);
-        PhoneTrustServer door = new PhoneTrustServer(server, new PhoneTrustPage(authority, place.securePort()), encoded);
+        PhoneTrustServer door =
+                new PhoneTrustServer(server, new PhoneTrustPage(authority, place.securePort()), encoded);
         server.setExecutor(door.workers);
         server.createContext("/", door::answer);
         server.start();

@@ -21,7 +21,7 @@ import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneRegistry;
 
 /** The cloud's own zones that bind this user's drones and lie near enough to be in the way. */
-final class PlanBarriers {
+public final class PlanBarriers {
     /** What comes into force while they fly counts already. */
     private static final Duration AHEAD = Duration.ofHours(1);
     /** Ways round zones lead out of the area of the places by this at least. */
@@ -53,7 +53,8 @@ final class PlanBarriers {
         north = high + margin;
     }
 
-    static List<Barrier> of(String user, ZoneRegistry book, List<Waypoint> waypoints, List<Craft> crafts, Instant now) {
+    public static List<Barrier> of(
+            String user, ZoneRegistry book, List<Waypoint> waypoints, List<Craft> crafts, Instant now) {
         PlanBarriers near = new PlanBarriers(waypoints, crafts);
         Map<Zone, Set<DroneId>> bound = new LinkedHashMap<>();
         for (Craft craft : crafts) {

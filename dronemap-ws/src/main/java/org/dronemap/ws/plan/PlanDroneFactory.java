@@ -28,12 +28,12 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 
 /** Makes the planner's drone from the state of a drone; refuses one of which a fact is missing. */
-final class PlanDroneFactory {
+public final class PlanDroneFactory {
     private static final double SECONDS_PER_MINUTE = 60;
 
     private PlanDroneFactory() {}
 
-    static Craft of(DroneState drone) {
+    public static Craft of(DroneState drone) {
         ready(drone);
         VehicleKind kind = drone.identification().kind();
         Home home = drone.home();
@@ -114,7 +114,8 @@ final class PlanDroneFactory {
         if (percent == null) {
             throw missing(DroneProblem.BATTERY_UNKNOWN, drone, "How full the battery of %s is, is not known.");
         }
-        return new EnergyBudget(joules(percent, drone, performance), joules(DroneSelection.RESERVE_PERCENT, drone, performance));
+        return new EnergyBudget(
+                joules(percent, drone, performance), joules(DroneSelection.RESERVE_PERCENT, drone, performance));
     }
 
     /** The size of batteries is not told by vehicles: so long as one of its kind flies with that charge. */

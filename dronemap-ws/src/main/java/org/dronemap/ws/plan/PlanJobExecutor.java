@@ -208,7 +208,8 @@ public final class PlanJobExecutor implements AutoCloseable {
         PlanJobInput order = job.order();
         long began = time.nanos();
         try {
-            SearchBudget budget = SearchBudget.time(order.search(), time.effort()).orWhen(job::isCancelled);
+            SearchBudget budget =
+                    SearchBudget.time(order.search(), time.effort()).orWhen(job::isCancelled);
             job.finish(
                     FleetPlanner.watched(order.problem(), order.seed(), budget, (progress, orders) -> {
                         double seconds = (time.nanos() - began) / NANOS;

@@ -19,8 +19,8 @@ import org.dronemap.core.drone.DroneState;
  * @param drones those of the problem, as they were when it was asked for
  * @param search for how long
  */
-record PlanJobInput(PlanningProblem problem, List<DroneState> drones, Duration search, long seed) {
-    PlanJobInput {
+public record PlanJobInput(PlanningProblem problem, List<DroneState> drones, Duration search, long seed) {
+    public PlanJobInput {
         drones = List.copyOf(drones);
     }
 

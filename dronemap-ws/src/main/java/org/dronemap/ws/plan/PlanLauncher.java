@@ -157,7 +157,11 @@ final class PlanLauncher {
     }
 
     private CompletableFuture<Boolean> arm(DroneId drone) {
-        return give(drone, DroneLaunchStatus.Stage.ARMING, DroneLaunchStatus.Stage.STARTING, new CommandRequest.Arm(null, null));
+        return give(
+                drone,
+                DroneLaunchStatus.Stage.ARMING,
+                DroneLaunchStatus.Stage.STARTING,
+                new CommandRequest.Arm(null, null));
     }
 
     private CompletableFuture<Boolean> begin(DroneId drone) {
@@ -202,8 +206,8 @@ final class PlanLauncher {
         try {
             given = commands.submit(principal, face, drone.value(), what);
         } catch (Rejection refused) {
-            job.settle(
-                    new DroneLaunchStatus(drone, DroneLaunchStatus.Stage.FAILED, DroneLaunchStatus.Reason.of(refused), refused.commandId()));
+            job.settle(new DroneLaunchStatus(
+                    drone, DroneLaunchStatus.Stage.FAILED, DroneLaunchStatus.Reason.of(refused), refused.commandId()));
             desk.tell(job);
             return CompletableFuture.completedFuture(false);
         } catch (RuntimeException failed) {

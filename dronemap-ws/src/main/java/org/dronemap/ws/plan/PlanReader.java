@@ -40,7 +40,8 @@ final class PlanReader {
 
     private static final double MILLIS = 1_000;
     /** Profiles of speed are not known to the metre, so more room than must be kept is asked for. */
-    private static final PlanningRules RULES = new PlanningRules(new Separation(15, 5), 1 - DroneSelection.WORST_LOSS_PERCENT / 100.0, 3, 5);
+    private static final PlanningRules RULES =
+            new PlanningRules(new Separation(15, 5), 1 - DroneSelection.WORST_LOSS_PERCENT / 100.0, 3, 5);
 
     private final DroneService drones;
     private final ZoneRegistry zones;

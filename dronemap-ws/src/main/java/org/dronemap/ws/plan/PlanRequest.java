@@ -89,7 +89,7 @@ public record PlanRequest(
 
             @Schema(description = "What is done there, in order; up to 10") @Size(max = PlanTaskReader.MOST) @Nullable
             List<@Nullable PlanTaskRequest> tasks) {
-        WaypointRequest called(String name) {
+        public WaypointRequest called(String name) {
             return new WaypointRequest(
                     name,
                     latitude,

@@ -44,7 +44,8 @@ public final class PlanService {
     private final Clock clock;
     private final RandomGenerator random;
 
-    public PlanService(PlanJobExecutor desk, DroneService drones, CommandService commands, ZoneRegistry zones, Time time) {
+    public PlanService(
+            PlanJobExecutor desk, DroneService drones, CommandService commands, ZoneRegistry zones, Time time) {
         this.desk = desk;
         this.reader = new PlanReader(drones, zones, time.clock());
         this.drones = drones;
@@ -121,10 +122,10 @@ public final class PlanService {
     }
 
     /** A plan that may be flown now, with what it was made for. */
-    record Flyable(PlanJobInput order, PlanResult planned) {}
+    public record Flyable(PlanJobInput order, PlanResult planned) {}
 
     /** For who flies it from now on; refused as if it were started. */
-    Flyable flyable(Principal principal, String id) {
+    public Flyable flyable(Principal principal, String id) {
         PlanJob job = find(principal, id);
         acceptable(principal, job, true);
         PlanResult planned = job.status().result();
@@ -197,7 +198,8 @@ public final class PlanService {
                         .filter(craft -> craft.id().equals(now.id()))
                         .allMatch(craft -> Geodesy.distanceMeters(
                                                 craft.start().place().point(),
-                                                PlanDroneFactory.stand(now, home).point())
+                                                PlanDroneFactory.stand(now, home)
+                                                        .point())
                                         <= MOST_MOVED_METERS
                                 && Geodesy.distanceMeters(craft.finish().place().point(), home.point())
                                         <= MOST_MOVED_METERS);

@@ -97,8 +97,10 @@ public sealed interface PlanTaskRequest {
         @Override
         public WaypointTask read(String at, ToDoubleFunction<@Nullable Double> amslMeters) {
             Geodetic point = new Geodetic(
-                    FieldRanges.latitude(at + "latitude", latitude), FieldRanges.longitude(at + "longitude", longitude));
-            return new WaypointTask.Look(point, amslMeters.applyAsDouble(FieldRanges.altitude(at + "altitude", altitude)));
+                    FieldRanges.latitude(at + "latitude", latitude),
+                    FieldRanges.longitude(at + "longitude", longitude));
+            return new WaypointTask.Look(
+                    point, amslMeters.applyAsDouble(FieldRanges.altitude(at + "altitude", altitude)));
         }
     }
 

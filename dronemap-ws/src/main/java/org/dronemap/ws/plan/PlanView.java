@@ -4,7 +4,6 @@ import com.fasterxml.jackson.annotation.JsonIgnore;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
-import org.dronemap.ws.history.FlightView;
 import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 

@@ -78,7 +78,8 @@ public final class PlanViewMapper {
                 progress.iterations());
     }
 
-    private static @Nullable List<PlanView.OrderView> orders(PlanningProblem problem, @Nullable List<List<Integer>> orders) {
+    private static @Nullable List<PlanView.OrderView> orders(
+            PlanningProblem problem, @Nullable List<List<Integer>> orders) {
         if (orders == null) {
             return null;
         }

@@ -25,7 +25,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** Turns the waypoints that a client wrote into those of a problem, or says which member of which one is wrong. */
-final class PlanWaypointReader {
+public final class PlanWaypointReader {
     static final int MOST = 5_000;
     private static final String COUNT = "1 to " + MOST + " waypoints";
     static final int LONGEST_ID = 40;
@@ -41,11 +41,11 @@ final class PlanWaypointReader {
     private final List<Craft> crafts;
 
     /** {@code crafts}: above whose homes altitudes may be counted. */
-    PlanWaypointReader(List<Craft> crafts) {
+    public PlanWaypointReader(List<Craft> crafts) {
         this.crafts = crafts;
     }
 
-    List<Waypoint> read(@Nullable List<PlanRequest.@Nullable WaypointRequest> asked) {
+    public List<Waypoint> read(@Nullable List<PlanRequest.@Nullable WaypointRequest> asked) {
         if (asked == null || asked.isEmpty()) {
             throw InvalidInput.missing("waypoints", COUNT);
         }
@@ -115,7 +115,7 @@ final class PlanWaypointReader {
         return given;
     }
 
-    double amslMeters(String at, @Nullable Double asked, @Nullable String reference) {
+    public double amslMeters(String at, @Nullable Double asked, @Nullable String reference) {
         Altitude altitude = MissionReader.altitude(at, asked, reference);
         double meters = altitude.reference() == Altitude.Reference.AMSL
                 ? altitude.meters()
@@ -177,7 +177,8 @@ final class PlanWaypointReader {
         }
         Double opens = asked.opens();
         Double closes = asked.closes();
-        double begin = opens == null ? 0 : FieldRanges.checked(at + "opens", opens, 0, LONGEST_WINDOW_SECONDS, "seconds");
+        double begin =
+                opens == null ? 0 : FieldRanges.checked(at + "opens", opens, 0, LONGEST_WINDOW_SECONDS, "seconds");
         if (closes == null) {
             return new TimeWindow(begin, Double.POSITIVE_INFINITY);
         }

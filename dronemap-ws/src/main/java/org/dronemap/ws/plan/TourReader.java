@@ -103,8 +103,9 @@ final class TourReader {
                     ProblemParameter.DRONE.is(drone.id().value()));
         }
         Place base = new Place(home.point(), home.altitudeAmslMeters());
-        Place stand =
-                drone.position() == null || drone.position().point() == null ? base : PlanDroneFactory.stand(drone, home);
+        Place stand = drone.position() == null || drone.position().point() == null
+                ? base
+                : PlanDroneFactory.stand(drone, home);
         return new Craft(
                 drone.id(),
                 drone.airborne() ? Start.inFlight(stand) : Start.onGround(stand),

@@ -66,7 +66,8 @@ public final class TourService implements AutoCloseable {
     private TourView ordered(TourReader.Tour tour) {
         PlanningProblem problem = tour.problem();
         Plan listed = FleetPlanner.asListed(problem);
-        PlanResult found = FleetPlanner.plan(problem, SEED, SearchBudget.time(tour.search(), time.effort()), better -> {});
+        PlanResult found =
+                FleetPlanner.plan(problem, SEED, SearchBudget.time(tour.search(), time.effort()), better -> {});
         Map<String, Integer> numbers = new LinkedHashMap<>();
         IntStream.range(0, problem.waypoints().size())
                 .forEach(number -> numbers.put(problem.waypoints().get(number).id(), number));

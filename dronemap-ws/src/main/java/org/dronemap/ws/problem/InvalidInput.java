@@ -42,7 +42,7 @@ public final class InvalidInput extends Rejection {
     }
 
     /** Places too far apart, or zones with too many corners. */
-    static InvalidInput unplannable(IllegalArgumentException why) {
+    public static InvalidInput unplannable(IllegalArgumentException why) {
         return new InvalidInput(
                 ValueProblem.PLACES_UNPLANNABLE,
                 "waypoints",
@@ -51,7 +51,7 @@ public final class InvalidInput extends Rejection {
     }
 
     /** The same of a field that stands within another one; the sentence names it as before. */
-    InvalidInput within(String above) {
+    public InvalidInput within(String above) {
         ProblemParameter.Given[] others = parameters().stream()
                 .filter(given ->
                         given.parameter() != ProblemParameter.FIELD && given.parameter() != ProblemParameter.ALLOWED)

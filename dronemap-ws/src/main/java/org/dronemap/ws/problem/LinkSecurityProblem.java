@@ -44,7 +44,8 @@ public enum LinkSecurityProblem implements ProblemCode {
     }
 
     private static ProblemCatalogueEntry entry(String word, String meaning, String example) {
-        return ProblemCatalogueEntry.of(word, RejectionKind.CONFLICT, meaning, example).with(ProblemParameter.DRONE);
+        return ProblemCatalogueEntry.of(word, RejectionKind.CONFLICT, meaning, example)
+                .with(ProblemParameter.DRONE);
     }
 
     @Override

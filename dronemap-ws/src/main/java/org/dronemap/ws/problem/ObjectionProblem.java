@@ -24,7 +24,7 @@ public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
     }
 
     /** {@code id}: of what does not take the wish. */
-    static Rejection rejection(Objection why, String id) {
+    public static Rejection rejection(Objection why, String id) {
         return new Rejection(
                 new ObjectionProblem(why.code()),
                 why.sentence(),

@@ -38,7 +38,7 @@ public final class OutageClassifier {
      * What is told of one of several things that were asked for at once, so that no failure at one hides what became of the
      * others; what is broken is told to the log.
      */
-    static Rejection told(RuntimeException thrown) {
+    public static Rejection told(RuntimeException thrown) {
         if (thrown instanceof Rejection refused) {
             return refused;
         }

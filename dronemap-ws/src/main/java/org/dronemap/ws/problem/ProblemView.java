@@ -86,7 +86,7 @@ public record ProblemView(
     }
 
     /** In the order of their names. */
-    static Map<String, Object> values(Rejection rejection) {
+    public static Map<String, Object> values(Rejection rejection) {
         Map<String, Object> values = new TreeMap<>();
         rejection.parameters().forEach(given -> values.put(given.parameter().word(), given.value()));
         return Collections.unmodifiableMap(values);

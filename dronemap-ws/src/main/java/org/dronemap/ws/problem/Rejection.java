@@ -67,7 +67,7 @@ public class Rejection extends RuntimeException {
     }
 
     /** Control does not change as somebody asked. */
-    static Rejection ofControl(ProblemCode code, String sentence, DroneId drone, ControlState control) {
+    public static Rejection ofControl(ProblemCode code, String sentence, DroneId drone, ControlState control) {
         return ofDrone(code, sentence, drone, null, control);
     }
 

@@ -66,7 +66,8 @@ public final class ProcessStateFile implements ActivePeers {
     public static ProcessStateFile begin(Path file, Instant now, String exitCode) {
         try (FileChannel channel =
                 FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
-            ProcessStateFile run = new ProcessStateFile(channel.map(FileChannel.MapMode.READ_WRITE, 0, BYTES), exitCode);
+            ProcessStateFile run =
+                    new ProcessStateFile(channel.map(FileChannel.MapMode.READ_WRITE, 0, BYTES), exitCode);
             run.begin(now);
             return run;
         } catch (IOException e) {

@@ -8,15 +8,15 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Turns a floor and a ceiling that a client wrote into heights, or says which member is wrong. */
-final class AltitudeBandReader {
+public final class AltitudeBandReader {
     private final String at;
 
     /** {@code at} is what stands before the names of fields, such as {@code properties.}. */
-    AltitudeBandReader(String at) {
+    public AltitudeBandReader(String at) {
         this.at = at;
     }
 
-    AltitudeBand band(@Nullable Double floor, @Nullable Double ceiling, @Nullable String measuredFrom) {
+    public AltitudeBand band(@Nullable Double floor, @Nullable Double ceiling, @Nullable String measuredFrom) {
         Altitude.Reference reference = reference(measuredFrom);
         Double low = height("floor", floor);
         Double high = height("ceiling", ceiling);

@@ -12,8 +12,8 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Turns the geometry that a client wrote into an area: a polygon of one ring, or a circle around a point. */
-final class AreaReader {
-    static final String SHAPES = "Polygon or Point";
+public final class AreaReader {
+    public static final String SHAPES = "Polygon or Point";
 
     private static final String CORNERS = "3 to 100 corners";
 
@@ -21,18 +21,18 @@ final class AreaReader {
     private final String radiusField;
 
     /** {@code at} is the name of the field that holds the geometry, such as {@code features[2].geometry}. */
-    AreaReader(String at, String radiusField) {
+    public AreaReader(String at, String radiusField) {
         this.at = at;
         this.radiusField = radiusField;
     }
 
     /** {@code rings}: of positions, longitude first. */
-    FenceZone polygon(boolean inside, @Nullable List<List<List<Double>>> rings) {
+    public FenceZone polygon(boolean inside, @Nullable List<List<List<Double>>> rings) {
         return sound(new FenceZone.Polygon(inside, corners(rings)));
     }
 
     /** {@code radius}: in metres. */
-    FenceZone circle(boolean inside, @Nullable List<Double> middle, @Nullable Double radius) {
+    public FenceZone circle(boolean inside, @Nullable List<Double> middle, @Nullable Double radius) {
         return sound(new FenceZone.Circle(
                 inside, position(at + ".coordinates", middle), FieldRanges.radius(radiusField, radius)));
     }
@@ -92,6 +92,7 @@ final class AreaReader {
             throw InvalidInput.outside(ValueProblem.VALUE_MALFORMED, field, "longitude and latitude", numbers);
         }
         return new Geodetic(
-                FieldRanges.latitude(field + "[1]", numbers.get(1)), FieldRanges.longitude(field + "[0]", numbers.get(0)));
+                FieldRanges.latitude(field + "[1]", numbers.get(1)),
+                FieldRanges.longitude(field + "[0]", numbers.get(0)));
     }
 }

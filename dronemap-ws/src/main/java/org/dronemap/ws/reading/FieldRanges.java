@@ -9,53 +9,53 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Checks numbers against the range of their field. */
-final class FieldRanges {
+public final class FieldRanges {
     /** Degrees, on either side of the equator. */
-    static final int LATITUDE = 90;
+    public static final int LATITUDE = 90;
     /** Degrees, on either side of Greenwich. */
-    static final int LONGITUDE = 180;
+    public static final int LONGITUDE = 180;
     /** Metres above home, up to which a drone takes off. */
-    static final int LEAST_TAKE_OFF = 1;
+    public static final int LEAST_TAKE_OFF = 1;
 
-    static final int MOST_TAKE_OFF = 500;
+    public static final int MOST_TAKE_OFF = 500;
     /** Degrees, either way. */
-    static final int MOST_TURN = 360;
+    public static final int MOST_TURN = 360;
     /** Metres, either way. */
-    static final int MOST_ON_MAP = 100_000;
+    public static final int MOST_ON_MAP = 100_000;
 
-    static final int LAST_RELAY = 15;
+    public static final int LAST_RELAY = 15;
     /** Seconds that a drone stays somewhere. */
-    static final int MOST_SECONDS = 3600;
+    public static final int MOST_SECONDS = 3600;
     /** Metres of a circle. */
-    static final int LEAST_RADIUS = 1;
+    public static final int LEAST_RADIUS = 1;
 
-    static final int MOST_RADIUS = 100_000;
+    public static final int MOST_RADIUS = 100_000;
     private static final double LEAST_WAIT_SECONDS = 0.1;
 
     private FieldRanges() {}
 
-    static double latitude(String field, @Nullable Double value) {
+    public static double latitude(String field, @Nullable Double value) {
         return checked(field, value, -LATITUDE, LATITUDE, "degrees");
     }
 
-    static double longitude(String field, @Nullable Double value) {
+    public static double longitude(String field, @Nullable Double value) {
         return checked(field, value, -LONGITUDE, LONGITUDE, "degrees");
     }
 
     /** {@code at} is what stands before the names of its fields, such as {@code center.}. */
-    static Geodetic point(String at, @Nullable Double latitude, @Nullable Double longitude) {
+    public static Geodetic point(String at, @Nullable Double latitude, @Nullable Double longitude) {
         return new Geodetic(latitude(at + "latitude", latitude), longitude(at + "longitude", longitude));
     }
 
-    static double takeOffAltitude(String field, @Nullable Double value) {
+    public static double takeOffAltitude(String field, @Nullable Double value) {
         return checked(field, value, LEAST_TAKE_OFF, MOST_TAKE_OFF, "m");
     }
 
-    static double altitude(String field, @Nullable Double value) {
+    public static double altitude(String field, @Nullable Double value) {
         return checked(field, value, Altitude.LOWEST_PLANNED_METERS, Altitude.HIGHEST_PLANNED_METERS, "m");
     }
 
-    static double turn(String field, @Nullable Double value) {
+    public static double turn(String field, @Nullable Double value) {
         double degrees = checked(field, value, -MOST_TURN, MOST_TURN, "degrees");
         if (degrees == 0) {
             throw outside(field, "-360 to 360 degrees, not 0", degrees, -360, 360, "degrees");
@@ -64,20 +64,20 @@ final class FieldRanges {
     }
 
     /** Metres on a map of a vehicle's own. */
-    static double onMap(String field, @Nullable Double value) {
+    public static double onMap(String field, @Nullable Double value) {
         return checked(field, value, -MOST_ON_MAP, MOST_ON_MAP, "m");
     }
 
-    static int relay(String field, @Nullable Integer value) {
+    public static int relay(String field, @Nullable Integer value) {
         return checked(field, value, 0, LAST_RELAY, "");
     }
 
-    static double holdSeconds(String field, double value) {
+    public static double holdSeconds(String field, double value) {
         return checked(field, value, 0, MOST_SECONDS, "seconds");
     }
 
     /** Less would be waiting for a time of day. */
-    static double waitSeconds(String field, @Nullable Double value) {
+    public static double waitSeconds(String field, @Nullable Double value) {
         double seconds = checked(field, value, 0, MOST_SECONDS, "seconds");
         if (seconds < LEAST_WAIT_SECONDS) {
             throw outside(field, "0.1 to 3600 seconds", seconds, LEAST_WAIT_SECONDS, 3600, "seconds");
@@ -86,15 +86,15 @@ final class FieldRanges {
     }
 
     /** Of a circle, in metres. */
-    static double radius(String field, @Nullable Double value) {
+    public static double radius(String field, @Nullable Double value) {
         return checked(field, value, LEAST_RADIUS, MOST_RADIUS, "m");
     }
 
-    static int output(String field, @Nullable Integer value) {
+    public static int output(String field, @Nullable Integer value) {
         return checked(field, value, 1, MissionItem.SetServo.MOST_OUTPUTS, "");
     }
 
-    static int pulse(String field, @Nullable Integer value) {
+    public static int pulse(String field, @Nullable Integer value) {
         return checked(
                 field,
                 value,
@@ -103,7 +103,7 @@ final class FieldRanges {
                 " microseconds");
     }
 
-    static int checked(String field, @Nullable Integer value, int least, int most, String unit) {
+    public static int checked(String field, @Nullable Integer value, int least, int most, String unit) {
         String allowed = least + " to " + most + unit;
         if (value == null) {
             throw InvalidInput.missing(field, allowed);
@@ -114,7 +114,7 @@ final class FieldRanges {
         return value;
     }
 
-    static double checked(String field, @Nullable Double value, int least, int most, String unit) {
+    public static double checked(String field, @Nullable Double value, int least, int most, String unit) {
         String allowed = least + " to " + most + " " + unit;
         if (value == null) {
             throw InvalidInput.missing(field, allowed);

@@ -46,7 +46,7 @@ public final class JsonReader {
                 .build());
     }
 
-    JsonReader(JsonMapper mapper) {
+    public JsonReader(JsonMapper mapper) {
         this.mapper = mapper;
     }
 

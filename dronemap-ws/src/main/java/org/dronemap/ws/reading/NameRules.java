@@ -6,10 +6,10 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Checks names that people give. */
-final class NameRules {
+public final class NameRules {
     private NameRules() {}
 
-    static String checked(String field, @Nullable String value, int longest) {
+    public static String checked(String field, @Nullable String value, int longest) {
         String allowed = "1 to " + longest + " characters";
         if (value == null || value.isBlank()) {
             throw InvalidInput.missing(field, allowed);

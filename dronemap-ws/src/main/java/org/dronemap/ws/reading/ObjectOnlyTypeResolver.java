@@ -23,7 +23,9 @@ public final class ObjectOnlyTypeResolver extends StdTypeResolverBuilder {
     public @Nullable TypeDeserializer buildTypeDeserializer(
             DeserializationContext context, JavaType base, Collection<NamedType> named) {
         TypeDeserializer usual = super.buildTypeDeserializer(context, base, named);
-        return usual instanceof AsPropertyTypeDeserializer byMember ? new ObjectOnlyTypeDeserializer(byMember, null) : usual;
+        return usual instanceof AsPropertyTypeDeserializer byMember
+                ? new ObjectOnlyTypeDeserializer(byMember, null)
+                : usual;
     }
 
     private static final class ObjectOnlyTypeDeserializer extends AsPropertyTypeDeserializer {

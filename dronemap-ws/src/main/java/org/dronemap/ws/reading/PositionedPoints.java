@@ -9,23 +9,23 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.TelemetryPoint;
 
 /** Points that say where they are. */
-final class PositionedPoints {
+public final class PositionedPoints {
     private PositionedPoints() {}
 
-    static List<TelemetryPoint> of(List<TelemetryPoint> points) {
+    public static List<TelemetryPoint> of(List<TelemetryPoint> points) {
         return points.stream()
                 .filter(point -> point.position() != null && point.position().point() != null)
                 .toList();
     }
 
     /** Of one of those. */
-    static Geodetic place(TelemetryPoint point) {
+    public static Geodetic place(TelemetryPoint point) {
         Position position = Objects.requireNonNull(point.position());
         return Objects.requireNonNull(position.point());
     }
 
     /** The last of them by then, or else the first one; empty: there is none. */
-    static Optional<TelemetryPoint> at(List<TelemetryPoint> placed, Instant time) {
+    public static Optional<TelemetryPoint> at(List<TelemetryPoint> placed, Instant time) {
         if (placed.isEmpty()) {
             return Optional.empty();
         }

@@ -30,7 +30,7 @@ public record TelemetryPointView(
     @Schema(name = "Points")
     public record Points(String drone, Instant from, Instant until, List<TelemetryPointView> points) {}
 
-    static TelemetryPointView of(TelemetryPoint point) {
+    public static TelemetryPointView of(TelemetryPoint point) {
         return new TelemetryPointView(
                 WireTimes.shown(point.at()),
                 TelemetryField.LATITUDE.of(point),

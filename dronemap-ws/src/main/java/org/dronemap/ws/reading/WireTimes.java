@@ -8,11 +8,11 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Times as clients write and see them. */
-final class WireTimes {
+public final class WireTimes {
     private WireTimes() {}
 
     /** Null where nothing was given. */
-    static @Nullable Instant read(String field, @Nullable String text) {
+    public static @Nullable Instant read(String field, @Nullable String text) {
         if (text == null || text.isBlank()) {
             return null;
         }
@@ -24,11 +24,11 @@ final class WireTimes {
         }
     }
 
-    static Instant shown(Instant time) {
+    public static Instant shown(Instant time) {
         return time.truncatedTo(ChronoUnit.MILLIS);
     }
 
-    static @Nullable Instant shownOrNull(@Nullable Instant time) {
+    public static @Nullable Instant shownOrNull(@Nullable Instant time) {
         return time == null ? null : shown(time);
     }
 }

@@ -60,7 +60,8 @@ public final class RecordingService {
                 .filter(recording -> isShown(principal, recording))
                 .mapToLong(Recording::bytes)
                 .sum();
-        return RecordingView.RoomView.of(new RecordingArchive.DiskUsage(own, room.mostBytes(), room.keepDays(), 0, null));
+        return RecordingView.RoomView.of(
+                new RecordingArchive.DiskUsage(own, room.mostBytes(), room.keepDays(), 0, null));
     }
 
     public RecordingView recording(Principal principal, String id) {

@@ -40,7 +40,8 @@ public final class ReplayService {
             throws IOException {
         RoleChecks.requireForAll(principal, Role.OPERATOR);
         String checked = NameRules.checked("name", name == null ? "recording.tlog" : name, 120);
-        double times = FieldRanges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
+        double times =
+                FieldRanges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
         Path file = Files.createTempFile(temporaryDirectory, "replay", ".tlog");
         try {
             try (OutputStream out = Files.newOutputStream(file)) {
@@ -65,7 +66,8 @@ public final class ReplayService {
     /** Plays a file that stays where it is. */
     ReplayView play(Principal principal, String name, @Nullable Double speed, Path file) throws IOException {
         RoleChecks.requireForAll(principal, Role.OPERATOR);
-        double times = FieldRanges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
+        double times =
+                FieldRanges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
         return play(principal, new Plan(name, Files.size(file), times), Files.newInputStream(file));
     }
 

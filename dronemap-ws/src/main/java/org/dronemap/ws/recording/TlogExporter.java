@@ -19,7 +19,7 @@ import org.dronemap.ws.problem.ValueProblem;
 
 /** Writes the messages of a time span as a tlog, joined from the recordings of that drone. Any thread. */
 public final class TlogExporter {
-    static final String FORM = "tlog";
+    public static final String FORM = "tlog";
     private static final long MOST_BYTES = 512_000_000;
 
     private final RecordingArchive recordings;
@@ -29,7 +29,7 @@ public final class TlogExporter {
     }
 
     /** Refused where there is no recording of that time. */
-    void write(DroneId drone, TimeRange span, Path file) throws IOException {
+    public void write(DroneId drone, TimeRange span, Path file) throws IOException {
         List<Recording> parts = recordings.recordings().stream()
                 .filter(recording -> recording.drone().equals(drone) && overlaps(recording, span))
                 .sorted(Comparator.comparing(Recording::start))

@@ -20,7 +20,6 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.recording.ReplayView;
 import org.jspecify.annotations.Nullable;
 
 /** Reads the journals of mission runs and replays their decisions. Any thread. */
@@ -119,8 +118,8 @@ public final class RunJournalService {
                 replay.take(part);
             } while (part.size() == MOST && replay.difference().isEmpty());
             return replay.difference()
-                    .map(other ->
-                            new JournalReplayView(false, replay.count(), other.number(), other.written(), other.decided()))
+                    .map(other -> new JournalReplayView(
+                            false, replay.count(), other.number(), other.written(), other.decided()))
                     .orElseGet(() -> new JournalReplayView(true, replay.count(), null, null, null));
         } finally {
             replaying.release();

@@ -11,8 +11,8 @@ import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.cognitive.problem.Barrier;
-import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.zone.Zone;
@@ -37,7 +37,8 @@ public final class RunZoneSynchronizer {
 
     private record Notice(OperationId run, Barrier barrier) {}
 
-    public RunZoneSynchronizer(Operations operations, OperationKind<RunState, RunInput> kind, ZoneRegistry book, Clock clock) {
+    public RunZoneSynchronizer(
+            Operations operations, OperationKind<RunState, RunInput> kind, ZoneRegistry book, Clock clock) {
         this.operations = operations;
         this.kind = kind;
         this.book = book;

@@ -70,7 +70,8 @@ public final class Authentication implements PasswordVerification {
     public record NewSession(String token, SessionView view) {}
 
     /** What proof is judged by: the hashes, and the key of the machine's owner; and what was granted to whom. */
-    public record Verifiers(PasswordHashing passwords, SecretGenerator secrets, String localKey, GrantRegistry grants) {}
+    public record Verifiers(
+            PasswordHashing passwords, SecretGenerator secrets, String localKey, GrantRegistry grants) {}
 
     public Authentication(AccessStore store, Verifiers means, InitialPassword firstPassword, Clock clock) {
         this.store = store;
@@ -97,8 +98,8 @@ public final class Authentication implements PasswordVerification {
     private NewSession session(User user) {
         isKnown(new Principal(user.name(), user.role()), "page");
         String token = secrets.token();
-        store.addSignIn(
-                new SignIn(SecretGenerator.hash(token), user.name(), clock.instant().plus(SESSION_LENGTH)));
+        store.addSignIn(new SignIn(
+                SecretGenerator.hash(token), user.name(), clock.instant().plus(SESSION_LENGTH)));
         return new NewSession(token, view(user));
     }
 
@@ -137,8 +138,8 @@ public final class Authentication implements PasswordVerification {
 
     /** A key never does more than its owner may now. */
     public AuthenticatedCaller byKey(String key) {
-        AuthenticatedCaller caller =
-                byKeyHash(SecretGenerator.hash(key)).orElseThrow(() -> Rejection.of(AccessProblem.ACCESS_KEY_WRONG, WRONG_KEY));
+        AuthenticatedCaller caller = byKeyHash(SecretGenerator.hash(key))
+                .orElseThrow(() -> Rejection.of(AccessProblem.ACCESS_KEY_WRONG, WRONG_KEY));
         isKnown(caller.principal(), null);
         String id = caller.principal().key();
         if (id != null) {
@@ -179,10 +180,12 @@ public final class Authentication implements PasswordVerification {
         KeyRights rights = key.rights();
         Role role = owner.role().includes(rights.role()) ? rights.role() : owner.role();
         Principal principal = Principal.of(owner, role, rights.scope(), key.id(), reach(owner));
-        return new AuthenticatedCaller(principal, AuthenticatedCaller.Proof.KEY, key.secretHash(), rights.expiresAt(), false);
+        return new AuthenticatedCaller(
+                principal, AuthenticatedCaller.Proof.KEY, key.secretHash(), rights.expiresAt(), false);
     }
 
-    private AuthenticatedCaller signedIn(User user, AuthenticatedCaller.Proof proof, @Nullable String hash, @Nullable Instant until) {
+    private AuthenticatedCaller signedIn(
+            User user, AuthenticatedCaller.Proof proof, @Nullable String hash, @Nullable Instant until) {
         Principal principal = Principal.of(user, user.role(), KeyScope.ALL, null, reach(user));
         return new AuthenticatedCaller(principal, proof, hash, until, user.mustChangePassword());
     }
@@ -200,7 +203,8 @@ public final class Authentication implements PasswordVerification {
                         && user.organisation().isHome())
                 .min(Comparator.comparing(user -> user.name().equals(InitialAdministrator.ADMIN) ? "" : user.name()))
                 .map(user -> Principal.of(user, Role.ADMINISTRATOR, KeyScope.ALL, null, everywhere))
-                .orElseGet(() -> new Principal(InitialAdministrator.ADMIN, Role.ADMINISTRATOR, KeyScope.ALL, null, everywhere));
+                .orElseGet(() ->
+                        new Principal(InitialAdministrator.ADMIN, Role.ADMINISTRATOR, KeyScope.ALL, null, everywhere));
     }
 
     public AuthenticatedCaller byPassword(String name, String password, String address) {

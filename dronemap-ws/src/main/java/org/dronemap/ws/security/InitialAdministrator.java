@@ -37,7 +37,11 @@ public final class InitialAdministrator implements InitialPassword {
 
     /** Sees to it that there is an administrator, and that the first password can be found while it is needed. */
     public static InitialAdministrator prepare(
-            AccessStore store, PasswordHashing passwords, SecretGenerator secrets, Path dataDirectory, boolean publicMode) {
+            AccessStore store,
+            PasswordHashing passwords,
+            SecretGenerator secrets,
+            Path dataDirectory,
+            boolean publicMode) {
         Path file = dataDirectory.resolve("first-password.txt");
         Optional<User> admin = store.user(ADMIN);
         boolean nobody = store.users().stream().noneMatch(user -> user.role() == Role.ADMINISTRATOR && user.isActive());

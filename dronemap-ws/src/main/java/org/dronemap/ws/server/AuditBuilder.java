@@ -42,7 +42,8 @@ final class AuditBuilder {
     /** For a server that does not run. */
     AuditVerdict verify(Stores stores, @Nullable SignedHead receipt) {
         AuditStore store = stores.audit(chain);
-        return new ServerComponents.AuditComponents(store, heads, chain, new AuditHeadWriter(store, heads, chain, time)).verify(receipt);
+        return new ServerComponents.AuditComponents(store, heads, chain, new AuditHeadWriter(store, heads, chain, time))
+                .verify(receipt);
     }
 
     /** The chain goes on from what the backup held, and says so. */

@@ -3,10 +3,10 @@ package org.dronemap.ws.server;
 import org.jspecify.annotations.Nullable;
 
 /** The version of this build. */
-final class BuildVersion {
+public final class BuildVersion {
     private BuildVersion() {}
 
-    static String current() {
+    public static String current() {
         @Nullable String packaged = BuildVersion.class.getPackage().getImplementationVersion();
         return packaged == null ? "development" : packaged;
     }

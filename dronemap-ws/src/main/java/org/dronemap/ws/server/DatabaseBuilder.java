@@ -9,15 +9,15 @@ import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.ServerSettings;
 
 /** Opens the database that the settings name, or the server's own. */
-final class DatabaseBuilder {
+public final class DatabaseBuilder {
     private final ServerSettings settings;
 
-    DatabaseBuilder(ServerSettings settings) {
+    public DatabaseBuilder(ServerSettings settings) {
         this.settings = settings;
     }
 
     /** It is handed to {@code closing}. */
-    PostgresStores open(ShutdownSequence closing) {
+    public PostgresStores open(ShutdownSequence closing) {
         Path directory = settings.dataDirectory();
         try {
             Files.createDirectories(directory);
@@ -29,8 +29,9 @@ final class DatabaseBuilder {
             throw new SetupException("The data directory " + directory + " (DRONEMAP_DATA_DIR) cannot be written to.");
         }
         String url = settings.databaseUrl();
-        PostgresStores database =
-                url == null ? PostgresStores.openOwn(directory.resolve("postgres")) : PostgresStores.open(DatabaseSettings.of(url));
+        PostgresStores database = url == null
+                ? PostgresStores.openOwn(directory.resolve("postgres"))
+                : PostgresStores.open(DatabaseSettings.of(url));
         closing.add("the database", database);
         return database;
     }

@@ -5,12 +5,12 @@ import java.util.random.RandomGenerator;
 import org.dronemap.core.drone.DroneId;
 
 /** Makes up ids for new drones: ten letters and digits. */
-final class DroneIdGenerator implements Supplier<DroneId> {
+public final class DroneIdGenerator implements Supplier<DroneId> {
     private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
 
     private final RandomGenerator random;
 
-    DroneIdGenerator(RandomGenerator random) {
+    public DroneIdGenerator(RandomGenerator random) {
         this.random = random;
     }
 

@@ -27,15 +27,16 @@ final class HistoryBuilder {
     }
 
     /** From now on; what is opened is handed to {@code closing}. */
-    HistoryRecorder open(TelemetryStore telemetry, FlightStore flightStore, CloudManager cloud, ShutdownSequence closing) {
+    HistoryRecorder open(
+            TelemetryStore telemetry, FlightStore flightStore, CloudManager cloud, ShutdownSequence closing) {
         HistoryMaintenance keeper = new HistoryMaintenance(telemetry, policy.retention(), time);
         TelemetryWriter writer = new TelemetryWriter(telemetry, TelemetryWriter.BatchSettings.DEFAULT, time);
         FlightRegistry flights = new FlightRegistry(flightStore, FLIGHTS_EVERY, time);
         closing.add("the keeper of old telemetry", keeper);
         closing.add("the flights", flights);
         closing.add("the telemetry", writer);
-        HistoryRecorder history =
-                new HistoryRecorder(new HistoryRecorder.Persistence(telemetry, writer, flights, keeper), policy, time.clock(), this::newId);
+        HistoryRecorder history = new HistoryRecorder(
+                new HistoryRecorder.Persistence(telemetry, writer, flights, keeper), policy, time.clock(), this::newId);
         keeper.start(TIDY_EVERY);
         writer.start();
         flights.start();

@@ -19,7 +19,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Maintenance tasks of the machine's owner on a server that does not run. */
-final class MaintenanceTasks {
+public final class MaintenanceTasks {
     private static final Logger LOG = LoggerFactory.getLogger(MaintenanceTasks.class);
     private static final String RESTORE = "--restore";
     private static final String VERIFY = "--verify-audit";
@@ -29,14 +29,14 @@ final class MaintenanceTasks {
     private final ShutdownSequence closing;
     private final Time time;
 
-    MaintenanceTasks(ServerSettings settings, ShutdownSequence closing, Time time) {
+    public MaintenanceTasks(ServerSettings settings, ShutdownSequence closing, Time time) {
         this.settings = settings;
         this.time = time;
         this.closing = closing;
     }
 
     /** The exit code. */
-    int run(List<String> arguments) {
+    public int run(List<String> arguments) {
         if (arguments.size() == 2 && arguments.get(0).equals(RESTORE)) {
             restore(readable(arguments.get(1), "backup"));
             return 0;

@@ -29,10 +29,13 @@ public record OperationComponents(
     private static final String FOLLOW = "follow";
 
     /** Not started yet; {@code apart}: what drones that follow keep from others. */
-    public static OperationComponents of(CloudManager cloud, OperationStore store, OperationRights rights, FollowSeparation apart, Time time) {
-        OperationKind<RunState, RunInput> kind = new OperationKind<>(MISSION_RUN, new MissionRunOperation(), new RunCodec());
+    public static OperationComponents of(
+            CloudManager cloud, OperationStore store, OperationRights rights, FollowSeparation apart, Time time) {
+        OperationKind<RunState, RunInput> kind =
+                new OperationKind<>(MISSION_RUN, new MissionRunOperation(), new RunCodec());
         OperationKind<FollowState, FollowInput> follows =
                 new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowCodec());
-        return new OperationComponents(new Operations(cloud, store, rights, time, List.of(kind, follows)), kind, follows);
+        return new OperationComponents(
+                new Operations(cloud, store, rights, time, List.of(kind, follows)), kind, follows);
     }
 }

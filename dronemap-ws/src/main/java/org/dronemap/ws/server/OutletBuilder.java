@@ -49,7 +49,11 @@ final class OutletBuilder {
     }
 
     Outlet build(
-            AuditedOutletControl control, OutletStore store, StoreWriter journal, AccountOutletRights rights, EndpointSecurity doors) {
+            AuditedOutletControl control,
+            OutletStore store,
+            StoreWriter journal,
+            AccountOutletRights rights,
+            EndpointSecurity doors) {
         CloudManager cloud = control.cloud();
         OutletDependencies policy = new OutletDependencies(cloud, store, journal, rights, control, time);
         Outlet outlet = new Outlet(urls, settings.personal(), policy, doors);

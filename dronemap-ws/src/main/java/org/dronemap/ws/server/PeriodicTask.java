@@ -7,7 +7,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Does the same over and over, so long apart; on a thread of its own, for what is done may wait for the store or others. */
-final class PeriodicTask implements AutoCloseable {
+public final class PeriodicTask implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(PeriodicTask.class);
 
     private final Worker thread;
@@ -18,7 +18,7 @@ final class PeriodicTask implements AutoCloseable {
      * @param name of the thread
      * @param failure what is said in the log when a round failed; the next one comes all the same
      */
-    PeriodicTask(Time time, String name, Duration apart, Runnable what, String failure) {
+    public PeriodicTask(Time time, String name, Duration apart, Runnable what, String failure) {
         this.what = what;
         this.failure = failure;
         thread = time.worker(name, 1);

@@ -15,7 +15,7 @@ import org.springframework.boot.ssl.pem.PemSslStoreBundle;
 import org.springframework.boot.ssl.pem.PemSslStoreDetails;
 
 /** The server's certificate for WebSockets; files that change are read anew within seconds, so that it can be renewed in flight. Any thread. */
-final class ReloadableCertificate {
+public final class ReloadableCertificate {
     private static final Logger LOG = LoggerFactory.getLogger(ReloadableCertificate.class);
     private static final long BETWEEN_LOOKS_NANOS = TimeUnit.SECONDS.toNanos(5);
 
@@ -32,12 +32,12 @@ final class ReloadableCertificate {
     }
 
     /** Reads it now; a certificate that cannot be used ends the start. */
-    static ReloadableCertificate of(ServerSettings.Tls files) {
+    public static ReloadableCertificate of(ServerSettings.Tls files) {
         return new ReloadableCertificate(files);
     }
 
     /** As it is in the files, or was when they could last be read. */
-    synchronized SSLContext current() {
+    public synchronized SSLContext current() {
         long now = System.nanoTime();
         if (now - lookedNanos >= BETWEEN_LOOKS_NANOS) {
             lookedNanos = now;

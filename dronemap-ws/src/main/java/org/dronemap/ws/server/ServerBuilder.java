@@ -58,7 +58,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Builds what is around the cloud manager: stores, journal and lanes behind the faces, links to vehicles before them. */
-final class ServerBuilder {
+public final class ServerBuilder {
     private static final Logger LOG = LoggerFactory.getLogger(ServerBuilder.class);
     private static final int LANES = 2;
     private static final String SET_ASIDE =
@@ -80,7 +80,7 @@ final class ServerBuilder {
     private volatile boolean connected;
 
     /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
-    ServerBuilder(ServerSettings settings, ShutdownSequence closing, Time time, ProcessStart beginning) {
+    public ServerBuilder(ServerSettings settings, ShutdownSequence closing, Time time, ProcessStart beginning) {
         this.settings = settings;
         this.beginning = beginning;
         this.time = time;
@@ -92,12 +92,12 @@ final class ServerBuilder {
         this.robots = new RobotBuilder(settings.robots(), time);
     }
 
-    List<Lane> lanes() {
+    public List<Lane> lanes() {
         return lanes.all();
     }
 
     /** Everything but the links: nothing is heard and nothing sent yet. */
-    ServerComponents open(Stores stores) {
+    public ServerComponents open(Stores stores) {
         ServerComponents.AuditComponents audit = new AuditBuilder(settings, time).open(stores, closing);
         CommandStore commands = commands(stores, audit);
         StoreWriter journal = new StoreWriter(time);
@@ -148,7 +148,12 @@ final class ServerBuilder {
         return new HistoryBuilder(settings.history(), time).open(telemetry(stores), stores.flights(), cloud, closing);
     }
 
-    private MavlinkProxy links(CloudManager cloud, KeyringRegistry keyrings, FrameTap.Factory taps, EndpointSecurity doors, LinkStore saved) {
+    private MavlinkProxy links(
+            CloudManager cloud,
+            KeyringRegistry keyrings,
+            FrameTap.Factory taps,
+            EndpointSecurity doors,
+            LinkStore saved) {
         MavlinkProxy.Policy policy = new MavlinkProxy.Policy(keyrings, taps, doors, settings.enrolment());
         MavlinkProxy links = new MavlinkProxy(cloud, lanes, endpoints, policy, time);
         closing.add("the links", links);
@@ -211,7 +216,8 @@ final class ServerBuilder {
     }
 
     /** Takes up what was under way, before any vehicle is heard and anybody else can command. */
-    private VirtualDrones virtualDrones(CloudManager cloud, Stores stores, GrantRegistry grants, ServerComponents.AuditComponents audit) {
+    private VirtualDrones virtualDrones(
+            CloudManager cloud, Stores stores, GrantRegistry grants, ServerComponents.AuditComponents audit) {
         VirtualDrones virtuals = new VirtualDrones(
                 cloud,
                 stores.virtualDrones(),
@@ -262,7 +268,8 @@ final class ServerBuilder {
     private EndpointSecurity doors(DtlsKeyRing keys) {
         ServerSettings.Tls tls = settings.tls();
         Supplier<@Nullable SSLContext> certificate = tls == null ? () -> null : ReloadableCertificate.of(tls)::current;
-        return new EndpointSecurity(keys::secret, certificate, BoundedWebSocketFactory.Limits.DEFAULT, beginning.watch());
+        return new EndpointSecurity(
+                keys::secret, certificate, BoundedWebSocketFactory.Limits.DEFAULT, beginning.watch());
     }
 
     private KeyringRegistry keyrings(CloudManager cloud, Stores stores, StoreWriter journal, SecretBox box) {
@@ -327,7 +334,7 @@ final class ServerBuilder {
      * Lets vehicles and robots in, and goes on with what was under way. Those in the air fly home when they miss the server for
      * five seconds: they do not wait for the faces, which take longer than that to start.
      */
-    void hear() {
+    public void hear() {
         if (robotLinks != null) {
             robots.open(robotLinks);
         }
@@ -361,7 +368,7 @@ final class ServerBuilder {
     }
 
     /** Lets ground stations of other makers in. */
-    void serve() {
+    public void serve() {
         if (outlet != null) {
             outlets.open(outlet);
         }

@@ -57,7 +57,7 @@ public record ServerComponents(
 
     /** Where it is kept what was done by whom, and what vouches for it beside the database. */
     public record AuditComponents(AuditStore store, AuditHeadStore heads, AuditChain chain, AuditHeadWriter keeper) {
-        AuditVerdict verify(@Nullable SignedHead receipt) {
+        public AuditVerdict verify(@Nullable SignedHead receipt) {
             return new AuditVerifier(store, heads, chain).verify(receipt);
         }
     }

@@ -6,7 +6,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Closes resources in the reverse order of their opening; one that fails does not stop the others. */
-final class ShutdownSequence implements AutoCloseable {
+public final class ShutdownSequence implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ShutdownSequence.class);
 
     // guarded by this
@@ -14,7 +14,7 @@ final class ShutdownSequence implements AutoCloseable {
 
     private record Step(String name, AutoCloseable resource) {}
 
-    synchronized void add(String name, AutoCloseable resource) {
+    public synchronized void add(String name, AutoCloseable resource) {
         steps.push(new Step(name, resource));
     }
 

@@ -7,12 +7,12 @@ import org.slf4j.LoggerFactory;
 import org.springframework.boot.web.server.PortInUseException;
 
 /** Says in one sentence why the server did not start. */
-final class StartFailure {
+public final class StartFailure {
     private static final Logger LOG = LoggerFactory.getLogger(StartFailure.class);
 
     private StartFailure() {}
 
-    static String sentence(Throwable failure) {
+    public static String sentence(Throwable failure) {
         for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
             if (cause instanceof SetupException || cause instanceof StoreException) {
                 return String.valueOf(cause.getMessage());

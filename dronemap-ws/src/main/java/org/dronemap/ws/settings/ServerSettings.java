@@ -75,7 +75,7 @@ public record ServerSettings(
 
     /** A secret that no log shows. */
     public record Hidden(String text) {
-        static @Nullable String shown(@Nullable Hidden hidden) {
+        public static @Nullable String shown(@Nullable Hidden hidden) {
             return hidden == null ? null : hidden.text();
         }
 

@@ -43,7 +43,10 @@ public final class SoapCallExecutor {
 
     /** A call under way. */
     record Called(
-            SoapOperation operation, HttpServletRequest from, ForwardedCaller by, CompletableFuture<RestResponse> answer) {}
+            SoapOperation operation,
+            HttpServletRequest from,
+            ForwardedCaller by,
+            CompletableFuture<RestResponse> answer) {}
 
     /** {@code payload}: what stands in the body of the message; null: nothing. */
     Called begin(String service, @Nullable Element payload, Message message, HttpServletRequest from) {

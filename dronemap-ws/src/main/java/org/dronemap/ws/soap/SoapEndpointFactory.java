@@ -19,7 +19,8 @@ public final class SoapEndpointFactory {
         bus.setProperty("org.apache.cxf.stax.maxAttributeSize", 4_096);
         bus.setProperty("org.apache.cxf.stax.maxTextLength", 1_048_576L);
         bus.setProperty("org.apache.cxf.stax.maxXMLCharacters", 1_048_576L);
-        EndpointImpl endpoint = new EndpointImpl(bus, new SoapServiceProvider(name, calls), SOAPBinding.SOAP12HTTP_BINDING);
+        EndpointImpl endpoint =
+                new EndpointImpl(bus, new SoapServiceProvider(name, calls), SOAPBinding.SOAP12HTTP_BINDING);
         endpoint.setDataBinding(new SoapResponseBinding());
         endpoint.setProperties(Map.of(
                 "exceptionMessageCauseEnabled",

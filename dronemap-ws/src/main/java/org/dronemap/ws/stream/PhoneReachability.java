@@ -70,7 +70,8 @@ final class PhoneReachability {
             if (phone.client() == client) {
                 all.remove();
                 follows.reached(
-                        one.getKey(), broken && nowNanos - answered(phone) >= DEAF_NANOS ? ReporterState.CUT : ReporterState.GONE);
+                        one.getKey(),
+                        broken && nowNanos - answered(phone) >= DEAF_NANOS ? ReporterState.CUT : ReporterState.GONE);
             }
         }
     }

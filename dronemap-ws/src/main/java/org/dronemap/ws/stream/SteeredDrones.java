@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.stream.delivery.TopicSink;
 import org.jspecify.annotations.Nullable;
 
 /** Drones that one client of the stream steers, and the notices sent to it last. Guarded by itself. */

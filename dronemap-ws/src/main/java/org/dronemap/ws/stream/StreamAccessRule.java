@@ -11,7 +11,7 @@ import org.dronemap.ws.access.RequestCost;
 import org.dronemap.ws.control.ControlAction;
 
 /** Access rule of a stream request: who may send it, its cost and its audit record. */
-sealed interface StreamAccessRule {
+public sealed interface StreamAccessRule {
     /** {@code rest}: finds the rule of an operation of REST. */
     AccessRule of(StreamRequest request, Function<String, AccessRule> rest);
 

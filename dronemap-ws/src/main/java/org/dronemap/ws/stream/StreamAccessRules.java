@@ -9,9 +9,12 @@ import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.control.ControlAction;
 
 /** Access rules of all stream requests, taken from the REST operation of the same effect. */
-final class StreamAccessRules {
+public final class StreamAccessRules {
     private static final StreamAccessRule AUTHENTICATE = new StreamAccessRule.StreamOnly(
-            AccessLevel.ANYBODY, RequestCost.NOTHING, AuditPolicy.REFUSALS_ONLY, "REST is shown a key with each request, a stream once.");
+            AccessLevel.ANYBODY,
+            RequestCost.NOTHING,
+            AuditPolicy.REFUSALS_ONLY,
+            "REST is shown a key with each request, a stream once.");
     private static final StreamAccessRule COMMAND = new StreamAccessRule.OfOperation("giveCommand");
     private static final StreamAccessRule CONTROL = new StreamAccessRule.OfControl(Map.of(
             ControlAction.TAKE, "takeControl",
@@ -28,7 +31,10 @@ final class StreamAccessRules {
             AuditPolicy.REFUSALS_ONLY,
             "Setpoints come many times a second; role and budget are judged where the same refusal is told once in one.");
     private static final StreamAccessRule LET_GO = new StreamAccessRule.StreamOnly(
-            AccessLevel.OPERATOR, RequestCost.NOTHING, AuditPolicy.REFUSALS_ONLY, "It ends what is steered, which REST cannot do.");
+            AccessLevel.OPERATOR,
+            RequestCost.NOTHING,
+            AuditPolicy.REFUSALS_ONLY,
+            "It ends what is steered, which REST cannot do.");
     private static final StreamAccessRule POSITIONS = new StreamAccessRule.OfOperation("reportFollowPositions");
     private static final StreamAccessRule SUBSCRIBE = new StreamAccessRule.StreamOnly(
             AccessLevel.VIEWER, RequestCost.REQUEST, AuditPolicy.LEFT_OUT, "It is about what this connection is told.");
@@ -45,7 +51,7 @@ final class StreamAccessRules {
         return of(request.kind()).of(request, operations::rule);
     }
 
-    static StreamAccessRule of(StreamRequestKind kind) {
+    public static StreamAccessRule of(StreamRequestKind kind) {
         return switch (kind) {
             case AUTHENTICATE -> AUTHENTICATE;
             case COMMAND -> COMMAND;

@@ -201,7 +201,7 @@ public final class StreamFace implements AutoCloseable {
         return topics;
     }
 
-    StreamMessageCatalogue messages() {
+    public StreamMessageCatalogue messages() {
         return messages;
     }
 

@@ -15,7 +15,7 @@ import org.dronemap.ws.reading.RecordAlternatives;
  * All messages that this server says, by their types: those of {@link StreamMessage}, and those that topics have of their own.
  * Immutable.
  */
-record StreamMessageCatalogue(Map<String, Class<?>> records) {
+public record StreamMessageCatalogue(Map<String, Class<?>> records) {
     private static final String NAME = "Stream";
 
     /** The start fails where topics could not be told from each other. */
@@ -40,7 +40,7 @@ record StreamMessageCatalogue(Map<String, Class<?>> records) {
     }
 
     /** Those that are not among the messages of {@link StreamMessage} itself. */
-    Map<String, Class<?>> ofUseCases() {
+    public Map<String, Class<?>> ofUseCases() {
         Map<String, Class<?>> own = new LinkedHashMap<>(records);
         own.values().removeIf(record -> !StreamMessage.OfUseCase.class.isAssignableFrom(record));
         return own;

@@ -26,7 +26,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
     @JsonSubTypes.Type(value = StreamRequest.Ping.class, name = "ping")
 })
 @Schema(name = "StreamRequest", description = "What a client says; which members there are depends on the type.")
-sealed interface StreamRequest
+public sealed interface StreamRequest
         permits StreamRequest.Authenticate,
                 StreamRequest.GiveCommand,
                 StreamControlRequest,

@@ -5,7 +5,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** Kinds of requests on the stream; StreamRules has the access rule of each. */
-enum StreamRequestKind {
+public enum StreamRequestKind {
     AUTHENTICATE(StreamMessage.Hello.class),
     COMMAND(StreamMessage.CommandAccepted.class),
     CONTROL(StreamMessage.ControlAnswer.class),
@@ -23,12 +23,12 @@ enum StreamRequestKind {
     }
 
     /** How it is answered when it is carried out. */
-    Optional<Class<? extends StreamMessage>> answer() {
+    public Optional<Class<? extends StreamMessage>> answer() {
         return Optional.ofNullable(answer);
     }
 
     /** As clients call it. */
-    String word() {
+    public String word() {
         return WireNames.camel(this);
     }
 }

@@ -27,10 +27,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Takes connections of the stream in; its own threads hand what clients say to {@link StreamRequestHandler}. */
-final class StreamServer extends WebSocketServer {
+public final class StreamServer extends WebSocketServer {
     private static final Logger LOG = LoggerFactory.getLogger(StreamServer.class);
     private static final int WORKERS = 2;
-    static final String PATH = "/stream";
+    public static final String PATH = "/stream";
     private static final String TICKET = "ticket=";
     private static final String FAREWELL = "The server stops.";
     private static final Pattern RATE = Pattern.compile("[?&]rate=(\\d{1,4})(?:&|$)");

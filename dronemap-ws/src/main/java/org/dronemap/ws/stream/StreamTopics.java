@@ -83,7 +83,8 @@ final class StreamTopics {
         return new Topic<>(
                 StreamMessage.Drone.class,
                 new TopicRate.NewestAsAsked(),
-                new Topic.SubjectMapping<>(MessageSubject.DRONE, drone -> drone.id().value()),
+                new Topic.SubjectMapping<>(
+                        MessageSubject.DRONE, drone -> drone.id().value()),
                 new Topic.Audience<>("whoever sees the drone", (who, drone) -> sightOf(who, drone.id())),
                 (drone, who) -> new StreamMessage.Drone(views.view(drone, who)),
                 cloud::drones,
@@ -117,7 +118,8 @@ final class StreamTopics {
         put.values().forEach(feed::tell);
     }
 
-    private static Topic<VirtualDrone> virtualDrones(VirtualDrones virtuals, VirtualDroneViewMapper views, CloudEventRouter news) {
+    private static Topic<VirtualDrone> virtualDrones(
+            VirtualDrones virtuals, VirtualDroneViewMapper views, CloudEventRouter news) {
         return new Topic<>(
                 StreamMessage.VirtualDroneChanged.class,
                 TWICE_A_SECOND,
@@ -137,7 +139,8 @@ final class StreamTopics {
     }
 
     /** Its missions go on: that is told at once. */
-    private record VirtualDroneUpdates(VirtualDrones virtuals, TopicSink<VirtualDrone> feed) implements VirtualDroneListener {
+    private record VirtualDroneUpdates(VirtualDrones virtuals, TopicSink<VirtualDrone> feed)
+            implements VirtualDroneListener {
         @Override
         public void changed(VirtualDrone drone) {
             tell(drone);
@@ -198,7 +201,8 @@ final class StreamTopics {
         return new Topic<>(
                 StreamMessage.FollowChanged.class,
                 FOUR_A_SECOND,
-                new Topic.SubjectMapping<>("follow", follow -> follow.saved().id().value()),
+                new Topic.SubjectMapping<>(
+                        "follow", follow -> follow.saved().id().value()),
                 Topic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
                 (follow, who) -> new StreamMessage.FollowChanged(follows.view(follow)),
                 follows::underWay,
@@ -211,7 +215,8 @@ final class StreamTopics {
         return new Topic<>(
                 StreamMessage.FollowNow.class,
                 FOUR_A_SECOND,
-                new Topic.SubjectMapping<>("followNow", follow -> follow.saved().id().value()),
+                new Topic.SubjectMapping<>(
+                        "followNow", follow -> follow.saved().id().value()),
                 Topic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
                 (follow, who) -> new StreamMessage.FollowNow(
                         follow.saved().id().value(), follows.view(follow).now()),
@@ -226,7 +231,8 @@ final class StreamTopics {
         return new Topic<>(
                 StreamMessage.Command.class,
                 EVERY_CHANGE,
-                new Topic.SubjectMapping<>(MessageSubject.DRONE, command -> command.drone().value()),
+                new Topic.SubjectMapping<>(
+                        MessageSubject.DRONE, command -> command.drone().value()),
                 Topic.Audience.of("whoever sees the drone", (who, command) -> who.sees(command.drone())),
                 (command, who) -> new StreamMessage.Command(CommandView.of(command)),
                 List::of,
@@ -238,7 +244,8 @@ final class StreamTopics {
         return new Topic<>(
                 StreamMessage.Control.class,
                 EVERY_CHANGE,
-                new Topic.SubjectMapping<>(MessageSubject.DRONE, told -> told.drone().value()),
+                new Topic.SubjectMapping<>(
+                        MessageSubject.DRONE, told -> told.drone().value()),
                 Topic.Audience.of("whoever sees the drone", (who, told) -> who.sees(told.drone())),
                 (told, who) -> new StreamMessage.Control(
                         told.drone().value(), ControlView.of(told.now()), ControlView.ChangeView.of(told.change())),

@@ -16,7 +16,8 @@ final class TopicPublisher {
     private long edition;
 
     /** {@code wake} asks for a round of the pump. */
-    TopicPublisher(List<Topic<?>> topics, GrantRegistry grants, JsonReader json, StreamClientRegistry crowd, Runnable wake) {
+    TopicPublisher(
+            List<Topic<?>> topics, GrantRegistry grants, JsonReader json, StreamClientRegistry crowd, Runnable wake) {
         this.grants = grants;
         this.clients = crowd.clients();
         Runnable wakeForSomebody = () -> {

@@ -200,7 +200,10 @@ public final class ServerMetrics {
     }
 
     private static MetricSnapshot endpointGauge(
-            String name, String help, List<VehicleLinkGateway.Status> all, ToDoubleFunction<VehicleLinkGateway.Status> value) {
+            String name,
+            String help,
+            List<VehicleLinkGateway.Status> all,
+            ToDoubleFunction<VehicleLinkGateway.Status> value) {
         GaugeSnapshot.Builder gauge =
                 GaugeSnapshot.builder().name("dronemap_endpoint_" + name).help(help);
         all.forEach(status -> gauge.dataPoint(point(value.applyAsDouble(status), endpointLabels(status))));
@@ -208,7 +211,10 @@ public final class ServerMetrics {
     }
 
     private static MetricSnapshot endpointCounter(
-            String name, String help, List<VehicleLinkGateway.Status> all, ToDoubleFunction<EndpointView.Counts> value) {
+            String name,
+            String help,
+            List<VehicleLinkGateway.Status> all,
+            ToDoubleFunction<EndpointView.Counts> value) {
         CounterSnapshot.Builder counter =
                 CounterSnapshot.builder().name("dronemap_endpoint_" + name).help(help);
         all.forEach(status -> counter.dataPoint(count(value.applyAsDouble(status.counts()), endpointLabels(status))));

@@ -13,29 +13,29 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.WireNames;
 
 /** Forms of text that a track is taken along in. */
-enum TrackFormat {
+public enum TrackFormat {
     /** All numbers, for spreadsheets. */
     CSV("text/csv;charset=UTF-8", false) {
         @Override
-        void write(Track track, Writer out) throws IOException {
+        public void write(Track track, Writer out) throws IOException {
             CsvTrackWriter.write(track, out);
         }
     },
     GEOJSON("application/geo+json", true) {
         @Override
-        void write(Track track, Writer out) throws IOException {
+        public void write(Track track, Writer out) throws IOException {
             GeoJsonTrackWriter.write(track, out);
         }
     },
     KML("application/vnd.google-earth.kml+xml", true) {
         @Override
-        void write(Track track, Writer out) throws IOException {
+        public void write(Track track, Writer out) throws IOException {
             XmlTrackWriter.kml(track, out);
         }
     },
     GPX("application/gpx+xml", false) {
         @Override
-        void write(Track track, Writer out) throws IOException {
+        public void write(Track track, Writer out) throws IOException {
             XmlTrackWriter.gpx(track, out);
         }
     };
@@ -44,7 +44,7 @@ enum TrackFormat {
     private final boolean hasEvents;
 
     /** Points in the order of time. */
-    record Track(String name, List<TelemetryPoint> points, List<HistoryEvent> events) {}
+    public record Track(String name, List<TelemetryPoint> points, List<HistoryEvent> events) {}
 
     TrackFormat(String mediaType, boolean hasEvents) {
         this.mediaType = mediaType;
@@ -52,7 +52,7 @@ enum TrackFormat {
     }
 
     /** {@code others}: forms that are made in another way, for the sentence of a refusal. */
-    static TrackFormat named(String form, List<String> others) {
+    public static TrackFormat named(String form, List<String> others) {
         return Arrays.stream(values())
                 .filter(one -> one.ending().equals(form))
                 .findFirst()
@@ -65,18 +65,18 @@ enum TrackFormat {
     }
 
     /** Of a file's name. */
-    String ending() {
+    public String ending() {
         return WireNames.camel(this);
     }
 
-    String mediaType() {
+    public String mediaType() {
         return mediaType;
     }
 
     /** What happened stands in it, too. */
-    boolean hasEvents() {
+    public boolean hasEvents() {
         return hasEvents;
     }
 
-    abstract void write(Track track, Writer out) throws IOException;
+    public abstract void write(Track track, Writer out) throws IOException;
 }

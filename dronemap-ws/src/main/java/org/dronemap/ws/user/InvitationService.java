@@ -68,7 +68,8 @@ public final class InvitationService {
             Instant expiresAt,
             @Nullable String code) {}
 
-    public InvitationService(AccessStore store, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
+    public InvitationService(
+            AccessStore store, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
         this.organisations = organisations;
         this.store = store;
         this.secrets = secrets;

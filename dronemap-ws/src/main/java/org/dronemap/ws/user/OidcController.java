@@ -65,7 +65,11 @@ public class OidcController {
     }
 
     @GetMapping("/callback")
-    @Access(from = AccessLevel.ANYBODY, about = ResourceScope.OWN, costs = RequestCost.SIGN_IN, audit = AuditPolicy.RECORDED)
+    @Access(
+            from = AccessLevel.ANYBODY,
+            about = ResourceScope.OWN,
+            costs = RequestCost.SIGN_IN,
+            audit = AuditPolicy.RECORDED)
     @ResponseStatuses(value = 302, refuses = 404, never = 422)
     @WithoutSoap("Sends a browser to another address.")
     @Operation(

@@ -39,7 +39,11 @@ public class SessionController {
     }
 
     @PostMapping
-    @Access(from = AccessLevel.ANYBODY, about = ResourceScope.OWN, costs = RequestCost.SIGN_IN, audit = AuditPolicy.RECORDED_WITH_PLACE)
+    @Access(
+            from = AccessLevel.ANYBODY,
+            about = ResourceScope.OWN,
+            costs = RequestCost.SIGN_IN,
+            audit = AuditPolicy.RECORDED_WITH_PLACE)
     @ResponseStatuses(
             refuses = {401, 403},
             never = 409)

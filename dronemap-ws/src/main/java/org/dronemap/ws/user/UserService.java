@@ -55,7 +55,11 @@ public final class UserService {
     public record OneTimePassword(String name, String password) {}
 
     public UserService(
-            AccessStore store, AccountChanges accounts, PasswordHashing passwords, SecretGenerator secrets, GrantChanges grants) {
+            AccessStore store,
+            AccountChanges accounts,
+            PasswordHashing passwords,
+            SecretGenerator secrets,
+            GrantChanges grants) {
         this.grants = grants;
         this.store = store;
         this.accounts = accounts;

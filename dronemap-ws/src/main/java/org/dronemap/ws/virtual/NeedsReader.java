@@ -39,7 +39,8 @@ final class NeedsReader {
                     ProblemParameter.MOST.is(DroneRequirements.LONGEST_ENDURANCE_MINUTES),
                     ProblemParameter.UNIT.is("minutes"));
         }
-        return new DroneRequirements(kind(needs.kind()), capabilities(needs.capabilities()), minutes, area(needs.area()));
+        return new DroneRequirements(
+                kind(needs.kind()), capabilities(needs.capabilities()), minutes, area(needs.area()));
     }
 
     static VirtualDroneRequest.NeedsView view(DroneRequirements needs) {

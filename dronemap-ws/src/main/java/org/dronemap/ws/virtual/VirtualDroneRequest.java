@@ -53,7 +53,10 @@ public record VirtualDroneRequest(
             @Schema(description = "degrees") @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
             Double longitude,
 
-            @Schema(description = "metres, 1 to 100000") @Min(FieldRanges.LEAST_RADIUS) @Max(FieldRanges.MOST_RADIUS) @Nullable
+            @Schema(description = "metres, 1 to 100000")
+            @Min(FieldRanges.LEAST_RADIUS)
+            @Max(FieldRanges.MOST_RADIUS)
+            @Nullable
             Double radius) {}
 
     /** How a mission is started. */

@@ -195,7 +195,9 @@ public final class VirtualDroneViewMapper {
                             ? Optional.empty()
                             : why(VirtualObjection.NOT_UNDER_WAY, "Its mission is not under way.");
                 case RESUME ->
-                    run != null && List.of(VirtualRunStage.SUSPENDED, VirtualRunStage.FAILED).contains(run.stage())
+                    run != null
+                                    && List.of(VirtualRunStage.SUSPENDED, VirtualRunStage.FAILED)
+                                            .contains(run.stage())
                             ? Optional.empty()
                             : why(VirtualObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
                 case REMOVE ->

@@ -57,7 +57,8 @@ public final class Dronemap {
         closing.add("the check of itself", process.lookAfter(builder.lanes()));
         ServerComponents house = builder.open(new DatabaseBuilder(settings).open(closing));
         builder.hear();
-        ConfigurableApplicationContext faces = FacesServer.start(settings, new EnvironmentVariables(environment), house);
+        ConfigurableApplicationContext faces =
+                FacesServer.start(settings, new EnvironmentVariables(environment), house);
         closing.add("the faces", faces);
         builder.serve();
         openPhoneDoor(settings, closing);

@@ -23,7 +23,8 @@ public final class FacesServer {
     }
 
     /** {@code variables}: what use cases read for themselves. */
-    static ConfigurableApplicationContext start(ServerSettings settings, EnvironmentVariables variables, ServerComponents house) {
+    static ConfigurableApplicationContext start(
+            ServerSettings settings, EnvironmentVariables variables, ServerComponents house) {
         SpringApplication application = new SpringApplicationBuilder(FacesApplication.class)
                 .bannerMode(Banner.Mode.OFF)
                 .logStartupInfo(false)

@@ -31,6 +31,7 @@ public class FollowConfiguration {
     }
 
     private static FollowService.OperationContext conduct(ServerComponents house) {
-        return new FollowService.OperationContext(house.runs().operations(), house.runs().follows(), house.cloud());
+        return new FollowService.OperationContext(
+                house.runs().operations(), house.runs().follows(), house.cloud());
     }
 }

@@ -51,13 +51,18 @@ public class GrantConfiguration {
     }
 
     @Bean
-    OrganisationService organisationService(ServerComponents house, GrantChanges grants, ZoneService zones, Clock clock) {
+    OrganisationService organisationService(
+            ServerComponents house, GrantChanges grants, ZoneService zones, Clock clock) {
         return new OrganisationService(grants, house.access(), house.cloud(), zones, clock);
     }
 
     @Bean
     GiftService giftService(
-            ServerComponents house, GrantChanges grants, DroneService drones, OrganisationService organisations, Clock clock) {
+            ServerComponents house,
+            GrantChanges grants,
+            DroneService drones,
+            OrganisationService organisations,
+            Clock clock) {
         return new GiftService(grants, house.cloud(), house.virtuals(), drones, organisations, house.archive(), clock);
     }
 

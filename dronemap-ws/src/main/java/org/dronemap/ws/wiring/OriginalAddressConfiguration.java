@@ -23,7 +23,8 @@ public class OriginalAddressConfiguration {
     WebServerFactoryCustomizer<TomcatServletWebServerFactory> originalPorts(ServerSettings settings) {
         return factory -> {
             if (settings.originalAddresses()) {
-                OriginalAddressFilter.ports().forEach(port -> factory.addAdditionalConnectors(connector(port, settings)));
+                OriginalAddressFilter.ports()
+                        .forEach(port -> factory.addAdditionalConnectors(connector(port, settings)));
             }
         };
     }

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 final class PhoneTrustStarter {
     private PhoneTrustStarter() {}
 
-    static PhoneTrustServer.@Nullable Place of(ServerSettings settings) {
+    static PhoneTrustServer.@Nullable Configuration of(ServerSettings settings) {
         ServerSettings.Tls tls = settings.tls();
         return tls == null || tls.authority() == null
                 ? null
@@ -33,7 +33,7 @@ final class PhoneTrustStarter {
         }
     }
 
-    static @Nullable String url(PhoneTrustServer.@Nullable Place place) {
+    static @Nullable String url(PhoneTrustServer.@Nullable Configuration place) {
         try {
             return place == null ? null : place.url();
         } catch (IOException e) {

@@ -23,7 +23,8 @@ public class PlanConfiguration {
     }
 
     @Bean
-    PlanService planService(ServerComponents house, PlanJobExecutor desk, DroneService drones, CommandService commands, Time time) {
+    PlanService planService(
+            ServerComponents house, PlanJobExecutor desk, DroneService drones, CommandService commands, Time time) {
         return new PlanService(desk, drones, commands, house.cloud().zones(), time);
     }
 

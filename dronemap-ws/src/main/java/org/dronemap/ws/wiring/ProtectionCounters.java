@@ -20,7 +20,11 @@ final class ProtectionCounters {
     /** Null until the web server has made it. */
     private final AtomicReference<BoundedHttpProtocol> web = new AtomicReference<>();
 
-    ProtectionCounters(Budgets budgets, HostConcurrencyFilter crowd, BoundedWebSocketFactory streamDoor, StreamClientRegistry streamCrowd) {
+    ProtectionCounters(
+            Budgets budgets,
+            HostConcurrencyFilter crowd,
+            BoundedWebSocketFactory streamDoor,
+            StreamClientRegistry streamCrowd) {
         this.budgets = budgets;
         this.crowd = crowd;
         this.streamDoor = streamDoor;

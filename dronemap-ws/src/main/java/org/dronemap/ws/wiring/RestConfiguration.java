@@ -174,7 +174,11 @@ public class RestConfiguration {
     }
 
     @Bean
-    ProtectionCounters protections(Budgets budgets, HostConcurrencyFilter crowd, BoundedWebSocketFactory streamDoor, StreamClientRegistry streamCrowd) {
+    ProtectionCounters protections(
+            Budgets budgets,
+            HostConcurrencyFilter crowd,
+            BoundedWebSocketFactory streamDoor,
+            StreamClientRegistry streamCrowd) {
         return new ProtectionCounters(budgets, crowd, streamDoor, streamCrowd);
     }
 

@@ -22,8 +22,8 @@ public class RunConfiguration {
 
     @Bean
     RunService runService(ServerComponents house, PlanService plans, DroneService drones, Time time) {
-        RunService.OperationContext conduct =
-                new RunService.OperationContext(house.runs().operations(), house.runs().kind(), house.cloud());
+        RunService.OperationContext conduct = new RunService.OperationContext(
+                house.runs().operations(), house.runs().kind(), house.cloud());
         return new RunService(conduct, plans, drones, time);
     }
 

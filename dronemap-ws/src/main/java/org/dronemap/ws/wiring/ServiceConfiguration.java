@@ -90,8 +90,10 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    InitialPassword firstPassword(ServerComponents house, PasswordHashing passwords, SecretGenerator secrets, ServerSettings settings) {
-        return InitialAdministrator.prepare(house.access(), passwords, secrets, settings.dataDirectory(), settings.publicMode());
+    InitialPassword firstPassword(
+            ServerComponents house, PasswordHashing passwords, SecretGenerator secrets, ServerSettings settings) {
+        return InitialAdministrator.prepare(
+                house.access(), passwords, secrets, settings.dataDirectory(), settings.publicMode());
     }
 
     @Bean
@@ -117,7 +119,11 @@ public class ServiceConfiguration {
 
     @Bean
     UserService userService(
-            ServerComponents house, AccountChanges accounts, PasswordHashing passwords, SecretGenerator secrets, GrantChanges grants) {
+            ServerComponents house,
+            AccountChanges accounts,
+            PasswordHashing passwords,
+            SecretGenerator secrets,
+            GrantChanges grants) {
         return new UserService(house.access(), accounts, passwords, secrets, grants);
     }
 
@@ -132,7 +138,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    AccessKeyService accessKeyService(ServerComponents house, AccountChanges accounts, SecretGenerator secrets, Clock clock) {
+    AccessKeyService accessKeyService(
+            ServerComponents house, AccountChanges accounts, SecretGenerator secrets, Clock clock) {
         return new AccessKeyService(house.access(), accounts, secrets, clock);
     }
 
@@ -165,7 +172,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    InvitationService invitationService(ServerComponents house, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
+    InvitationService invitationService(
+            ServerComponents house, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
         return new InvitationService(house.access(), organisations, secrets, clock);
     }
 
@@ -259,7 +267,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    OnboardLogService logService(ServerComponents house, DroneService drones, CommandService commands, OnboardLogArchive shelf) {
+    OnboardLogService logService(
+            ServerComponents house, DroneService drones, CommandService commands, OnboardLogArchive shelf) {
         return new OnboardLogService(house.cloud(), drones, commands, shelf);
     }
 
@@ -358,7 +367,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    RobotKeyService robotKeyService(ServerComponents house, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
+    RobotKeyService robotKeyService(
+            ServerComponents house, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
         RobotKeyService.Dependencies around =
                 new RobotKeyService.Dependencies(house.links().vehicles(), house.cloud(), organisations);
         return new RobotKeyService(

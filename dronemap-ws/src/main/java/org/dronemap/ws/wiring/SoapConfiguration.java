@@ -57,7 +57,8 @@ public class SoapConfiguration {
     @Bean
     SoapCallExecutor soapCalls(
             SoapContract contract, RestDispatcher rest, Authentication authentication, Clock clock, JsonReader json) {
-        return new SoapCallExecutor(contract, new SoapAuthentication(authentication, new UsernameTokenReader(clock)), rest, json);
+        return new SoapCallExecutor(
+                contract, new SoapAuthentication(authentication, new UsernameTokenReader(clock)), rest, json);
     }
 
     @Bean
@@ -87,7 +88,8 @@ public class SoapConfiguration {
     }
 
     private static String[] paths(ServerSettings settings) {
-        Stream<String> original = settings.originalAddresses() ? OriginalAddressFilter.paths().stream() : Stream.empty();
+        Stream<String> original =
+                settings.originalAddresses() ? OriginalAddressFilter.paths().stream() : Stream.empty();
         return Stream.concat(Stream.of("/services/*"), original).toArray(String[]::new);
     }
 }

@@ -105,7 +105,9 @@ public class StreamConfiguration {
         ServerSettings.Tls tls = settings.tls();
         Supplier<@Nullable SSLContext> certificate = tls == null ? () -> null : ReloadableCertificate.of(tls)::current;
         return new BoundedWebSocketFactory(
-                BoundedWebSocketFactory.Limits.DEFAULT.with(limits.connectionsPerHost(), limits.patience()), certificate, time);
+                BoundedWebSocketFactory.Limits.DEFAULT.with(limits.connectionsPerHost(), limits.patience()),
+                certificate,
+                time);
     }
 
     @Bean
@@ -117,7 +119,8 @@ public class StreamConfiguration {
             BoundedWebSocketFactory door,
             Clock clock) {
         InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.streamPort());
-        StreamFace.Port port = new StreamFace.Port(address, door, new BoundedWebSocketDraft(StreamFace.LARGEST_MESSAGE_BYTES));
+        StreamFace.Port port =
+                new StreamFace.Port(address, door, new BoundedWebSocketDraft(StreamFace.LARGEST_MESSAGE_BYTES));
         return new StreamFace(house.cloud(), services, topics.orderedStream().toList(), port, clock);
     }
 

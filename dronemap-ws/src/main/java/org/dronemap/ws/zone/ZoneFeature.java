@@ -110,7 +110,7 @@ public record ZoneFeature(
     }
 
     /** What drones of a run keep to, once for each that it binds: by name, place and heights, without an id or a maker. */
-    static List<ZoneFeature> of(Barrier barrier) {
+    public static List<ZoneFeature> of(Barrier barrier) {
         return barrier.drones().isEmpty()
                 ? List.of(of(barrier, null))
                 : barrier.drones().stream()

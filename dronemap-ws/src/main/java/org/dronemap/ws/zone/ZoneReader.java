@@ -17,7 +17,7 @@ import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** Turns a feature that a client wrote into the parts of a zone, or says which member is wrong. */
-final class ZoneReader {
+public final class ZoneReader {
     static final int LONGEST_NAME = 80;
     private static final String NOTHING = "nothing";
     private static final String MOMENT = "a time such as 2026-05-04T10:00:00Z";
@@ -27,7 +27,7 @@ final class ZoneReader {
     private final ZoneFeature.ZoneProperties properties;
 
     /** {@code at} is what stands before the names of fields, such as {@code features[2].}. */
-    ZoneReader(String at, ZoneFeature feature) {
+    public ZoneReader(String at, ZoneFeature feature) {
         this.at = at;
         if (!"Feature".equals(feature.type())) {
             throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, at + "type", "Feature", quoted(feature.type()));
@@ -42,11 +42,11 @@ final class ZoneReader {
         properties = feature.properties();
     }
 
-    String name() {
+    public String name() {
         return NameRules.checked(at + "properties.name", properties.name(), LONGEST_NAME);
     }
 
-    FenceZone shape() {
+    public FenceZone shape() {
         boolean inside = switch (properties.kind() == null ? "exclusion" : properties.kind()) {
             case "exclusion" -> false;
             case "inclusion" -> true;
@@ -60,7 +60,7 @@ final class ZoneReader {
         return geometry.shape(new AreaReader(at + "geometry", at + "properties.radius"), inside, properties.radius());
     }
 
-    AltitudeBand band() {
+    public AltitudeBand band() {
         return new AltitudeBandReader(at + "properties.")
                 .band(properties.floor(), properties.ceiling(), properties.altitudeReference());
     }

@@ -153,7 +153,7 @@ public final class ZoneService {
     }
 
     /** All of an organisation's, which is no more. */
-    synchronized void forget(OrganisationId organisation) {
+    public synchronized void forget(OrganisationId organisation) {
         for (Zone zone : keeping.store().zones()) {
             if (zone.organisation().equals(organisation) && keeping.store().delete(zone.id())) {
                 keeping.book().remove(zone.id());

@@ -24,7 +24,8 @@ class RestOperationsTest {
         "DELETE, /api/v1/things/a-b, ADMINISTRATOR, EXPORT,  RECORDED,            DELETE /api/v1/things/{id}",
         "DELETE, /api/v1/things/all, SUPERVISOR,    NOTHING, LEFT_OUT,            DELETE /api/v1/things/all"
     })
-    void findsWhatTheHandlerSays(String method, String path, AccessLevel from, RequestCost costs, AuditPolicy audit, String name) {
+    void findsWhatTheHandlerSays(
+            String method, String path, AccessLevel from, RequestCost costs, AuditPolicy audit, String name) {
         AccessRule rule = rule(method, path);
 
         assertThat(withoutOperation(rule)).isEqualTo(new AccessRule(from, costs, audit, null));
@@ -40,7 +41,8 @@ class RestOperationsTest {
         "POST,    /api/v1/nowhere,    VIEWER,    REQUEST, RECORDED",
         "GET,     /api/v1/nowhere,    VIEWER,    REQUEST, ONLY_LOOKS"
     })
-    void isAsClosedToOtherMethodsAsAnAddressIsToLookAt(String method, String path, AccessLevel from, RequestCost costs, AuditPolicy audit) {
+    void isAsClosedToOtherMethodsAsAnAddressIsToLookAt(
+            String method, String path, AccessLevel from, RequestCost costs, AuditPolicy audit) {
         assertThat(rule(method, path)).isEqualTo(new AccessRule(from, costs, audit, null));
     }
 

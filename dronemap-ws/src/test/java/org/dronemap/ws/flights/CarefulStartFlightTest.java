@@ -50,7 +50,8 @@ class CarefulStartFlightTest {
 
     private MissionRunFlight runs(LabDrone one, LabDrone other) {
         List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 8)
-                .mapToObj(n -> MissionRunFlight.waypoint(one.place((1 + n % 4) * 40, (n / 4) * 40), one.groundAmsl() + 20))
+                .mapToObj(n ->
+                        MissionRunFlight.waypoint(one.place((1 + n % 4) * 40, (n / 4) * 40), one.groundAmsl() + 20))
                 .toList();
         return MissionRunFlight.begins(lab, chief, List.of(one, other), waypoints, MissionRunFlight.Manner.ON)
                 .awaitsAll("flying");

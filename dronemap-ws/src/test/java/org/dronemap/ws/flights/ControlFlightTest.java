@@ -81,7 +81,8 @@ class ControlFlightTest {
         chief.does(copter, CommandRequests.returnToLaunch());
         assertThat(copter.mode()).isEqualTo(RTL);
 
-        assertThat(chief.rejection(copter, CommandRequests.setMode("GUIDED")).kind()).isEqualTo(RejectionKind.CONFLICT);
+        assertThat(chief.rejection(copter, CommandRequests.setMode("GUIDED")).kind())
+                .isEqualTo(RejectionKind.CONFLICT);
         assertThat(ann.controls(copter, new ControlRequest.Release()).state()).isEqualTo("free");
     }
 

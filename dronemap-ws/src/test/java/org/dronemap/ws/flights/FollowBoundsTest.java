@@ -43,7 +43,9 @@ class FollowBoundsTest {
         Geodetic pond = copter.place(20, 60);
         lab.server()
                 .zones()
-                .add(lab.pilot("chief", Role.SUPERVISOR).principal(), ZoneFixtures.circle("Pond", pond, RADIUS, null, null));
+                .add(
+                        lab.pilot("chief", Role.SUPERVISOR).principal(),
+                        ZoneFixtures.circle("Pond", pond, RADIUS, null, null));
         SimulatedPhone phone = follows(3, LOWEST);
         lab.goOn(Duration.ofSeconds(10));
         long since = lab.time().nanos();

@@ -95,8 +95,8 @@ class HomeAndPayloadTest {
         List<Long> before = homeOf(drone);
         LinkTap tap = drone.wire().tap();
 
-        InvalidInput half =
-                catchThrowableOfType(InvalidInput.class, () -> ann.give(drone, CommandRequests.setHome(47.4, null, null)));
+        InvalidInput half = catchThrowableOfType(
+                InvalidInput.class, () -> ann.give(drone, CommandRequests.setHome(47.4, null, null)));
 
         assertThat(half.field()).isEqualTo("longitude");
         lab.goOn(Duration.ofSeconds(3));

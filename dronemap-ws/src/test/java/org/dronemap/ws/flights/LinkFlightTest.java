@@ -33,7 +33,11 @@ class LinkFlightTest {
 
     static Stream<LabVehicleLink.Kind> kinds() {
         return Stream.of(
-                LabVehicleLink.Kind.serial(DEVICE), LabVehicleLink.Kind.UDP, LabVehicleLink.Kind.TCP, LabVehicleLink.Kind.WEBSOCKET, LabVehicleLink.Kind.dtls("copter"));
+                LabVehicleLink.Kind.serial(DEVICE),
+                LabVehicleLink.Kind.UDP,
+                LabVehicleLink.Kind.TCP,
+                LabVehicleLink.Kind.WEBSOCKET,
+                LabVehicleLink.Kind.dtls("copter"));
     }
 
     private void takesOff() {

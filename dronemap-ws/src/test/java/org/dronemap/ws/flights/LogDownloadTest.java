@@ -25,7 +25,8 @@ import org.junit.jupiter.api.Test;
 /** Logs on board: listed, fetched over a link that breaks in the middle, saved byte for byte. */
 class LogDownloadTest {
     private static final int SIZE = 100_000;
-    private static final LabVehicleLink.Quality LOSSY = new LabVehicleLink.Quality(0.1, Duration.ofMillis(20), Duration.ZERO);
+    private static final LabVehicleLink.Quality LOSSY =
+            new LabVehicleLink.Quality(0.1, Duration.ofMillis(20), Duration.ZERO);
 
     private final Laboratory lab = new Laboratory(1);
     private final Pilot ann = lab.pilot("ann", Role.OPERATOR);

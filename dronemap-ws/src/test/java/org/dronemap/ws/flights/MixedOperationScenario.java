@@ -25,7 +25,8 @@ import org.dronemap.ws.virtual.VirtualDroneRequest;
  * a vehicle that falls silent, and a server that crashes. As a program it prints the sum of that, and what there was.
  */
 final class MixedOperationScenario {
-    private static final LabVehicleLink.Quality BAD = new LabVehicleLink.Quality(0.02, Duration.ofMillis(20), Duration.ofMillis(40));
+    private static final LabVehicleLink.Quality BAD =
+            new LabVehicleLink.Quality(0.02, Duration.ofMillis(20), Duration.ofMillis(40));
     private static final Duration MINUTE = Duration.ofMinutes(1);
     private static final int WAYPOINTS = 60;
     private static final double SPACING_METERS = 45;

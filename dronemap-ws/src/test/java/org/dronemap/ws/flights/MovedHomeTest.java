@@ -87,7 +87,8 @@ class MovedHomeTest {
 
     private static CommandRequest raisedHome(LabDrone drone) {
         Geodetic here = drone.place(0, 0);
-        return CommandRequests.setHome(here.latitudeDegrees(), here.longitudeDegrees(), homeAmsl(drone) + RAISED_METERS);
+        return CommandRequests.setHome(
+                here.latitudeDegrees(), here.longitudeDegrees(), homeAmsl(drone) + RAISED_METERS);
     }
 
     private void raiseHome(LabDrone drone) {
@@ -162,7 +163,8 @@ class MovedHomeTest {
     @MethodSource(AUTOPILOTS)
     void theBoundsOfAKeyStayWhereTheyAre(VehicleSpec kit) {
         LabDrone drone = drone(kit);
-        Pilot field = ann.withKey(new AccessKeyRequest("field", null, null, null, null, null, CEILING_METERS, null, null));
+        Pilot field =
+                ann.withKey(new AccessKeyRequest("field", null, null, null, null, null, CEILING_METERS, null, null));
         takesOff(drone, kit);
         raiseHome(drone);
 

@@ -125,8 +125,9 @@ class OnBoardMissionsTest {
         drone.vehicle().alterations().alterItem(4);
         List<MissionItemRequest.Waypoint> items = waypoints(8, 0);
 
-        CommandView.OutcomeView outcome = Objects.requireNonNull(
-                ann.outcome(drone, CommandRequests.uploadMission(List.copyOf(items))).outcome());
+        CommandView.OutcomeView outcome =
+                Objects.requireNonNull(ann.outcome(drone, CommandRequests.uploadMission(List.copyOf(items)))
+                        .outcome());
 
         assertThat(outcome.result()).isEqualTo("failed");
         assertThat(outcome.reason()).contains("another mission than the one sent");

@@ -136,7 +136,8 @@ class OnBoardParametersTest {
     }
 
     static Stream<Arguments> autopilotsAndForms() {
-        return VehicleSpec.autopilots().flatMap(kit -> Stream.of(Arguments.of(kit, "list"), Arguments.of(kit, "table")));
+        return VehicleSpec.autopilots()
+                .flatMap(kit -> Stream.of(Arguments.of(kit, "list"), Arguments.of(kit, "table")));
     }
 
     @ParameterizedTest

@@ -43,7 +43,8 @@ class OtherAutopilotsTest {
         assertThat(drone.height()).isBetween(HEIGHT - 1, HEIGHT + 1);
         List<MissionItem> items = new ArrayList<>();
         corners.forEach(corner -> items.add(new MissionItem.Waypoint(corner, Altitude.aboveHome(HEIGHT), 0)));
-        ann.does(drone, CommandRequests.uploadMission(MissionItemRequest.of(items))).does(drone, CommandRequests.startMission(null));
+        ann.does(drone, CommandRequests.uploadMission(MissionItemRequest.of(items)))
+                .does(drone, CommandRequests.startMission(null));
         int last = drone.state().mission().items().size() - 1;
         for (Geodetic corner : corners) {
             lab.until("it is at the next corner", Duration.ofSeconds(60), () -> drone.distanceTo(corner) < 2);

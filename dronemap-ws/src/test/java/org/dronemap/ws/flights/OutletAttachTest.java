@@ -242,7 +242,8 @@ class OutletAttachTest {
         try (Laboratory bad = new Laboratory(seed)) {
             bad.copter();
             Pilot eve = bad.pilot("eve", Role.VIEWER);
-            LabVehicleLink.Quality rough = new LabVehicleLink.Quality(0.3, Duration.ofMillis(50), Duration.ofSeconds(1));
+            LabVehicleLink.Quality rough =
+                    new LabVehicleLink.Quality(0.3, Duration.ofMillis(50), Duration.ofSeconds(1));
             GroundStation before = bad.station(eve, 255);
             before.line().is(rough);
             before.hears(1);

@@ -140,7 +140,8 @@ class ReactionTimesTest {
                         first.place((n % 2 == 0 ? 1 : -1) * 60, (1 + n / 2) * 120), first.groundAmsl() + 20))
                 .toList();
         Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
-        return MissionRunFlight.begins(lab, chief, drones, waypoints, new MissionRunFlight.Manner("automatic", "rtl", null));
+        return MissionRunFlight.begins(
+                lab, chief, drones, waypoints, new MissionRunFlight.Manner("automatic", "rtl", null));
     }
 
     @Test

@@ -92,7 +92,8 @@ class RememberedFlightTest {
         assertThat(flight.highest()).isBetween(10.0, 15.0);
         assertThat(flight.users()).containsExactly("ann");
         assertThat(flight.recordings()).hasSize(1);
-        List<TelemetryPointView> points = telemetry().points(subject(flight), ALL).points();
+        List<TelemetryPointView> points =
+                telemetry().points(subject(flight), ALL).points();
         assertThat(points.size()).isGreaterThan((int) flight.seconds());
         points.forEach(
                 point -> assertThat(metersOff(log, point)).as("%s", point).isLessThan(METERS));

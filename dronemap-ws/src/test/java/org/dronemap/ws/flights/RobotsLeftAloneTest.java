@@ -94,8 +94,8 @@ class RobotsLeftAloneTest {
 
     @Test
     void aRoverThatIsSteeredStandsWhenItsHolderFallsSilent() {
-        LabRobot rover =
-                lab.robot(RobotSpec.rover(3_605).with(BridgeQuirk.REPEATS_TWIST)).allows(ann, "velocity");
+        LabRobot rover = lab.robot(RobotSpec.rover(3_605).with(BridgeQuirk.REPEATS_TWIST))
+                .allows(ann, "velocity");
         takes(rover);
         ScheduledTask sticks = steering(rover);
         lab.until("it drives", SOON, () -> rover.truth().speed() > 0.3);

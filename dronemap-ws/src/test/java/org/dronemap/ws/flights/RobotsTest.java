@@ -95,8 +95,8 @@ class RobotsTest {
 
     @Test
     void aRobotThatIgnoresAnOrderIsNeverSaidToHaveFollowedIt() {
-        LabRobot stubborn =
-                lab.robot(RobotSpec.flyer(3_099).with(BridgeQuirk.IGNORES_ORDERS)).allows(ann, "arm");
+        LabRobot stubborn = lab.robot(RobotSpec.flyer(3_099).with(BridgeQuirk.IGNORES_ORDERS))
+                .allows(ann, "arm");
         CommandView.OutcomeView ended = stubborn.outcome(ann, CommandRequests.arm());
         assertThat(ended.result()).isEqualTo("failed");
         assertThat(ended.reason()).contains("still disarmed");

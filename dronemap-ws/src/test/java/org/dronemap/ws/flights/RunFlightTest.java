@@ -85,8 +85,8 @@ class RunFlightTest {
         List<LabDrone> drones = lab.copters(3);
         LabDrone fallen = drones.get(0);
         List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 12)
-                .mapToObj(n ->
-                        MissionRunFlight.waypoint(fallen.place((1 + n % 4) * 30, (n / 4 - 1) * 30), fallen.groundAmsl() + 20))
+                .mapToObj(n -> MissionRunFlight.waypoint(
+                        fallen.place((1 + n % 4) * 30, (n / 4 - 1) * 30), fallen.groundAmsl() + 20))
                 .toList();
         MissionRunFlight run = MissionRunFlight.begins(lab, chief, drones, waypoints, MissionRunFlight.Manner.ON)
                 .awaitsAll("flying");
@@ -129,7 +129,8 @@ class RunFlightTest {
         List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 8)
                 .mapToObj(n -> MissionRunFlight.waypoint(stays.place(44.5, n * 120.5 / 7), 590 + 2 * n))
                 .toList();
-        MissionRunFlight run = MissionRunFlight.begins(lab, chief, List.of(stays, leaves), waypoints, MissionRunFlight.Manner.ON);
+        MissionRunFlight run =
+                MissionRunFlight.begins(lab, chief, List.of(stays, leaves), waypoints, MissionRunFlight.Manner.ON);
         lab.untilSeen(
                 "it is on its way",
                 Duration.ofMinutes(4),
@@ -220,7 +221,8 @@ class RunFlightTest {
         LabVehicleLink.Quality lossy = new LabVehicleLink.Quality(0.1, Duration.ofMillis(10), Duration.ofMillis(40));
         drones.forEach(drone -> drone.wire().is(lossy));
 
-        MissionRunFlight run = MissionRunFlight.begins(lab, chief, drones, waypoints, new MissionRunFlight.Manner("automatic", "rtl", 1.0));
+        MissionRunFlight run = MissionRunFlight.begins(
+                lab, chief, drones, waypoints, new MissionRunFlight.Manner("automatic", "rtl", 1.0));
         lab.untilSeen("they fly", Duration.ofMinutes(2), () -> run.allAre("flying"));
         for (LabDrone drone : drones) {
             // Now and then a vehicle says nothing for some seconds, and hears all the same.

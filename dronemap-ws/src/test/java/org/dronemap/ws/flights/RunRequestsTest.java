@@ -81,7 +81,8 @@ class RunRequestsTest {
         List<PlanRequest.WaypointRequest> places = IntStream.range(0, count)
                 .mapToObj(n -> waypoint((1 + n / 2) * SPACING_METERS, n % 2 * SPACING_METERS, hover && n < 2))
                 .toList();
-        MissionRunFlight run = MissionRunFlight.begins(lab, chief, drones, places, new MissionRunFlight.Manner(mode, "continue", 2.0));
+        MissionRunFlight run =
+                MissionRunFlight.begins(lab, chief, drones, places, new MissionRunFlight.Manner(mode, "continue", 2.0));
         return run.awaitsAll("flying");
     }
 
@@ -282,7 +283,9 @@ class RunRequestsTest {
         lab.until(
                 "all is as their owner had it",
                 Duration.ofSeconds(90),
-                () -> drones.stream().map(RunRequestsTest::returnHeights).allMatch(one -> one.get(one.size() - 1) == 15));
+                () -> drones.stream()
+                        .map(RunRequestsTest::returnHeights)
+                        .allMatch(one -> one.get(one.size() - 1) == 15));
     }
 
     /** In metres, what that vehicle was told in turn. */
@@ -315,7 +318,9 @@ class RunRequestsTest {
         long begin = lab.time().nanos();
         lab.server()
                 .zones()
-                .add(chief.principal(), ZoneFixtures.circle("Crane", MissionRunFlight.place(fenced), FENCE_METERS, null, null));
+                .add(
+                        chief.principal(),
+                        ZoneFixtures.circle("Crane", MissionRunFlight.place(fenced), FENCE_METERS, null, null));
 
         Map<String, String> leftOut = Map.of(far, "Out of range", fenced.id(), "Crane");
         lab.untilSeen(

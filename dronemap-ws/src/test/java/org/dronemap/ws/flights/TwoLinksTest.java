@@ -20,8 +20,10 @@ import org.junit.jupiter.api.Test;
 
 /** One vehicle on two links at once: one drone, spoken to over the better link, whichever of them breaks. */
 class TwoLinksTest {
-    private static final LabVehicleLink.Quality WORSE = new LabVehicleLink.Quality(0.2, Duration.ofMillis(150), Duration.ofMillis(50));
-    private static final LabVehicleLink.Quality FAR = new LabVehicleLink.Quality(0, Duration.ofMillis(100), Duration.ZERO);
+    private static final LabVehicleLink.Quality WORSE =
+            new LabVehicleLink.Quality(0.2, Duration.ofMillis(150), Duration.ofMillis(50));
+    private static final LabVehicleLink.Quality FAR =
+            new LabVehicleLink.Quality(0, Duration.ofMillis(100), Duration.ZERO);
     /** The share of lost messages is looked at over some seconds before the way is changed. */
     private static final Duration LONGEST_CHOICE = Duration.ofSeconds(30);
 

@@ -16,8 +16,10 @@ class RenamedTest {
     private static final After AFTER =
             new After.Shifted(Instant.EPOCH, new After.Spot(1.5, -2), List.of(After.Phase.RISEN, After.Phase.LANDED));
 
-    private final JsonOperationCodec<Before, Before> before = new JsonOperationCodec<>(Before.class, Before.class, List.of()) {};
-    private final JsonOperationCodec<After, After> after = new JsonOperationCodec<>(After.class, After.class, List.of()) {};
+    private final JsonOperationCodec<Before, Before> before =
+            new JsonOperationCodec<>(Before.class, Before.class, List.of()) {};
+    private final JsonOperationCodec<After, After> after =
+            new JsonOperationCodec<>(After.class, After.class, List.of()) {};
 
     private sealed interface Before {
         @Stored(as = "Moved", names = "at place states")

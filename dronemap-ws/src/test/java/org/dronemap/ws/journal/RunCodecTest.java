@@ -110,7 +110,8 @@ class RunCodecTest {
 
         assertThat(text)
                 .startsWith("{\"actions\":[],\"why\":\"Because.\",\"next\":\"")
-                .isEqualTo(codec.decision(new OperationDecision<>(codec.state(codec.state(state)), List.of(), "Because.")))
+                .isEqualTo(
+                        codec.decision(new OperationDecision<>(codec.state(codec.state(state)), List.of(), "Because.")))
                 .isNotEqualTo(codec.decision(new OperationDecision<>(other, List.of(), "Because.")));
     }
 

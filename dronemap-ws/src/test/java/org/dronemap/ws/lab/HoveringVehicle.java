@@ -36,7 +36,8 @@ public final class HoveringVehicle {
         this.systemId = systemId;
         this.writer = new FrameWriter(systemId, 1, 2);
         String name = "peer " + systemId;
-        this.wire = new LabVehicleLink(name, FIRST_PORT + systemId, lab.time(), seed, record, frame -> script.hears(this, frame));
+        this.wire = new LabVehicleLink(
+                name, FIRST_PORT + systemId, lab.time(), seed, record, frame -> script.hears(this, frame));
         var unused = lab.time().worker(name, 1).every(RHYTHM, RHYTHM, this::beat);
     }
 

@@ -54,9 +54,11 @@ public final class LabDrone implements LabVehicle {
         this.seed = numbers.seed();
         this.record = record;
         wires.add(newWire(name, FIRST_PORT + numbers.number()));
-        SimulatedCraft craft =
-                new SimulatedCraft(start, new BatteryModel(MILLIAMP_HOURS), new WindModel(kit.windSpeed(), 0, seed), new NavigationEstimator((long)
-                        (kit.readySeconds() * MILLIS)));
+        SimulatedCraft craft = new SimulatedCraft(
+                start,
+                new BatteryModel(MILLIAMP_HOURS),
+                new WindModel(kit.windSpeed(), 0, seed),
+                new NavigationEstimator((long) (kit.readySeconds() * MILLIS)));
         this.vehicle = new SimulatedVehicle(
                 kit.settings(systemId, numbers.number(), lab.now().toEpochMilli() * 1_000),
                 kit.kind(),

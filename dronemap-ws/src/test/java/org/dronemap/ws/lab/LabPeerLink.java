@@ -50,7 +50,12 @@ public final class LabPeerLink {
         void close();
     }
 
-    LabPeerLink(Laboratory lab, int port, Kind kind, Function<SteppedServer, PeerHandler.Factory> door, Consumer<byte[]> end) {
+    LabPeerLink(
+            Laboratory lab,
+            int port,
+            Kind kind,
+            Function<SteppedServer, PeerHandler.Factory> door,
+            Consumer<byte[]> end) {
         this.lab = lab;
         this.address = new PeerAddress("127.0.0.1", port);
         this.kind = kind;

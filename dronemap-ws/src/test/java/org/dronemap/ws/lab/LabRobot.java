@@ -47,7 +47,8 @@ public final class LabRobot {
         String path = kit.path();
         web = path == null
                 ? null
-                : new LabPeerLink(lab, 50_001 + 2 * number, LabPeerLink.Kind.webSocket(path), SteppedServer::robots, this::told);
+                : new LabPeerLink(
+                        lab, 50_001 + 2 * number, LabPeerLink.Kind.webSocket(path), SteppedServer::robots, this::told);
         robot = new SimulatedRobot(kit.options(), 0, new Ways());
         var unused = lab.time()
                 .worker("robot " + kit.systemId(), 1)

@@ -3,9 +3,9 @@ package org.dronemap.ws.lab;
 import java.util.HexFormat;
 import java.util.Objects;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.ws.link.LinkSecurityService;
 import org.dronemap.ws.link.LinkSecurityService.LinkKeyRequest;
 import org.dronemap.ws.link.LinkSecurityService.PolicyRequest;
-import org.dronemap.ws.link.LinkSecurityService;
 import org.dronemap.ws.link.LinkSecurityView;
 
 /** What an administrator does about the key of one drone. */

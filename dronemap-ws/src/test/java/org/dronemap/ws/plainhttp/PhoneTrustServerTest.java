@@ -95,7 +95,8 @@ class PhoneTrustServerTest {
     void failsWhereThereIsNoCertificate() throws IOException {
         Path broken = Files.writeString(folder.resolve("broken.pem"), "no certificate");
 
-        assertThatThrownBy(() -> PhoneTrustServer.open(new PhoneTrustServer.Configuration("127.0.0.1", 0, broken, broken, 8443)))
+        assertThatThrownBy(() ->
+                        PhoneTrustServer.open(new PhoneTrustServer.Configuration("127.0.0.1", 0, broken, broken, 8443)))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("broken.pem");
     }

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.util.Objects;
 import java.util.stream.Stream;
-import org.dronemap.cognitive.problem.Objective.Measure;
 import org.dronemap.cognitive.problem.Objective;
+import org.dronemap.cognitive.problem.Objective.Measure;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.JsonReader;
 import org.junit.jupiter.params.ParameterizedTest;

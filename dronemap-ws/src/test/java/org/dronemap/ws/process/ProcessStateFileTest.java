@@ -59,8 +59,9 @@ class ProcessStateFileTest {
     void whatWasKilledFromOutsideNamesNobody() {
         begin(BEGUN).begin(SEEN.text());
 
-        ProcessCrash end =
-                ProcessStateFile.begin(data.resolve("run-state"), LATER, "137").before().orElseThrow();
+        ProcessCrash end = ProcessStateFile.begin(data.resolve("run-state"), LATER, "137")
+                .before()
+                .orElseThrow();
 
         assertThat(end.part()).isEqualTo("process");
         assertThat(end.why()).startsWith("It was killed");
@@ -117,7 +118,8 @@ class ProcessStateFileTest {
         }
         ProcessLifecycle careful = ProcessLifecycle.begin(data, "3", time);
         assertThat(careful.beginning().precautions().ends()).hasSize(3);
-        assertThat(careful.beginning().precautions().refused()).containsExactly(PeerPattern.at(SEEN.host(), SEEN.port()));
+        assertThat(careful.beginning().precautions().refused())
+                .containsExactly(PeerPattern.at(SEEN.host(), SEEN.port()));
         careful.close();
         Thread.setDefaultUncaughtExceptionHandler(null);
     }
@@ -125,7 +127,8 @@ class ProcessStateFileTest {
     @Test
     void aLineThatSaysNothingOfAnEndIsPassedOver() throws Exception {
         Path file = data.resolve("past-ends");
-        Files.writeString(file, "nonsense\n" + new ProcessCrash(BEGUN, "lane-0", "It ended.", List.of(SEEN)).text() + "\n");
+        Files.writeString(
+                file, "nonsense\n" + new ProcessCrash(BEGUN, "lane-0", "It ended.", List.of(SEEN)).text() + "\n");
 
         assertThat(new ProcessEndLog(file).all()).extracting(ProcessCrash::part).containsExactly("lane-0");
     }

@@ -43,7 +43,10 @@ class StreamAccessRulesTest {
     /** Each record has its own kind, and is called as that is. */
     @Test
     void isOfEachRecordThatIsRead() {
-        assertThat(RecordAlternatives.of(StreamRequest.class).orElseThrow().records().keySet())
+        assertThat(RecordAlternatives.of(StreamRequest.class)
+                        .orElseThrow()
+                        .records()
+                        .keySet())
                 .containsExactlyElementsOf(Arrays.stream(StreamRequestKind.values())
                         .map(StreamRequestKind::word)
                         .collect(Collectors.toList()));

@@ -33,7 +33,8 @@ class TopicFeedTest {
                     throw new UnsupportedOperationException(m.getName());
                 });
         StreamClient client = new StreamClient(socket, 0);
-        client.admit(new AuthenticatedCaller(new Principal(user, Role.VIEWER), AuthenticatedCaller.Proof.KEY, null, null, false));
+        client.admit(new AuthenticatedCaller(
+                new Principal(user, Role.VIEWER), AuthenticatedCaller.Proof.KEY, null, null, false));
         return client;
     }
 

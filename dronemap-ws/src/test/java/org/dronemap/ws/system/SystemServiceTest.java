@@ -96,7 +96,8 @@ class SystemServiceTest {
 
     @Test
     void tellsEverybodyThatItWasStartedAnewAndAdministratorsWhy() {
-        ProcessCrash end = new ProcessCrash(Instant.ofEpochMilli(5), "lane-0", "It ended with ThreadDeath.", List.of(BAD));
+        ProcessCrash end =
+                new ProcessCrash(Instant.ofEpochMilli(5), "lane-0", "It ended with ThreadDeath.", List.of(BAD));
         SafeMode careful = new SafeMode(List.of(end, end, end), Set.of(BAD));
         SystemService service = service(new ProcessStart(end, new PeerCrashGuard(ActivePeers.UNKNOWN, careful)));
 

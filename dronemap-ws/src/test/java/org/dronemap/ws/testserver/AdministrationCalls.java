@@ -29,7 +29,9 @@ public final class AdministrationCalls extends SuccessfulCalls {
         can(
                 "POST /api/v1/registrations",
                 () -> new PreparedCall(nobody, "POST", "/api/v1/registrations", JSON, credentials(name()), null));
-        can("POST /api/v1/session", () -> new PreparedCall(nobody, "POST", "/api/v1/session", JSON, credentials(user()), null));
+        can(
+                "POST /api/v1/session",
+                () -> new PreparedCall(nobody, "POST", "/api/v1/session", JSON, credentials(user()), null));
         can("GET /api/v1/session/oidc/callback", this::comingBack);
         can("DELETE /api/v1/session", () -> session("DELETE", "/api/v1/session", ""));
         can(

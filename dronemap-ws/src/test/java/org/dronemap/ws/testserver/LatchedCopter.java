@@ -36,7 +36,8 @@ public final class LatchedCopter {
             return;
         }
         copter.isOnGround();
-        ConditionWait.until("it is down", () -> cloud.drone(new DroneId(copter.id())).filter(LatchedCopter::isDown));
+        ConditionWait.until(
+                "it is down", () -> cloud.drone(new DroneId(copter.id())).filter(LatchedCopter::isDown));
     }
 
     private static boolean endsAFlight(Command command) {

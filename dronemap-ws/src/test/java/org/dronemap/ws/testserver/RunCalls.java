@@ -60,7 +60,8 @@ public final class RunCalls extends SuccessfulCalls {
     private PreparedCall answer() {
         Started run = started("askFirst");
         root.http().post("/api/v1/" + run.path("/waypoints"), waypoints());
-        TestHttpClient.Answer asks = await(run, answer -> answer.json().path("proposal").has("number"));
+        TestHttpClient.Answer asks =
+                await(run, answer -> answer.json().path("proposal").has("number"));
         String number = asks.json().path("proposal").path("number").asString();
         return deed("POST", run.path("/answers/" + number), "{\"accept\":true}");
     }

@@ -94,7 +94,8 @@ public final class ScriptedVehicle implements VehicleChannel {
     }
 
     private static LinkSession session(int port, boolean replay) {
-        return new LinkSession(new DroneKey("127.0.0.1", port, 1), "udp", replay, "Copter " + port, new UnresponsiveChannel());
+        return new LinkSession(
+                new DroneKey("127.0.0.1", port, 1), "udp", replay, "Copter " + port, new UnresponsiveChannel());
     }
 
     /** Takes no command. */

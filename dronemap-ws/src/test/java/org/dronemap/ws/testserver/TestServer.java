@@ -151,7 +151,8 @@ public final class TestServer implements AutoCloseable {
         startRecorder();
         history = history();
         virtuals = virtuals();
-        runs = OperationComponents.of(cloud, stores.operations, new AccountRights(access, grants, time), FollowSeparation.USUAL, time);
+        runs = OperationComponents.of(
+                cloud, stores.operations, new AccountRights(access, grants, time), FollowSeparation.USUAL, time);
         runs.operations().takeUp();
         runs.operations().goOn();
         ServerComponents house = new ServerComponents(

@@ -45,7 +45,11 @@ public final class HandlerViolations {
         }
 
         @PostMapping("/api/v1/door")
-        @Access(from = AccessLevel.ANYBODY, about = ResourceScope.NONE, costs = RequestCost.SIGN_IN, audit = AuditPolicy.RECORDED_WITH_PLACE)
+        @Access(
+                from = AccessLevel.ANYBODY,
+                about = ResourceScope.NONE,
+                costs = RequestCost.SIGN_IN,
+                audit = AuditPolicy.RECORDED_WITH_PLACE)
         public String enter() {
             return "done";
         }
@@ -63,7 +67,11 @@ public final class HandlerViolations {
         }
 
         @DeleteMapping("/api/v1/things/all")
-        @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION, costs = RequestCost.NOTHING, audit = AuditPolicy.LEFT_OUT)
+        @Access(
+                from = AccessLevel.SUPERVISOR,
+                about = ResourceScope.ORGANISATION,
+                costs = RequestCost.NOTHING,
+                audit = AuditPolicy.LEFT_OUT)
         public String removeAll() {
             return "done";
         }

@@ -162,7 +162,8 @@ class CxfClientsTest {
         String first = "first password";
         String own = "a word of my own";
         SoapClient.withKey(house, key).call("addUser", "name", name, "role", "operator", "password", first);
-        SoapClient.withHeader(house, TestHttpClient.basic(name, first)).call("changePassword", "current", first, "next", own);
+        SoapClient.withHeader(house, TestHttpClient.basic(name, first))
+                .call("changePassword", "current", first, "next", own);
         Client client = clients.get(CONTROLLER);
         Map<String, Object> context = client.getRequestContext();
         context.remove(Message.PROTOCOL_HEADERS);

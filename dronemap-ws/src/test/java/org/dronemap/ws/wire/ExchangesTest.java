@@ -88,7 +88,8 @@ class ExchangesTest {
         if (exchange.isLook()) {
             return looked(exchange, nobody);
         }
-        ResponseLatch held = exchange.asksForAPlan() ? planning : exchange.waitsForNothing() ? acting : new ResponseLatch();
+        ResponseLatch held =
+                exchange.asksForAPlan() ? planning : exchange.waitsForNothing() ? acting : new ResponseLatch();
         held.shut();
         try {
             return answer(exchange, nobody);
@@ -130,7 +131,9 @@ class ExchangesTest {
     }
 
     private boolean isOver(RecordedHttpExchange exchange, String before, String actual, Duration waited) {
-        return ApprovalFiles.isApproving() ? isSettled(exchange, before, actual, waited) : waited.compareTo(patience) > 0;
+        return ApprovalFiles.isApproving()
+                ? isSettled(exchange, before, actual, waited)
+                : waited.compareTo(patience) > 0;
     }
 
     private boolean isExpected(RecordedHttpExchange exchange, String actual) {

@@ -102,7 +102,8 @@ final class RecordShape {
         } else if (raw.isRecord()) {
             members(path + ".", raw, full, below);
         } else {
-            RecordAlternatives.of(raw).ifPresent(all -> all.records().forEach((name, one) -> alternative(path, name, one)));
+            RecordAlternatives.of(raw)
+                    .ifPresent(all -> all.records().forEach((name, one) -> alternative(path, name, one)));
         }
     }
 

@@ -39,7 +39,8 @@ final class RobotProtocolDescription {
         ArrayNode all = JSON.createArrayNode();
         for (Class<?> kind : RobotOrder.class.getPermittedSubclasses()) {
             for (PacketLayout shape : PacketLayout.values()) {
-                RoslinkHeader robot = new RoslinkHeader(shape, 5, 0, 1L, new StringOrNumber("key", false), new StringOrNumber("26", true), 1, 2);
+                RoslinkHeader robot = new RoslinkHeader(
+                        shape, 5, 0, 1L, new StringOrNumber("key", false), new StringOrNumber("26", true), 1, 2);
                 byte[] written = new RobotOrderWriter().write(robot, (RobotOrder) new RecordSample(true).of(kind));
                 all.add(JSON.readTree(written));
             }

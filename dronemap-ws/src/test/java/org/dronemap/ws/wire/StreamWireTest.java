@@ -56,8 +56,8 @@ class StreamWireTest {
 
     /** Those of the cloud itself, and those that topics of use cases have of their own. */
     private static Map<String, Class<?>> said() {
-        Map<String, Class<?>> records =
-                new TreeMap<>(RecordAlternatives.of(StreamMessage.class).orElseThrow().records());
+        Map<String, Class<?>> records = new TreeMap<>(
+                RecordAlternatives.of(StreamMessage.class).orElseThrow().records());
         assertThat(StreamMessage.class.getPermittedSubclasses())
                 .containsExactlyInAnyOrderElementsOf(
                         Stream.concat(records.values().stream(), Stream.of(StreamMessage.OfUseCase.class))
@@ -72,7 +72,8 @@ class StreamWireTest {
 
     private static Map<String, Class<?>> closed(String sealed) throws ClassNotFoundException {
         Class<?> type = Class.forName(PACKAGE + sealed);
-        Map<String, Class<?>> records = RecordAlternatives.of(type).orElseThrow().records();
+        Map<String, Class<?>> records =
+                RecordAlternatives.of(type).orElseThrow().records();
         assertThat(records.values()).containsExactlyInAnyOrder(type.getPermittedSubclasses());
         return records;
     }
@@ -95,7 +96,8 @@ class StreamWireTest {
                 .records()
                 .keySet();
         try (TestTenant tenant = new TestTenant();
-                RecordingStreamClient stream = RecordingStreamClient.withKey(tenant.server(), tenant.key(Role.OPERATOR))) {
+                RecordingStreamClient stream =
+                        RecordingStreamClient.withKey(tenant.server(), tenant.key(Role.OPERATOR))) {
             stream.await(message -> message.path("type").asString("").equals("hello"));
             for (String kind : kinds) {
                 stream.send(asked(kind, kind));

@@ -29,7 +29,12 @@ public record SteppedLinkServices(
         TelemetryExporter files,
         DtlsKeyService dtlsKeys) {
 
-    static SteppedLinkServices of(ServerComponents house, ServerSettings settings, DroneService drones, DroneViewMapper views, ZoneService zones) {
+    static SteppedLinkServices of(
+            ServerComponents house,
+            ServerSettings settings,
+            DroneService drones,
+            DroneViewMapper views,
+            ZoneService zones) {
         ServiceConfiguration services = new ServiceConfiguration();
         GrantConfiguration granting = new GrantConfiguration();
         GrantChanges grants = granting.grantChanges(house);

@@ -49,8 +49,10 @@ import org.jspecify.annotations.Nullable;
 
 /** A server as {@link Dronemap} builds it, with the use cases that lead drones, and without faces and sockets. */
 public final class SteppedServer implements AutoCloseable {
-    private static final ServerSettings.Hidden GIVEN_LINK_SECRET = new ServerSettings.Hidden("0123456789abcdef".repeat(4));
-    private static final ServerSettings.Hidden GIVEN_AUDIT_KEY = new ServerSettings.Hidden("fedcba9876543210".repeat(4));
+    private static final ServerSettings.Hidden GIVEN_LINK_SECRET =
+            new ServerSettings.Hidden("0123456789abcdef".repeat(4));
+    private static final ServerSettings.Hidden GIVEN_AUDIT_KEY =
+            new ServerSettings.Hidden("fedcba9876543210".repeat(4));
 
     private final ShutdownSequence closing = new ShutdownSequence();
     private final ServerBuilder builder;
@@ -122,7 +124,8 @@ public final class SteppedServer implements AutoCloseable {
     }
 
     /** Without secrets: those in the folder. */
-    static ServerSettings settings(Path data, ServerSettings.@Nullable Hidden linkSecret, ServerSettings.@Nullable Hidden auditKey) {
+    static ServerSettings settings(
+            Path data, ServerSettings.@Nullable Hidden linkSecret, ServerSettings.@Nullable Hidden auditKey) {
         return new ServerSettings(
                 data,
                 "127.0.0.1",

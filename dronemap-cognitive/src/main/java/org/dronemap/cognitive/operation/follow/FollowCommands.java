@@ -41,13 +41,15 @@ final class FollowCommands {
             return;
         }
         if (state.tries().given() == 0) {
-            give(IssuedCommand.Kind.CLOUD_LOSS, new SetReturnOnCloudLoss());
+            give(IssuedCommand.Purpose.CLOUD_LOSS, new SetReturnOnCloudLoss());
         } else if (!look.guided()) {
             lead(look, at);
         } else if (!look.armed()) {
-            give(IssuedCommand.Kind.ARM, new Command.Arm());
+            give(IssuedCommand.Purpose.ARM, new Command.Arm());
         } else if (!look.airborne()) {
-            give(IssuedCommand.Kind.TAKE_OFF, new Command.TakeOff(state.order().place().heightMeters()));
+            give(
+                    IssuedCommand.Purpose.TAKE_OFF,
+                    new Command.TakeOff(state.order().place().heightMeters()));
         } else {
             // One that replaces another leads only once it is there.
             String what = state.crew().number() == 0 ? "follows." : "comes.";
@@ -62,7 +64,7 @@ final class FollowCommands {
             state = state.to(
                     FollowStage.RETURNING, at, state.order().chosen().name() + " has no mode in which it can be led.");
         } else {
-            give(IssuedCommand.Kind.MODE, new Command.SetMode(orders));
+            give(IssuedCommand.Purpose.MODE, new Command.SetMode(orders));
         }
     }
 
@@ -72,9 +74,9 @@ final class FollowCommands {
             state = state.to(FollowStage.OVER, at, state.order().chosen().name() + " is down" + IT_IS_OVER);
         } else if (!isBusy(at)) {
             if (!look.airborne()) {
-                give(IssuedCommand.Kind.DISARM, new Command.Disarm(false));
+                give(IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
             } else if (!look.homing()) {
-                give(IssuedCommand.Kind.HOME, new Command.ReturnToLaunch());
+                give(IssuedCommand.Purpose.HOME, new Command.ReturnToLaunch());
             }
         }
     }
@@ -84,7 +86,7 @@ final class FollowCommands {
         return state.errand() != null || (notBefore != null && at.isBefore(notBefore));
     }
 
-    private void give(IssuedCommand.Kind kind, Command command) {
+    private void give(IssuedCommand.Purpose kind, Command command) {
         Attempts tries = state.tries();
         CommandId id = new CommandId(state.id() + hand() + (tries.given() + 1));
         state = state.on(new IssuedCommand(id, kind), new Attempts(tries.given() + 1, tries.failed(), null));
@@ -105,7 +107,7 @@ final class FollowCommands {
         }
         String why = ended.outcome().reason();
         Attempts tries = state.tries();
-        if (errand.kind() == IssuedCommand.Kind.CLOUD_LOSS) {
+        if (errand.kind() == IssuedCommand.Purpose.CLOUD_LOSS) {
             state = state.on(null, new Attempts(tries.given(), 0, null));
             state = why == null ? state : state.saying(ended.at(), stays(why));
             return;

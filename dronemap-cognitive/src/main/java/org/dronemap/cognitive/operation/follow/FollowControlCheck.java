@@ -14,9 +14,11 @@ import org.jspecify.annotations.Nullable;
 final class FollowControlCheck {
     private FollowControlCheck() {}
 
-    static @Nullable ControlRestriction of(DroneState drone, OperationObservation.ControlStatus sway, @Nullable Steering steering) {
+    static @Nullable ControlRestriction of(
+            DroneState drone, OperationObservation.ControlStatus sway, @Nullable Steering steering) {
         boolean waits = steering != null && steering.takesOrders() && Boolean.TRUE.equals(drone.armed());
-        ControlRestriction grip = new ControlRestriction(sway.barred(), sway.free() && waits, steering == Steering.STICKS);
+        ControlRestriction grip =
+                new ControlRestriction(sway.barred(), sway.free() && waits, steering == Steering.STICKS);
         return grip.barred() == null && !grip.adrift() && !grip.steered() ? null : grip;
     }
 
@@ -40,7 +42,9 @@ final class FollowControlCheck {
         return state.stage() == FollowStage.ALLOCATED
                 ? state.to(FollowStage.OVER, at, why)
                 : state.to(
-                        FollowStage.RETURNING, at, why + " " + state.order().chosen().name() + " flies home.");
+                        FollowStage.RETURNING,
+                        at,
+                        why + " " + state.order().chosen().name() + " flies home.");
     }
 
     /** A pilot flies it whom nobody has seen take it: soon after a command, or while the process did not run. */
@@ -71,6 +75,9 @@ final class FollowControlCheck {
         }
         return Duration.between(state.waits(), at).toSeconds() < patience
                 ? state
-                : state.to(FollowStage.RETURNING, at, "Nobody has had " + name + " for " + patience + " s; it flies home.");
+                : state.to(
+                        FollowStage.RETURNING,
+                        at,
+                        "Nobody has had " + name + " for " + patience + " s; it flies home.");
     }
 }

@@ -63,7 +63,9 @@ public sealed interface FollowInput {
      */
     @Stored(names = "drone look apartMeters")
     record OtherDrone(
-            DroneId drone, @Nullable Observation look, @Nullable Double apartMeters) {}
+            DroneId drone,
+            @Nullable Observation look,
+            @Nullable Double apartMeters) {}
 
     /**
      * The drone.

@@ -117,7 +117,8 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
                 .orElse(null);
     }
 
-    private static Observation look(FollowState state, DroneState drone, OperationObservation.ControlStatus sway, Duration silence) {
+    private static Observation look(
+            FollowState state, DroneState drone, OperationObservation.ControlStatus sway, Duration silence) {
         Battery battery = drone.battery();
         Geodetic point = drone.position() == null ? null : drone.position().point();
         Steering steering =
@@ -167,7 +168,8 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
         List<FollowState> others = new ArrayList<>();
         for (FollowState other : state.crew().others()) {
             FollowInput befalls = input instanceof Observed looked ? looked.of(other.drone()) : input;
-            others.add(alone(other, befalls, other.wasReplacedBy(state) ? DroneRole.REPLACED : DroneRole.COMES, actions));
+            others.add(
+                    alone(other, befalls, other.wasReplacedBy(state) ? DroneRole.REPLACED : DroneRole.COMES, actions));
         }
         List<FollowInput.OtherDrone> seen = input instanceof Observed looked ? looked.others() : List.of();
         next = ReliefHandover.settled(state, next, others, input.at(), seen, apart);
@@ -182,9 +184,11 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     /** What becomes of one drone. */
-    private FollowState alone(FollowState state, FollowInput input, DroneRole part, List<OperationAction<FollowInput>> actions) {
+    private FollowState alone(
+            FollowState state, FollowInput input, DroneRole part, List<OperationAction<FollowInput>> actions) {
         if (input instanceof FollowInput.UserRequest wish) {
-            boolean taken = part == DroneRole.LEADS ? refusal(state, wish).isEmpty() : wish instanceof FollowInput.ChangePlace;
+            boolean taken =
+                    part == DroneRole.LEADS ? refusal(state, wish).isEmpty() : wish instanceof FollowInput.ChangePlace;
             return taken ? FollowUserRequests.taken(state, wish) : state;
         }
         FollowCommands steps = new FollowCommands(state);
@@ -248,7 +252,8 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     private static boolean isLed(FollowState state, Observation look, Instant at) {
-        return look.airborne() && GuidedReturn.isLed(state, look.guided(), look.homeMeters(), look.batteryPercent(), at);
+        return look.airborne()
+                && GuidedReturn.isLed(state, look.guided(), look.homeMeters(), look.batteryPercent(), at);
     }
 
     /** Before it was started there is nothing to come back to. */

@@ -76,7 +76,8 @@ public record FollowState(
     /** A drone is there for it. */
     public static FollowState begin(OperationId id, FollowOrder order, Instant at) {
         List<Notice> why = List.of(new Notice(at, order.chosen().why()));
-        return new FollowState(id, order, FollowStage.ALLOCATED, at, at, null, Attempts.NONE, null, null, why, null, null);
+        return new FollowState(
+                id, order, FollowStage.ALLOCATED, at, at, null, Attempts.NONE, null, null, why, null, null);
     }
 
     /** One that comes to replace the drone of this follow. */
@@ -115,7 +116,8 @@ public record FollowState(
 
     /** On its way to take over from the drone that leads. */
     public boolean comes(FollowState leader) {
-        return crew().number() > leader.crew().number() && (stage == FollowStage.STARTING || stage == FollowStage.TRACKING);
+        return crew().number() > leader.crew().number()
+                && (stage == FollowStage.STARTING || stage == FollowStage.TRACKING);
     }
 
     /** That one took over from it. */

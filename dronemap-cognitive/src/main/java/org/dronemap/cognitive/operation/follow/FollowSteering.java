@@ -66,7 +66,8 @@ final class FollowSteering {
     }
 
     /** What it is told, so that it comes to that place beside the phone; empty: nothing. {@code aloft}: all others in the air. */
-    Optional<Setpoint> beside(FollowState state, FollowOrder.RelativePlace place, OperationObservation scene, List<DroneState> aloft) {
+    Optional<Setpoint> beside(
+            FollowState state, FollowOrder.RelativePlace place, OperationObservation scene, List<DroneState> aloft) {
         DroneState drone = ours(state, scene);
         DroneFix here = drone == null ? null : pursuits.of(drone);
         if (drone == null || here == null || state.stage() != FollowStage.TRACKING || target.last() == null) {
@@ -76,8 +77,10 @@ final class FollowSteering {
         double home = state.order().chosen().homeAmslMeters();
         StandOff standOff = new StandOff(place.side(), place.distanceMeters(), home + place.heightMeters());
         ZoneBounds within = bounds(state, scene, drone);
-        StandOffGuidance.Environment around = new StandOffGuidance.Environment(within.room(), others(scene, drone, aloft));
-        GuidanceSetpoint aim = guidance.lead(scene.now(), standOff, limits(state, drone, within), around, here, scene.sighted());
+        StandOffGuidance.Environment around =
+                new StandOffGuidance.Environment(within.room(), others(scene, drone, aloft));
+        GuidanceSetpoint aim =
+                guidance.lead(scene.now(), standOff, limits(state, drone, within), around, here, scene.sighted());
         return Optional.of(setpoint(aim, GimbalPitch.degrees(target, scene.now(), here, home)));
     }
 
@@ -91,13 +94,16 @@ final class FollowSteering {
             return Optional.empty();
         }
         if (homeward == null) {
-            homeward = new StandOffGuidance(new StationaryTarget(target.plane(), target.plane().spot(chosen.home())));
+            homeward = new StandOffGuidance(
+                    new StationaryTarget(target.plane(), target.plane().spot(chosen.home())));
         }
         double height = ReliefState.homewardMeters(state.order().place(), apart);
         StandOff above = new StandOff(new StandOffSide.Fixed(0), 0, chosen.homeAmslMeters() + height);
         ZoneBounds within = bounds(state, scene, drone);
-        StandOffGuidance.Environment around = new StandOffGuidance.Environment(within.room(), others(scene, drone, aloft));
-        GuidanceSetpoint aim = homeward.lead(scene.now(), above, limits(state, drone, within), around, here, scene.now());
+        StandOffGuidance.Environment around =
+                new StandOffGuidance.Environment(within.room(), others(scene, drone, aloft));
+        GuidanceSetpoint aim =
+                homeward.lead(scene.now(), above, limits(state, drone, within), around, here, scene.now());
         return Optional.of(setpoint(aim, null));
     }
 
@@ -153,7 +159,8 @@ final class FollowSteering {
         List<Zone> now = scene.around().zones().getOrDefault(drone.id(), List.of());
         if (!now.equals(bounds.zones())) {
             double home = state.order().chosen().homeAmslMeters();
-            bounds = new ZoneBounds(now, FollowZoneLimits.room(near, now), FollowZoneLimits.ceilingAmslMeters(now, home));
+            bounds = new ZoneBounds(
+                    now, FollowZoneLimits.room(near, now), FollowZoneLimits.ceilingAmslMeters(now, home));
         }
         return bounds;
     }

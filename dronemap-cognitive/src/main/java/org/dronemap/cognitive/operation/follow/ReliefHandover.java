@@ -33,8 +33,9 @@ final class ReliefHandover {
 
     /** It has to leave, and it is not said that nobody shall be followed any more. */
     static FollowState leaving(FollowState before, FollowState next, boolean anybody) {
-        boolean vacant =
-                before.stage() == FollowStage.TRACKING && next.stage() == FollowStage.RETURNING && (anybody || before.isRelieved());
+        boolean vacant = before.stage() == FollowStage.TRACKING
+                && next.stage() == FollowStage.RETURNING
+                && (anybody || before.isRelieved());
         return vacant ? next.with(next.crew().vacant(true)) : next;
     }
 
@@ -68,7 +69,8 @@ final class ReliefHandover {
         boolean ends = switch (leader.stage()) {
             case RETURNING -> !leader.crew().vacant();
             // Its drone was lost, and whoever is followed has to be followed on.
-            case OVER -> before.stage() != FollowStage.TRACKING && !before.crew().vacant();
+            case OVER ->
+                before.stage() != FollowStage.TRACKING && !before.crew().vacant();
             case SUSPENDED -> true;
             case ALLOCATED, STARTING, TRACKING, PAUSED -> false;
         };
@@ -83,7 +85,8 @@ final class ReliefHandover {
         return next;
     }
 
-    private static FollowState handedOver(FollowState state, Instant at, List<FollowInput.OtherDrone> seen, double near) {
+    private static FollowState handedOver(
+            FollowState state, Instant at, List<FollowInput.OtherDrone> seen, double near) {
         if (state.stage() == FollowStage.TRACKING) {
             return ready(state)
                     .filter(other -> seen.stream()

@@ -46,7 +46,11 @@ record AvoidanceMove(Place to, double meters, double seconds, double clearance, 
      * @param clearance how far from the others it is on such a way
      */
     static Optional<AvoidanceMove> of(
-            RunDrone drone, Place from, List<Barrier> barriers, TrajectoryForecast tracks, ToDoubleFunction<Trajectory> clearance) {
+            RunDrone drone,
+            Place from,
+            List<Barrier> barriers,
+            TrajectoryForecast tracks,
+            ToDoubleFunction<Trajectory> clearance) {
         double standing = clearance.applyAsDouble(tracks.dodging(drone, from, from));
         BarrierCheck fences = new BarrierCheck(barriers, drone.craft());
         @Nullable AvoidanceMove best = null;

@@ -75,8 +75,8 @@ final class DroneObstacles {
             return;
         }
         note(draft, drone, false);
-        boolean waits =
-                draft.targets().stream().anyMatch(target -> target.state() == RunWaypoint.State.WAITING && target.leftOut());
+        boolean waits = draft.targets().stream()
+                .anyMatch(target -> target.state() == RunWaypoint.State.WAITING && target.leftOut());
         if (waits) {
             draft.cause(LED_ROUND, drone.id(), drone.name() + " is out of the way.");
         }

@@ -13,7 +13,8 @@ final class DroneWithdrawal {
     }
 
     /** {@code note}: what is shown of it from now on. */
-    static void leave(RunTransition draft, RunDrone drone, RunDroneStage stage, RunTrigger trigger, String words, String note) {
+    static void leave(
+            RunTransition draft, RunDrone drone, RunDroneStage stage, RunTrigger trigger, String words, String note) {
         boolean had = !drone.orders().isEmpty();
         RunDrone out = draft.release(drone, words).noted(note).to(stage, draft.now());
         draft.put(out.with(out.signs().falling(null).astray(null).silent(null).yields(null)));

@@ -146,7 +146,9 @@ final class FlightHealth {
             double ground = drone.craft().start().place().altitudeAmslMeters();
             return hasMoved(draft, drone, look) ? ground + JUST_UP_METERS : Double.NEGATIVE_INFINITY;
         }
-        return drone.passed() == 0 ? Double.NEGATIVE_INFINITY : MissionLegs.lowest(sortie, drone.passed()) - FAR_BELOW_METERS;
+        return drone.passed() == 0
+                ? Double.NEGATIVE_INFINITY
+                : MissionLegs.lowest(sortie, drone.passed()) - FAR_BELOW_METERS;
     }
 
     /** Since it is said to fly: one that has not risen yet stands on the ground just as one that fell. */
@@ -166,7 +168,8 @@ final class FlightHealth {
         // How long it stood before it was let go on does not count.
         Duration flying = Duration.between(drone.since(), draft.now());
         if (look.still().compareTo(longest) > 0 && flying.compareTo(longest) > 0) {
-            DroneWithdrawal.callHome(draft, drone, RunTrigger.LATE, drone.name() + " does not move on; it is called home.");
+            DroneWithdrawal.callHome(
+                    draft, drone, RunTrigger.LATE, drone.name() + " does not move on; it is called home.");
             return;
         }
         offPath(draft, drone, MissionLegs.offMeters(sortie, drone.passed(), place));

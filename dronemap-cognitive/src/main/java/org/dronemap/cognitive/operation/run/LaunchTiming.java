@@ -31,7 +31,10 @@ final class LaunchTiming {
         long flying = draft.drones().stream()
                 .filter(drone -> drone.stage() == RunDroneStage.READY)
                 .count();
-        draft.say(RunTrigger.START, null, "All missions are on board; " + RunMessages.count(flying, "drone") + " set off.");
+        draft.say(
+                RunTrigger.START,
+                null,
+                "All missions are on board; " + RunMessages.count(flying, "drone") + " set off.");
     }
 
     static boolean isDue(RunTransition draft, Sortie sortie) {

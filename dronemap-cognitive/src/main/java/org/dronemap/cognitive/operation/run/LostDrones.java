@@ -167,7 +167,8 @@ final class LostDrones {
     private static void heard(RunTransition draft, RunDrone silent, DroneObservation look) {
         boolean flew = Objects.requireNonNull(silent.signs().silence()).flew();
         boolean explained = RunCloudLoss.bringsHome(draft, flew);
-        RunDrone drone = silent.tried(RunDrone.Attempts.NONE).with(silent.signs().silent(null));
+        RunDrone drone =
+                silent.tried(RunDrone.Attempts.NONE).with(silent.signs().silent(null));
         String name = drone.name();
         if (look.isDisarmed()) {
             down(draft, drone, look, explained);

@@ -82,7 +82,8 @@ public final class MissionRunOperation implements Operation<RunState, RunInput> 
             PlanAdoption.arrived(draft, replanned);
         } else if (input instanceof RunInput.Restarted) {
             RunDroneMonitor.restarted(draft, GRACE);
-        } else if (input instanceof RunInput.UserRequest wish && refusal(state, wish).isEmpty()) {
+        } else if (input instanceof RunInput.UserRequest wish
+                && refusal(state, wish).isEmpty()) {
             RunUserRequests.wish(draft, wish);
         }
         return draft.decision();

@@ -134,7 +134,8 @@ final class PlanAdoption {
 
     private static void propose(RunTransition draft, PendingReplan request, ReplanResult result) {
         int number = draft.tally().proposal();
-        String words = "Proposal " + number + ", which waits for an answer: " + PlanChangeMessages.of(draft, request, result);
+        String words =
+                "Proposal " + number + ", which waits for an answer: " + PlanChangeMessages.of(draft, request, result);
         draft.proposal(new PlanProposal(number, request.at(), request.causes(), result, words));
         draft.say(request.first(), result, words);
     }
@@ -157,6 +158,9 @@ final class PlanAdoption {
                 .filter(target -> !draft.target(target.id()).state().isSettled())
                 .forEach(draft::put);
         draft.tally().replan();
-        draft.say(request.first(), result, PlanChangeMessages.of(draft, request, result) + PlanChangeMessages.turned(turned));
+        draft.say(
+                request.first(),
+                result,
+                PlanChangeMessages.of(draft, request, result) + PlanChangeMessages.turned(turned));
     }
 }

@@ -38,8 +38,8 @@ final class PlanChangeMessages {
         all.forEach(
                 left -> by.computeIfAbsent(left.why(), key -> new ArrayList<>()).add(left.waypoint()));
         return by.entrySet().stream()
-                .map(entry -> RunMessages.list(entry.getValue()) + (entry.getValue().size() == 1 ? " has" : " have")
-                        + " nobody: " + entry.getKey())
+                .map(entry -> RunMessages.list(entry.getValue())
+                        + (entry.getValue().size() == 1 ? " has" : " have") + " nobody: " + entry.getKey())
                 .toList();
     }
 

@@ -24,13 +24,15 @@ final class PlanFreshness {
         Map<String, DroneId> whose = new HashMap<>();
         plan.tours().forEach(tour -> tour.stops().forEach(stop -> whose.put(stop.waypoint(), tour.drone())));
         // What is taken at once from who flies to it was taken on purpose: its charge may not last for it.
-        List<ReassignedWaypoint> taken = request.better() ? List.of() : result.changes().moved();
+        List<ReassignedWaypoint> taken =
+                request.better() ? List.of() : result.changes().moved();
         return request.crafts().stream().allMatch(craft -> fits(draft.drone(craft.id()), craft, whose, taken))
                 && plan.tours().stream()
                         .allMatch(tour -> tour.stops().stream().allMatch(stop -> isOpen(draft, tour.drone(), stop)));
     }
 
-    private static boolean fits(RunDrone drone, Craft craft, Map<String, DroneId> whose, List<ReassignedWaypoint> taken) {
+    private static boolean fits(
+            RunDrone drone, Craft craft, Map<String, DroneId> whose, List<ReassignedWaypoint> taken) {
         boolean up = drone.stage().compareTo(RunDroneStage.STARTING) >= 0;
         if (!drone.stage().takesOrders() || up != craft.start().airborne()) {
             return false;

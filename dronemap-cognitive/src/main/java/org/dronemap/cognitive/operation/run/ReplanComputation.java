@@ -20,7 +20,8 @@ import org.dronemap.core.time.Time;
  * @param limit how long a better one is looked for; zero: the one at once
  */
 @Stored(as = "Replan", names = "request situation seed limit")
-public record ReplanComputation(int request, ReplanSituation situation, long seed, Duration limit) implements Computation<RunInput> {
+public record ReplanComputation(int request, ReplanSituation situation, long seed, Duration limit)
+        implements Computation<RunInput> {
     /** Drones hover meanwhile: what processors there are help, but never more than these. */
     private static final int MOST_SEARCHES = 4;
 

@@ -110,7 +110,8 @@ final class ReplanScheduler {
         }
     }
 
-    private static void request(RunTransition draft, List<DroneObservation> looks, List<Craft> crafts, List<Waypoint> open) {
+    private static void request(
+            RunTransition draft, List<DroneObservation> looks, List<Craft> crafts, List<Waypoint> open) {
         PlanProposal replaced = draft.proposal();
         if (replaced != null) {
             draft.causes().addAll(0, replaced.causes());
@@ -118,7 +119,8 @@ final class ReplanScheduler {
         }
         RunSettings setting = draft.setting();
         Duration limit = isPatient(draft) ? setting.search() : Duration.ZERO;
-        PendingReplan request = PendingReplan.of(draft.tally().request(), !limit.isZero(), draft.now(), draft.causes(), crafts);
+        PendingReplan request =
+                PendingReplan.of(draft.tally().request(), !limit.isZero(), draft.now(), draft.causes(), crafts);
         Duration horizon = limit.isZero() ? AT_ONCE : limit.plus(BESIDE_SEARCH);
         // What is left may be less than there are drones, and matters more than that each has some of it.
         PlanningProblem problem = new PlanningProblem(
@@ -135,7 +137,8 @@ final class ReplanScheduler {
         live.addAll(orphans(draft, live));
         draft.request(request);
         draft.causes().clear();
-        draft.compute(new ReplanComputation(request.number(), new ReplanSituation(problem, live), setting.seed(), limit));
+        draft.compute(
+                new ReplanComputation(request.number(), new ReplanSituation(problem, live), setting.seed(), limit));
     }
 
     private static Map<DroneId, Craft> usable(RunTransition draft, List<DroneObservation> looks) {
@@ -222,7 +225,8 @@ final class ReplanScheduler {
                 .toList();
     }
 
-    private static LiveAssignment order(RunTransition draft, RunDrone drone, List<DroneObservation> looks, Duration horizon) {
+    private static LiveAssignment order(
+            RunTransition draft, RunDrone drone, List<DroneObservation> looks, Duration horizon) {
         Place here = looks.stream()
                 .filter(each -> each.drone().equals(drone.id()))
                 .findFirst()

@@ -3,8 +3,8 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Duration;
 import java.util.Locale;
 import org.dronemap.cognitive.operation.run.model.DroneObservation;
-import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.core.command.SetReturnHeight;
@@ -37,7 +37,7 @@ final class ReturnHeightOverride {
         if (layer == null || drone.signs().homeward() != null) {
             return false;
         }
-        draft.give(drone, IssuedCommand.Kind.HEIGHT, new SetReturnHeight(layer, true));
+        draft.give(drone, IssuedCommand.Purpose.HEIGHT, new SetReturnHeight(layer, true));
         return true;
     }
 
@@ -51,7 +51,7 @@ final class ReturnHeightOverride {
             draft.put(drone.with(drone.signs().homeward(null)));
             return false;
         }
-        draft.give(drone, IssuedCommand.Kind.HEIGHT, new SetReturnHeight(set.beforeMeters(), false));
+        draft.give(drone, IssuedCommand.Purpose.HEIGHT, new SetReturnHeight(set.beforeMeters(), false));
         return true;
     }
 

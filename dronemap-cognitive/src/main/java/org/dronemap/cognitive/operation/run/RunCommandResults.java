@@ -2,8 +2,8 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Duration;
 import java.time.Instant;
-import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
@@ -29,9 +29,9 @@ final class RunCommandResults {
         }
         if (input.outcome() instanceof Outcome.Succeeded) {
             succeeded(draft, drone.on(null), errand);
-        } else if (errand.kind() == IssuedCommand.Kind.HEIGHT) {
+        } else if (errand.kind() == IssuedCommand.Purpose.HEIGHT) {
             ReturnHeightOverride.failed(draft, drone.on(null), reason(input.outcome()));
-        } else if (errand.kind() == IssuedCommand.Kind.DODGE) {
+        } else if (errand.kind() == IssuedCommand.Purpose.DODGE) {
             // Another step is looked for, from where it is then.
             draft.put(drone.tried(
                     new RunDrone.Attempts(drone.tries().failed(), draft.now().plus(BETWEEN_DODGES))));

@@ -5,8 +5,8 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.cognitive.operation.run.model.DroneObservation;
-import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.Sortie;
@@ -65,7 +65,10 @@ final class RunCommands {
                 && drone.tries().failed() == 0
                 && look.waits()
                 && !draft.isPaused();
-        if (!steps || next == null || !WaypointTransfer.isFree(draft, drone, next) || isAmended(draft, drone, next, look)) {
+        if (!steps
+                || next == null
+                || !WaypointTransfer.isFree(draft, drone, next)
+                || isAmended(draft, drone, next, look)) {
             return;
         }
         if (Boolean.TRUE.equals(look.progress().carriesNext())) {
@@ -116,7 +119,7 @@ final class RunCommands {
     /** It waits for the end of a transfer that goes on: the gate would refuse it, which says nothing against the drone. */
     private static void bring(RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
         if (look.transfer() == null) {
-            draft.give(drone, IssuedCommand.Kind.UPLOAD, new Command.UploadMission(next.mission()));
+            draft.give(drone, IssuedCommand.Purpose.UPLOAD, new Command.UploadMission(next.mission()));
         }
     }
 
@@ -135,9 +138,9 @@ final class RunCommands {
         } else if (drone.signs().yields() != null || ReturnHeightOverride.set(draft, drone)) {
             return;
         } else if (look.ordersMode() != null) {
-            draft.give(drone, IssuedCommand.Kind.MODE, new Command.SetMode(look.ordersMode()));
+            draft.give(drone, IssuedCommand.Purpose.MODE, new Command.SetMode(look.ordersMode()));
         } else {
-            draft.give(drone, IssuedCommand.Kind.ARM, new Command.Arm());
+            draft.give(drone, IssuedCommand.Purpose.ARM, new Command.Arm());
         }
     }
 
@@ -145,7 +148,7 @@ final class RunCommands {
         if (look.isOnMission() && look.airborne()) {
             draft.put(drone.to(RunDroneStage.FLYING, draft.now()));
         } else if (look.isArmed()) {
-            draft.give(drone, IssuedCommand.Kind.START, begin(draft, true));
+            draft.give(drone, IssuedCommand.Purpose.START, begin(draft, true));
         } else if (look.isDisarmed()) {
             RunCommandResults.failed(draft, drone, "it was disarmed before it started");
             armAgain(draft, draft.drone(drone.id()));
@@ -176,7 +179,7 @@ final class RunCommands {
     }
 
     static void pause(RunTransition draft, RunDrone drone) {
-        draft.give(drone, IssuedCommand.Kind.HOLD, new Command.PauseMission());
+        draft.give(drone, IssuedCommand.Purpose.HOLD, new Command.PauseMission());
     }
 
     private static void hold(RunTransition draft, RunDrone drone, DroneObservation look) {
@@ -200,7 +203,7 @@ final class RunCommands {
         } else if (look.waits() && look.airborne()) {
             draft.put(drone.to(RunDroneStage.HOLDING, draft.now()));
         } else if (!look.airborne()) {
-            draft.give(drone, IssuedCommand.Kind.DISARM, new Command.Disarm(false));
+            draft.give(drone, IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
             return;
         } else {
             pause(draft, drone);
@@ -246,7 +249,8 @@ final class RunCommands {
                 || leavesOutWhatIsDone(draft, drone, next, look);
     }
 
-    private static boolean leavesOutWhatIsDone(RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
+    private static boolean leavesOutWhatIsDone(
+            RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
         Place place = look.place();
         Optional<Sortie> left = place == null ? Optional.empty() : TourAssignment.left(draft, drone, next, place);
         left.ifPresent(sortie -> draft.put(drone.getting(sortie)));
@@ -259,7 +263,7 @@ final class RunCommands {
         } else if (drone.next() != null) {
             draft.put(drone.to(RunDroneStage.HOLDING, draft.now()));
         } else {
-            draft.give(drone, IssuedCommand.Kind.START, begin(draft, drone.passed() == 0));
+            draft.give(drone, IssuedCommand.Purpose.START, begin(draft, drone.passed() == 0));
         }
     }
 
@@ -289,7 +293,7 @@ final class RunCommands {
             boolean up = look.airborne();
             draft.give(
                     drone.tried(new RunDrone.Attempts(0, draft.now().plus(BETWEEN_CALLS))),
-                    up ? IssuedCommand.Kind.HOME : IssuedCommand.Kind.DISARM,
+                    up ? IssuedCommand.Purpose.HOME : IssuedCommand.Purpose.DISARM,
                     up ? home : new Command.Disarm(false));
         }
     }

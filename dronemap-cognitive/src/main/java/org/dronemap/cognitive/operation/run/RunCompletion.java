@@ -63,7 +63,10 @@ final class RunCompletion {
         if (doubles > 0) {
             parts.add(RunMessages.count(doubles, "visit") + " too many, by drones out of contact.");
         }
-        draft.drones().stream().map(ReturnHeightOverride::left).filter(Objects::nonNull).forEach(parts::add);
+        draft.drones().stream()
+                .map(ReturnHeightOverride::left)
+                .filter(Objects::nonNull)
+                .forEach(parts::add);
         return String.join(" ", parts);
     }
 }

@@ -50,7 +50,8 @@ final class RunDroneMonitor {
 
     static void removed(RunTransition draft, RunDrone drone) {
         if (drone.stage() != RunDroneStage.LEFT) {
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.LEFT, RunTrigger.REMOVED, drone.name() + " was taken away.");
+            DroneWithdrawal.leave(
+                    draft, drone, RunDroneStage.LEFT, RunTrigger.REMOVED, drone.name() + " was taken away.");
         }
     }
 
@@ -160,7 +161,12 @@ final class RunDroneMonitor {
             String words = drone.name() + " flew its mission to the end before it got the next one.";
             DroneWithdrawal.leave(draft, drone.flying(null, 0), RunDroneStage.LANDED, RunTrigger.CAME_DOWN, words);
         } else if (sortie == null || !high) {
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.LEFT, RunTrigger.CAME_DOWN, drone.name() + " came down before its end.");
+            DroneWithdrawal.leave(
+                    draft,
+                    drone,
+                    RunDroneStage.LEFT,
+                    RunTrigger.CAME_DOWN,
+                    drone.name() + " came down before its end.");
         } else {
             FlightHealth.crashed(draft, drone, "its motors stopped in the air");
         }
@@ -171,8 +177,8 @@ final class RunDroneMonitor {
         Instant then = draft.now().plus(Duration.ofSeconds(3));
         for (RunDrone drone : draft.drones()) {
             if (drone.errand() != null) {
-                draft.put(
-                        drone.tried(new RunDrone.Attempts(Math.max(1, drone.tries().failed()), then)));
+                draft.put(drone.tried(
+                        new RunDrone.Attempts(Math.max(1, drone.tries().failed()), then)));
             }
         }
         RunCloudLoss.begin(draft);
@@ -182,6 +188,7 @@ final class RunDroneMonitor {
             draft.causes().addAll(0, open.causes());
             draft.request(null);
         }
-        draft.say(RunTrigger.RESTARTED, null, "The server was started again; the run goes on from what the drones say.");
+        draft.say(
+                RunTrigger.RESTARTED, null, "The server was started again; the run goes on from what the drones say.");
     }
 }

@@ -44,8 +44,8 @@ final class RunInitialState {
     private static List<RunWaypoint> targets(RunOrder order) {
         Map<String, DroneId> whose = new HashMap<>();
         order.plan().tours().forEach(tour -> tour.stops().forEach(stop -> whose.put(stop.waypoint(), tour.drone())));
-        Map<String, String> why =
-                order.plan().unserved().stream().collect(Collectors.toMap(UnservedWaypoint::waypoint, UnservedWaypoint::why));
+        Map<String, String> why = order.plan().unserved().stream()
+                .collect(Collectors.toMap(UnservedWaypoint::waypoint, UnservedWaypoint::why));
         List<RunWaypoint> targets = new ArrayList<>();
         for (Waypoint waypoint : order.problem().waypoints()) {
             RunWaypoint waiting = RunWaypoint.waiting(waypoint);

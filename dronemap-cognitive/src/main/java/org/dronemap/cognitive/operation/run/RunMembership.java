@@ -35,7 +35,8 @@ final class RunMembership {
     private static void giveUp(RunTransition draft, RunDrone drone, String words) {
         String sentence = String.format(words, drone.name());
         RunDroneStage stage = switch (drone.stage()) {
-            case ARMING, STARTING, FLYING, HOLDING, REPLACING, CONTINUING, RESUMING, RETURNING -> RunDroneStage.RETURNING;
+            case ARMING, STARTING, FLYING, HOLDING, REPLACING, CONTINUING, RESUMING, RETURNING ->
+                RunDroneStage.RETURNING;
             case SILENT -> RunDroneStage.GONE;
             default -> RunDroneStage.LEFT;
         };

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.time.Instant;
 import org.dronemap.cognitive.operation.run.model.DroneObservation;
 import org.dronemap.cognitive.operation.run.model.PendingReplan;
-import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
@@ -33,7 +33,9 @@ final class RunPause {
         }
         draft.clock(draft.clock().paused(draft.now()));
         draft.say(
-                RunTrigger.PAUSED, null, by + " paused the run: drones in the air hold, those on the ground stay there.");
+                RunTrigger.PAUSED,
+                null,
+                by + " paused the run: drones in the air hold, those on the ground stay there.");
     }
 
     /** Everybody waited for the same time: what was apart in time still is. */
@@ -72,7 +74,7 @@ final class RunPause {
             return false;
         }
         if (look.isArmed()) {
-            draft.give(drone, IssuedCommand.Kind.DISARM, new Command.Disarm(false));
+            draft.give(drone, IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
         } else {
             draft.put(drone.to(RunDroneStage.READY, draft.now()));
         }
@@ -81,7 +83,9 @@ final class RunPause {
 
     /** Who climbs from the ground comes to its height first, and who has nothing left to visit lands. */
     private static boolean stops(RunTransition draft, RunDrone drone, DroneObservation look) {
-        if (look.isOnMission() && !CraftSnapshots.isTakingOff(drone) && !drone.orders().isEmpty()) {
+        if (look.isOnMission()
+                && !CraftSnapshots.isTakingOff(drone)
+                && !drone.orders().isEmpty()) {
             RunCommands.pause(draft, drone.to(RunDroneStage.HOLDING, draft.now()));
         }
         return true;

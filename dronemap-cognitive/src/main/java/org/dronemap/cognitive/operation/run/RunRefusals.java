@@ -15,8 +15,8 @@ import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodesy;
-import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.Objection;
+import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.OperationObjection;
 
 /** Reasons why a run cannot do now what somebody wants. */

@@ -137,7 +137,7 @@ final class RunTransition {
         return drones.containsKey(id);
     }
 
-    void put(RunDrone drone) {
+    public void put(RunDrone drone) {
         drones.put(drone.id(), drone);
     }
 
@@ -153,7 +153,7 @@ final class RunTransition {
         return target(waypoint).waypoint().task();
     }
 
-    void put(RunWaypoint target) {
+    public void put(RunWaypoint target) {
         targets.put(target.id(), target);
     }
 

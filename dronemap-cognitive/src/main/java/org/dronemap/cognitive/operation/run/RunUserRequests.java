@@ -20,7 +20,8 @@ final class RunUserRequests {
             draft.cause(
                     RunTrigger.WAYPOINTS_ADDED,
                     null,
-                    add.by() + " added " + RunMessages.count(ids.size(), "waypoint") + ": " + RunMessages.list(ids) + ".");
+                    add.by() + " added " + RunMessages.count(ids.size(), "waypoint") + ": " + RunMessages.list(ids)
+                            + ".");
         } else if (wish instanceof RunInput.MoveWaypoint move) {
             move(draft, move);
         } else if (wish instanceof RunInput.CancelWaypoint cancel) {
@@ -46,7 +47,8 @@ final class RunUserRequests {
         forget(draft, move.waypoint(), false);
         draft.put(draft.target(move.waypoint())
                 .with(new Waypoint(old.id(), move.to(), old.task(), old.priority(), old.window())));
-        draft.cause(RunTrigger.WAYPOINT_MOVED, target.drone(), move.by() + " moved the waypoint " + move.waypoint() + ".");
+        draft.cause(
+                RunTrigger.WAYPOINT_MOVED, target.drone(), move.by() + " moved the waypoint " + move.waypoint() + ".");
     }
 
     private static void cancel(RunTransition draft, RunInput.CancelWaypoint cancel) {

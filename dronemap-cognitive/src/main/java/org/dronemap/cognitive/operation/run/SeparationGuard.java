@@ -9,8 +9,8 @@ import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.cognitive.operation.run.TrajectoryForecast.Trajectory;
 import org.dronemap.cognitive.operation.run.model.DroneObservation;
-import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDrone.IssuedCommand;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.Sortie;
@@ -129,7 +129,8 @@ final class SeparationGuard {
     }
 
     /** One of the two that is in that stage stands still until the other one has passed, where that helps. */
-    private boolean waits(RunDrone one, List<Trajectory> mine, RunDrone other, List<Trajectory> yours, RunDroneStage stage) {
+    private boolean waits(
+            RunDrone one, List<Trajectory> mine, RunDrone other, List<Trajectory> yours, RunDroneStage stage) {
         if (other.stage() == stage && mayHold(other) && !meet(mine, TrajectoryForecast.stopping(yours))) {
             hold(other, one);
             return true;
@@ -163,14 +164,15 @@ final class SeparationGuard {
     private void go(RunDrone drone, Place to) {
         draft.give(
                 drone,
-                IssuedCommand.Kind.DODGE,
+                IssuedCommand.Purpose.DODGE,
                 new Command.GoTo(to.point(), new Altitude(to.altitudeAmslMeters(), Altitude.Reference.AMSL)));
     }
 
     /** Who is on its way home stays so: that goes on when it is clear. */
     private RunDrone yielding(RunDrone drone, DroneId whom) {
         boolean home = drone.stage() == RunDroneStage.RETURNING;
-        return drone.with(drone.signs().yields(whom)).to(home ? RunDroneStage.RETURNING : RunDroneStage.HOLDING, draft.now());
+        return drone.with(drone.signs().yields(whom))
+                .to(home ? RunDroneStage.RETURNING : RunDroneStage.HOLDING, draft.now());
     }
 
     /** {@code entirely}: only one that leaves it clear of all, and of none that is on its way home. */
@@ -223,7 +225,7 @@ final class SeparationGuard {
         IssuedCommand errand = drone.errand();
         return errand == null
                 ? !isBusy(drone)
-                : errand.kind() == IssuedCommand.Kind.DODGE
+                : errand.kind() == IssuedCommand.Purpose.DODGE
                         && Duration.between(errand.at(), draft.now()).compareTo(LONGEST_UNANSWERED) > 0;
     }
 
@@ -265,7 +267,7 @@ final class SeparationGuard {
         if (!mayHold(drone)) {
             return;
         }
-        draft.give(yielding(drone, other.id()), IssuedCommand.Kind.HOLD, new Command.PauseMission());
+        draft.give(yielding(drone, other.id()), IssuedCommand.Purpose.HOLD, new Command.PauseMission());
         draft.say(RunTrigger.TOO_NEAR, drone.id(), drone.name() + " waits until " + other.name() + " has passed.");
     }
 
@@ -394,7 +396,8 @@ final class SeparationGuard {
         boolean low = place.altitudeAmslMeters() - drone.craft().homeAmslMeters() < HIGHEST_OVER_METERS;
         if (may && low && !isWaitedForByEarlier(drone)) {
             go(again.busy(draft.now().plus(UNTIL_OVER)), higher);
-            draft.say(RunTrigger.TOO_NEAR, drone.id(), drone.name() + " climbs to come home over those who do not pass.");
+            draft.say(
+                    RunTrigger.TOO_NEAR, drone.id(), drone.name() + " climbs to come home over those who do not pass.");
         } else {
             draft.put(again);
         }

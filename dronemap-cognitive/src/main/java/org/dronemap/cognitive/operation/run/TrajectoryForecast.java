@@ -23,7 +23,8 @@ final class TrajectoryForecast {
     /** Vehicles that were told no other height climb to this before they fly home, in m over it. */
     private static final double RETURN_METERS = 15;
     /** From when it was heard last until its fail-safe acts: of firmware whose time cannot be set, and of all others. */
-    private static final List<Double> UNTIL_HOMEWARD_SECONDS = List.of(6.0, SafetyTimes.VEHICLE_RETURNS.toSeconds() + 1.0);
+    private static final List<Double> UNTIL_HOMEWARD_SECONDS =
+            List.of(6.0, SafetyTimes.VEHICLE_RETURNS.toSeconds() + 1.0);
     /** Beyond that an order may not have arrived. */
     private static final Duration UNTIL_OBEYED = Duration.ofMillis(1_500);
 
@@ -211,7 +212,8 @@ final class TrajectoryForecast {
                 : new Trajectory(standing(from));
         List<Sample> places = new ArrayList<>(first.places().subList(0, SeparationGuard.STRIDES_TO_STAND));
         Sample stands = places.get(places.size() - 1);
-        TrajectoryBuilder walk = new TrajectoryBuilder(drone.craft().performance().speeds(), stands, 0, 0);
+        TrajectoryBuilder walk =
+                new TrajectoryBuilder(drone.craft().performance().speeds(), stands, 0, 0);
         Sample there = at(to);
         walk.to(there);
         places.addAll(walk.track().places());
@@ -230,7 +232,8 @@ final class TrajectoryForecast {
 
     /** {@code moving}: how fast it was there, that long ago. */
     private Trajectory mission(RunDrone drone, Place from, double ago, double moving) {
-        TrajectoryBuilder walk = new TrajectoryBuilder(drone.craft().performance().speeds(), at(from), ago, moving);
+        TrajectoryBuilder walk =
+                new TrajectoryBuilder(drone.craft().performance().speeds(), at(from), ago, moving);
         Sortie sortie = drone.sortie();
         if (sortie != null) {
             List<MissionItem> items = sortie.mission().items();
@@ -264,7 +267,8 @@ final class TrajectoryForecast {
 
     private Trajectory homeward(RunDrone drone, Sample from, double ago) {
         Place home = drone.craft().finish().place();
-        TrajectoryBuilder walk = new TrajectoryBuilder(drone.craft().performance().speeds(), from, ago, 0);
+        TrajectoryBuilder walk =
+                new TrajectoryBuilder(drone.craft().performance().speeds(), from, ago, 0);
         ReturnHeight set = drone.signs().homeward();
         double height = Math.max(from.high(), home.altitudeAmslMeters() + (set == null ? RETURN_METERS : set.meters()));
         boolean there = from.spot().distanceMeters(at(home).spot()) < 2;

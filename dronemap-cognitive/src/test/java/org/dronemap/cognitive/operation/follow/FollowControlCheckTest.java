@@ -29,7 +29,8 @@ class FollowControlCheckTest extends FollowTestBase {
     @Test
     void bringsHomeADroneThatNobodyHasAnyMore() {
         start();
-        seen(led(new Observation("The supervisor has it.", 0, true, true, true, false, "GUIDED", 90, 300.0, null, null)));
+        seen(led(new Observation(
+                "The supervisor has it.", 0, true, true, true, false, "GUIDED", 90, 300.0, null, null)));
         Observation adrift = air(new FollowInput.ControlRestriction(null, true, false));
         silent(adrift, 50);
         assertThat(state.note()).contains("Nobody has Falcon any more", "after 60 s");
@@ -91,7 +92,17 @@ class FollowControlCheckTest extends FollowTestBase {
     void leavesItsDroneToThePilotWhomItFindsAfterARestart() {
         start();
         Observation piloted = new Observation(
-                null, 0, true, true, false, false, "LOITER", 90, 300.0, new FollowInput.ControlRestriction(null, false, true), null);
+                null,
+                0,
+                true,
+                true,
+                false,
+                false,
+                "LOITER",
+                90,
+                300.0,
+                new FollowInput.ControlRestriction(null, false, true),
+                null);
         take(new FollowInput.Stop(at(), "mia"));
         now += 20;
         take(new FollowInput.Restarted(at()));

@@ -70,7 +70,8 @@ class FollowGuidanceTest {
     private int tenths;
     private @Nullable Double gaze;
 
-    private static final OperationObservation.ControlStatus OURS = new OperationObservation.ControlStatus(null, null, false, null);
+    private static final OperationObservation.ControlStatus OURS =
+            new OperationObservation.ControlStatus(null, null, false, null);
 
     private static DroneState drone(String id, Geodetic point, Instant at) {
         return drone(id, point, AMSL, at);
@@ -130,7 +131,8 @@ class FollowGuidanceTest {
         for (int end = tenths + (int) (seconds * 10); tenths < end; tenths++) {
             Instant now = ZERO.plus(Duration.ofMillis(100L * tenths));
             guide.sighted(new TargetReport(tenths, now, now, now, Duration.ZERO, PHONE, 3, null));
-            OperationObservation.ObservedDrone seen = new OperationObservation.ObservedDrone(drone("d1", falcon, now), OURS, Duration.ZERO, Duration.ZERO);
+            OperationObservation.ObservedDrone seen = new OperationObservation.ObservedDrone(
+                    drone("d1", falcon, now), OURS, Duration.ZERO, Duration.ZERO);
             AirspaceSnapshot around = new AirspaceSnapshot(Map.of(FALCON, zones), aloft, Set.of());
             OperationObservation scene = new OperationObservation(now, List.of(seen), now, null, around, Map.of());
             Setpoint.Track said = (Setpoint.Track) guide.steer(state, scene).get(FALCON);
@@ -164,13 +166,16 @@ class FollowGuidanceTest {
         return new OperationObservation(
                 ZERO,
                 List.of(
-                        new OperationObservation.ObservedDrone(drone("d1", HOME, ZERO), OURS, Duration.ZERO, Duration.ZERO),
-                        new OperationObservation.ObservedDrone(drone("d2", kestrel, amsl, ZERO), OURS, Duration.ZERO, Duration.ZERO)));
+                        new OperationObservation.ObservedDrone(
+                                drone("d1", HOME, ZERO), OURS, Duration.ZERO, Duration.ZERO),
+                        new OperationObservation.ObservedDrone(
+                                drone("d2", kestrel, amsl, ZERO), OURS, Duration.ZERO, Duration.ZERO)));
     }
 
     @Test
     void isNotThereForTheOtherOneBeforeItHasRisen() {
-        FollowOrder.ChosenDrone kestrel = new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
+        FollowOrder.ChosenDrone kestrel =
+                new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
@@ -198,13 +203,14 @@ class FollowGuidanceTest {
     /** Metres above its home. */
     private double waitingHeight() {
         guide = new FollowGuidance(state.order().near(), FollowSeparation.USUAL);
-        FollowOrder.ChosenDrone kestrel = new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
+        FollowOrder.ChosenDrone kestrel =
+                new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
         FollowState relieved = new FollowOperation(FollowSeparation.USUAL)
                 .decide(state, new FollowInput.SendRelief(ZERO, kestrel))
                 .next();
         FollowState rising = relieved.crew().others().get(0);
-        FollowState both =
-                relieved.with(relieved.crew().with(List.of(rising.to(FollowStage.TRACKING, ZERO, "It is in the air."))));
+        FollowState both = relieved.with(
+                relieved.crew().with(List.of(rising.to(FollowStage.TRACKING, ZERO, "It is in the air."))));
         Geodetic first = PHONE;
         Geodetic second = new Geodetic(47.39870, 8.5456);
         double least = Double.POSITIVE_INFINITY;
@@ -214,7 +220,8 @@ class FollowGuidanceTest {
             guide.sighted(new TargetReport(tenth, now, now, now, Duration.ZERO, PHONE, 3, null));
             List<OperationObservation.ObservedDrone> seen = List.of(
                     new OperationObservation.ObservedDrone(drone("d1", first, now), OURS, Duration.ZERO, Duration.ZERO),
-                    new OperationObservation.ObservedDrone(drone("d2", second, now), OURS, Duration.ZERO, Duration.ZERO));
+                    new OperationObservation.ObservedDrone(
+                            drone("d2", second, now), OURS, Duration.ZERO, Duration.ZERO));
             said = guide.steer(
                     both,
                     new OperationObservation(
@@ -237,14 +244,15 @@ class FollowGuidanceTest {
     /** By one that waited 20 m away; it has flown beside its home. */
     private FollowState replaced() {
         FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
-        FollowOrder.ChosenDrone kestrel = new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
+        FollowOrder.ChosenDrone kestrel =
+                new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
         FollowState up = relieved.crew().others().get(0).to(FollowStage.TRACKING, ZERO, "It is in the air.");
         FollowState ready = relieved.with(relieved.crew().with(List.of(up)));
         falcon = new Geodetic(HOME.latitudeDegrees() + 0.0006, HOME.longitudeDegrees());
-        FollowInput.Observation air =
-                FollowTestBase.led(new FollowInput.Observation(null, 0, true, true, true, false, "GUIDED", 90, 66.0, null, null));
+        FollowInput.Observation air = FollowTestBase.led(
+                new FollowInput.Observation(null, 0, true, true, true, false, "GUIDED", 90, 66.0, null, null));
         FollowState after = follow.decide(
                         ready,
                         new FollowInput.Observed(
@@ -270,7 +278,8 @@ class FollowGuidanceTest {
             Instant now = ZERO.plusMillis(100L * tenth);
             DroneState old = drone("d1", falcon, now);
             AirspaceSnapshot around = new AirspaceSnapshot(Map.of(), List.of(drone("d3", inTheWay, now)), Set.of());
-            List<OperationObservation.ObservedDrone> seen = List.of(new OperationObservation.ObservedDrone(old, OURS, Duration.ZERO, Duration.ZERO));
+            List<OperationObservation.ObservedDrone> seen =
+                    List.of(new OperationObservation.ObservedDrone(old, OURS, Duration.ZERO, Duration.ZERO));
             said = guide.steer(after, new OperationObservation(now, seen, now, null, around, Map.of()))
                     .get(FALCON);
             if (said == null) {

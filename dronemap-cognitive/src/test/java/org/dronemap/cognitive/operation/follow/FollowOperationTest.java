@@ -25,7 +25,10 @@ class FollowOperationTest extends FollowTestBase {
         start();
         assertThat(given)
                 .containsExactly(
-                        new SetReturnOnCloudLoss(), new Command.SetMode("GUIDED"), new Command.Arm(), new Command.TakeOff(15));
+                        new SetReturnOnCloudLoss(),
+                        new Command.SetMode("GUIDED"),
+                        new Command.Arm(),
+                        new Command.TakeOff(15));
         assertThat(state.stage()).isEqualTo(FollowStage.TRACKING);
         heard(AIR, 100);
         assertThat(state.stage()).isEqualTo(FollowStage.TRACKING);
@@ -43,8 +46,8 @@ class FollowOperationTest extends FollowTestBase {
     /** Each wish and event at each stage: what comes of it, or that it is not taken. */
     @Test
     void answersEachWishAndEventAtEachStageAsTheTableSays() throws IOException {
-        Observation away =
-                led(new Observation("The supervisor has it.", 0, true, true, true, false, "GUIDED", 90, 300.0, null, null));
+        Observation away = led(
+                new Observation("The supervisor has it.", 0, true, true, true, false, "GUIDED", 90, 300.0, null, null));
         Observation barred = air(new FollowInput.ControlRestriction("mia may not command it any more.", false, false));
         Map<String, FollowInput> inputs = new LinkedHashMap<>();
         inputs.put("start", new FollowInput.Start(ZERO, "mia"));
@@ -88,7 +91,10 @@ class FollowOperationTest extends FollowTestBase {
         seen(led(new Observation("The pilot flies it.", 0, true, true, false, false, "LOITER", 90, 300.0, null, null)));
         assertThat(state.stage()).isEqualTo(FollowStage.SUSPENDED);
         assertThat(follow.drones(state)).isEmpty();
-        silent(led(new Observation("The pilot flies it.", 0, true, true, false, false, "LOITER", 90, 300.0, null, null)), 5);
+        silent(
+                led(new Observation(
+                        "The pilot flies it.", 0, true, true, false, false, "LOITER", 90, 300.0, null, null)),
+                5);
         assertThat(given).hasSize(4);
         take(new FollowInput.Resume(at(), "mia"));
         assertThat(follow.drones(state)).containsExactly(state.drone());
@@ -101,7 +107,8 @@ class FollowOperationTest extends FollowTestBase {
 
     @Test
     void isOverWhenItsDroneIsTakenOnTheGround() {
-        seen(led(new Observation("The supervisor has it.", 0, false, false, true, false, "GUIDED", 90, 0.0, null, null)));
+        seen(led(new Observation(
+                "The supervisor has it.", 0, false, false, true, false, "GUIDED", 90, 0.0, null, null)));
         assertThat(state.isOver()).isTrue();
         assertThat(state.end()).contains("The supervisor has it.");
     }
@@ -131,7 +138,8 @@ class FollowOperationTest extends FollowTestBase {
         reach = ReporterState.VAGUE;
         silent(AIR, 1);
         assertThat(state.note()).contains("no better than 50 m", "flies home 60 s after");
-        List<String> before = state.told().stream().map(FollowState.Notice::words).toList();
+        List<String> before =
+                state.told().stream().map(FollowState.Notice::words).toList();
         reach = ReporterState.ASLEEP;
         silent(AIR, 1);
         assertThat(state.note()).contains("stands still: the screen is off");

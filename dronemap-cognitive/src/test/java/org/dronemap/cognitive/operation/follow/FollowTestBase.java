@@ -24,10 +24,14 @@ abstract class FollowTestBase {
     static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
     static final FollowOrder.RelativePlace BEHIND = new FollowOrder.RelativePlace(new StandOffSide.Behind(), 8, 15);
     private static final FollowInput.ModeMeaning MODES = new FollowInput.ModeMeaning("GUIDED", false);
-    static final Observation GROUND = led(new Observation(null, 0, false, false, true, false, "GUIDED", 90, 0.0, null, null));
-    static final Observation ARMED = led(new Observation(null, 0, true, false, true, false, "GUIDED", 90, 0.0, null, null));
-    static final Observation AIR = led(new Observation(null, 0, true, true, true, false, "GUIDED", 90, 300.0, null, null));
-    static final Observation HOMING = led(new Observation(null, 0, true, true, false, true, "RTL", 90, 300.0, null, null));
+    static final Observation GROUND =
+            led(new Observation(null, 0, false, false, true, false, "GUIDED", 90, 0.0, null, null));
+    static final Observation ARMED =
+            led(new Observation(null, 0, true, false, true, false, "GUIDED", 90, 0.0, null, null));
+    static final Observation AIR =
+            led(new Observation(null, 0, true, true, true, false, "GUIDED", 90, 300.0, null, null));
+    static final Observation HOMING =
+            led(new Observation(null, 0, true, true, false, true, "RTL", 90, 300.0, null, null));
 
     final FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
     final List<Command> given = new ArrayList<>();

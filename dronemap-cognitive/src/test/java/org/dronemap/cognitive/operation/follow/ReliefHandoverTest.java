@@ -24,7 +24,8 @@ class ReliefHandoverTest extends FollowTestBase {
     private static final DroneId FALCON = new DroneId("d1");
     private static final DroneId KESTREL = new DroneId("d2");
     private static final DroneId OSPREY = new DroneId("d3");
-    private static final Observation LOW = led(new Observation(null, 0, true, true, true, false, "GUIDED", 24, 300.0, null, null));
+    private static final Observation LOW =
+            led(new Observation(null, 0, true, true, true, false, "GUIDED", 24, 300.0, null, null));
     private static final Observation TAKEN =
             led(new Observation("sue has it.", 0, true, true, true, false, "GUIDED", 90, 300.0, null, null));
 
@@ -104,7 +105,8 @@ class ReliefHandoverTest extends FollowTestBase {
         assertThat(follow.drones(state)).containsExactlyInAnyOrder(FALCON, KESTREL);
         apart.put(KESTREL, 300.0);
         pass(20);
-        assertThat(told.get(KESTREL)).containsExactly(new SetReturnOnCloudLoss(), new Command.Arm(), new Command.TakeOff(15));
+        assertThat(told.get(KESTREL))
+                .containsExactly(new SetReturnOnCloudLoss(), new Command.Arm(), new Command.TakeOff(15));
         assertThat(state.drone()).isEqualTo(FALCON);
         assertThat(state.stage()).isEqualTo(FollowStage.TRACKING);
         assertThat(stageOf(KESTREL)).isEqualTo(FollowStage.TRACKING);
@@ -232,7 +234,9 @@ class ReliefHandoverTest extends FollowTestBase {
     void asksForAnotherWhenOneFailsOnItsWay() {
         follows();
         relieve(KESTREL, "Kestrel");
-        looks.put(KESTREL, led(new Observation("sue has it.", 0, false, false, true, false, "GUIDED", 90, 0.0, null, null)));
+        looks.put(
+                KESTREL,
+                led(new Observation("sue has it.", 0, false, false, true, false, "GUIDED", 90, 0.0, null, null)));
         pass(0.5);
         assertThat(state.stage()).isEqualTo(FollowStage.TRACKING);
         assertThat(state.isRelievable()).isTrue();

@@ -42,7 +42,9 @@ class DroneObstaclesTest {
         fleet.vehicle(1).mode = "RTL";
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(19);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(19);
         assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
     }
 }

@@ -77,7 +77,8 @@ class ExplanationsTest {
 
     /** A drone falls, and waypoints are added. */
     private static RunTestBench eventful(RunOrder.ApprovalMode mode) {
-        RunTestBench fleet = RunFixtures.fleet(RunFixtures.problem(3, 30, 1, false), 1, mode, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
+        RunTestBench fleet = RunFixtures.fleet(
+                RunFixtures.problem(3, 30, 1, false), 1, mode, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
         fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 3, 600);
         fleet.vehicle(1).falling = true;
         answered(fleet, 30);

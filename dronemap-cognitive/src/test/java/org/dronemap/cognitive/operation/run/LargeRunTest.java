@@ -30,7 +30,10 @@ class LargeRunTest {
                 .map(craft -> craft.with(new EnergyBudget(FULL_JOULES, 0.2 * FULL_JOULES)))
                 .toList();
         return RunFixtures.fleet(
-                PlanningProblem.of(problem.waypoints(), crafts), seed, RunOrder.ApprovalMode.AUTOMATIC, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
+                PlanningProblem.of(problem.waypoints(), crafts),
+                seed,
+                RunOrder.ApprovalMode.AUTOMATIC,
+                MissionCloudLossPolicy.RETURN_TO_LAUNCH);
     }
 
     /** Seconds from now until all that get something of what that drone leaves have acknowledged their missions. */
@@ -50,7 +53,8 @@ class LargeRunTest {
         List<Waypoint> ten = new ArrayList<>();
         for (int i = 0; i < 10; i++) {
             ten.add(Waypoint.at(
-                    "new" + i, PlanningFixtures.place(random.nextDouble(-450, 450), random.nextDouble(-450, 450), 440)));
+                    "new" + i,
+                    PlanningFixtures.place(random.nextDouble(-450, 450), random.nextDouble(-450, 450), 440)));
         }
         return ten;
     }
@@ -82,7 +86,9 @@ class LargeRunTest {
         fleet.restart(4);
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(130);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(130);
         assertThat(fleet.visits.keySet()).hasSize(130);
         assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
         assertThat(fleet.vehicle(3).joules).isPositive();

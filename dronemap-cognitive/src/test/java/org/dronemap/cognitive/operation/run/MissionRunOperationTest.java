@@ -95,7 +95,9 @@ class MissionRunOperationTest {
         fleet.vehicle(0).transfer = null;
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     /** Over a bad link that takes a minute; called late each time, it got another mission again and again. */
@@ -105,7 +107,9 @@ class MissionRunOperationTest {
         fleet.vehicle(0).transfer = null;
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
         assertThat(triggers(fleet)).as("%s", fleet.said).doesNotContain(RunTrigger.LATE);
     }
 
@@ -215,7 +219,9 @@ class MissionRunOperationTest {
         fleet.vehicles.values().forEach(vehicle -> vehicle.cut = false);
 
         fleet.flyToTheEnd();
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     @Test
@@ -251,18 +257,21 @@ class MissionRunOperationTest {
         Objective every = new Objective(1, Objective.Measure.SECONDS, 0, true);
         PlanningProblem problem =
                 new PlanningProblem(some.waypoints(), some.crafts(), some.barriers(), some.wind(), every, some.rules());
-        RunTestBench fleet = RunFixtures.fleet(problem, 1, RunOrder.ApprovalMode.AUTOMATIC, MissionCloudLossPolicy.CONTINUE);
+        RunTestBench fleet =
+                RunFixtures.fleet(problem, 1, RunOrder.ApprovalMode.AUTOMATIC, MissionCloudLossPolicy.CONTINUE);
         fleet.flyUntil(
                 () -> fleet.state.drones().stream()
                                 .filter(drone -> drone.stage() == RunDroneStage.LANDED)
                                 .count()
                         == 2,
                 1_000);
-        fleet.wish(
-                new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at("n1", PlanningFixtures.place(100, 300, 440)))));
+        fleet.wish(new RunInput.AddWaypoints(
+                fleet.now, "Ann", List.of(Waypoint.at("n1", PlanningFixtures.place(100, 300, 440)))));
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(13);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(13);
     }
 
     @Test

@@ -45,8 +45,13 @@ class RandomRunsTest {
     }
 
     static RunTestBench undisturbed(SplittableRandom random, long seed) {
-        MissionCloudLossPolicy loss = random.nextBoolean() ? MissionCloudLossPolicy.CONTINUE : MissionCloudLossPolicy.RETURN_TO_LAUNCH;
-        return RunFixtures.fleet(RunFixtures.problem(4 + random.nextInt(3), 40, seed, false), seed, RunOrder.ApprovalMode.AUTOMATIC, loss);
+        MissionCloudLossPolicy loss =
+                random.nextBoolean() ? MissionCloudLossPolicy.CONTINUE : MissionCloudLossPolicy.RETURN_TO_LAUNCH;
+        return RunFixtures.fleet(
+                RunFixtures.problem(4 + random.nextInt(3), 40, seed, false),
+                seed,
+                RunOrder.ApprovalMode.AUTOMATIC,
+                loss);
     }
 
     private static void disturb(RunTestBench fleet, SplittableRandom random, int number) {
@@ -68,7 +73,8 @@ class RandomRunsTest {
                             "Ann",
                             List.of(Waypoint.at(
                                     "n" + number,
-                                    PlanningFixtures.place(random.nextDouble(-400, 400), random.nextDouble(-400, 400), 441)))));
+                                    PlanningFixtures.place(
+                                            random.nextDouble(-400, 400), random.nextDouble(-400, 400), 441)))));
                 }
             }
             case 5 -> fleet.restart(random.nextInt(1, 8));

@@ -54,7 +54,10 @@ class RandomUserRequestsTest {
     static RunTestBench wished(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         RunTestBench fleet = RunFixtures.fleet(
-                RunFixtures.problem(2 + random.nextInt(3), 25, seed, true), seed, RunOrder.ApprovalMode.AUTOMATIC, MissionCloudLossPolicy.CONTINUE);
+                RunFixtures.problem(2 + random.nextInt(3), 25, seed, true),
+                seed,
+                RunOrder.ApprovalMode.AUTOMATIC,
+                MissionCloudLossPolicy.CONTINUE);
         int wishes = 3 + random.nextInt(4);
         for (int i = 0; i < wishes && !fleet.state.isOver(); i++) {
             fleet.fly(random.nextInt(4) == 0 ? random.nextInt(10, 60) : random.nextInt(0, 6));
@@ -78,14 +81,16 @@ class RandomUserRequestsTest {
             case 1 -> join(fleet, number);
             case 2 -> add(fleet, "far" + number, 0, 30_000);
             case 3 -> add(fleet, "n" + number, east, north);
-            case 4 -> fleet.input(new RunInput.MoveWaypoint(fleet.now, "Ann", open, PlanningFixtures.place(east, north, 440)));
+            case 4 ->
+                fleet.input(
+                        new RunInput.MoveWaypoint(fleet.now, "Ann", open, PlanningFixtures.place(east, north, 440)));
             default -> fleet.input(new RunInput.CancelWaypoint(fleet.now, "Ann", open));
         }
     }
 
     private static void add(RunTestBench fleet, String id, double east, double north) {
-        fleet.wish(
-                new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at(id, PlanningFixtures.place(east, north, 440)))));
+        fleet.wish(new RunInput.AddWaypoints(
+                fleet.now, "Ann", List.of(Waypoint.at(id, PlanningFixtures.place(east, north, 440)))));
     }
 
     private static void join(RunTestBench fleet, int number) {

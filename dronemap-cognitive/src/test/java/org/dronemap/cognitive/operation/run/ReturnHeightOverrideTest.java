@@ -125,8 +125,8 @@ class ReturnHeightOverrideTest {
         double highest = heights(fleet).get(2);
         TestVehicle another = new TestVehicle(7, 300, 0);
         fleet.vehicles.put(another.id, another);
-        fleet.wish(
-                new RunInput.JoinDrone(fleet.now, "Ann", PlanningFixtures.craft(7, 300, 0), "Drone d7", VehicleKind.MULTICOPTER));
+        fleet.wish(new RunInput.JoinDrone(
+                fleet.now, "Ann", PlanningFixtures.craft(7, 300, 0), "Drone d7", VehicleKind.MULTICOPTER));
 
         Double layer = fleet.drone(7).kin().returnMeters();
 
@@ -148,7 +148,8 @@ class ReturnHeightOverrideTest {
                 problem.wind(),
                 problem.objective(),
                 problem.rules());
-        RunTestBench fleet = up(RunFixtures.fleet(below, 1, RunOrder.ApprovalMode.AUTOMATIC, MissionCloudLossPolicy.CONTINUE));
+        RunTestBench fleet =
+                up(RunFixtures.fleet(below, 1, RunOrder.ApprovalMode.AUTOMATIC, MissionCloudLossPolicy.CONTINUE));
 
         assertThat(heights(fleet)).allMatch(meters -> TestVehicle.GROUND + meters <= 460);
         assertThat(Set.copyOf(heights(fleet))).hasSizeGreaterThan(1).hasSizeLessThan(4);

@@ -49,7 +49,9 @@ class RunCloudLossTest {
         assertThat(fleet.state.drones()).noneMatch(RunCloudLoss::isUnclear);
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     @ParameterizedTest
@@ -62,7 +64,9 @@ class RunCloudLossTest {
         fleet.restart(400);
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     @Test
@@ -72,7 +76,9 @@ class RunCloudLossTest {
         fleet.vehicles.values().forEach(vehicle -> vehicle.untold = 40);
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     /** What they said in the last moment was not written down, or heard by nobody. */
@@ -86,7 +92,9 @@ class RunCloudLossTest {
         assertThat(fleet.visits.size()).isGreaterThan(before);
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(60);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(60);
         assertThat(fleet.visits.values()).as("%s", fleet.said).allMatch(by -> by.size() == 1);
     }
 
@@ -103,7 +111,9 @@ class RunCloudLossTest {
         fleet.vehicle(2).cut = false;
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     @Test
@@ -115,7 +125,9 @@ class RunCloudLossTest {
         fleet.flyUntil(() -> fleet.drone(1).stage() == RunDroneStage.SILENT, 6);
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     @ParameterizedTest
@@ -147,13 +159,15 @@ class RunCloudLossTest {
     void sendsDronesOutAgainThatHadLandedWhenTheServerWentAway() {
         RunTestBench fleet = RunFixtures.fleet(3, 30, 1, MissionCloudLossPolicy.CONTINUE);
         fleet.flyUntil(() -> landed(fleet).count() == 2, 1_000);
-        fleet.wish(
-                new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at("n1", PlanningFixtures.place(100, 300, 440)))));
+        fleet.wish(new RunInput.AddWaypoints(
+                fleet.now, "Ann", List.of(Waypoint.at("n1", PlanningFixtures.place(100, 300, 440)))));
         fleet.restart(300);
         assertThat(landed(fleet)).hasSize(2);
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(31);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(31);
     }
 
     @ParameterizedTest
@@ -166,7 +180,9 @@ class RunCloudLossTest {
         fleet.restart(30);
         fleet.flyToTheEnd();
 
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
         assertThat(fleet.drone(0).stage()).isEqualTo(RunDroneStage.LANDED);
     }
 

@@ -35,7 +35,11 @@ final class RunFixtures {
 
     /** With batteries. */
     static RunTestBench limited(int drones, int waypoints, long seed) {
-        return fleet(problem(drones, waypoints, seed, true), seed, RunOrder.ApprovalMode.AUTOMATIC, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
+        return fleet(
+                problem(drones, waypoints, seed, true),
+                seed,
+                RunOrder.ApprovalMode.AUTOMATIC,
+                MissionCloudLossPolicy.RETURN_TO_LAUNCH);
     }
 
     static PlanningProblem problem(int drones, int waypoints, long seed, boolean limited) {
@@ -54,7 +58,8 @@ final class RunFixtures {
         return PlanningProblem.of(places, crafts);
     }
 
-    static RunTestBench fleet(PlanningProblem problem, long seed, RunOrder.ApprovalMode mode, MissionCloudLossPolicy loss) {
+    static RunTestBench fleet(
+            PlanningProblem problem, long seed, RunOrder.ApprovalMode mode, MissionCloudLossPolicy loss) {
         PlanResult planned = FleetPlanner.plan(problem, seed, SearchBudget.iterations(2_000), progress -> {});
         if (!planned.canBeFlown()) {
             throw new IllegalStateException("seed " + seed + ": " + planned.faults());

@@ -25,7 +25,8 @@ import org.junit.jupiter.api.Test;
 /** What users want of a run that is going on. */
 class RunUserRequestsTest {
     private static RunTestBench flying(RunOrder.ApprovalMode mode) {
-        RunTestBench fleet = RunFixtures.fleet(RunFixtures.problem(3, 30, 1, false), 1, mode, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
+        RunTestBench fleet = RunFixtures.fleet(
+                RunFixtures.problem(3, 30, 1, false), 1, mode, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
         fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 3, 600);
         return fleet;
     }
@@ -135,8 +136,8 @@ class RunUserRequestsTest {
     }
 
     private static void addOutOfReach(RunTestBench fleet) {
-        fleet.wish(
-                new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at("far", PlanningFixtures.place(0, 30_000, 440)))));
+        fleet.wish(new RunInput.AddWaypoints(
+                fleet.now, "Ann", List.of(Waypoint.at("far", PlanningFixtures.place(0, 30_000, 440)))));
     }
 
     @Test

@@ -87,7 +87,9 @@ class SeparationGuardTest {
         assertThat(fleet.said).anyMatch(said -> said.contains("to make room for Drone d0"));
         assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
         fleet.flyToTheEnd();
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     @Test
@@ -136,8 +138,9 @@ class SeparationGuardTest {
         RunTestBench fleet = RunFixtures.fleet(3, 12, 1, MissionCloudLossPolicy.CONTINUE);
         fleet.flyUntil(
                 () -> fleet.state.drones().stream().anyMatch(drone -> drone.stage() == RunDroneStage.LANDED), 1_000);
-        int down =
-                fleet.drone(0).stage() == RunDroneStage.LANDED ? 0 : fleet.drone(1).stage() == RunDroneStage.LANDED ? 1 : 2;
+        int down = fleet.drone(0).stage() == RunDroneStage.LANDED
+                ? 0
+                : fleet.drone(1).stage() == RunDroneStage.LANDED ? 1 : 2;
         int other = (down + 1) % 3;
         TestVehicle above = fleet.vehicle(other);
         above.mode = "LOITER";
@@ -145,7 +148,8 @@ class SeparationGuardTest {
         above.north = 0;
         above.altitude = TestVehicle.GROUND + 20;
         fleet.wish(new RunInput.GiveUpDrone(fleet.now, "Ann", fleet.vehicle(3 - down - other).id));
-        fleet.wish(new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at("n1", PlanningFixtures.place(0, 300, 440)))));
+        fleet.wish(new RunInput.AddWaypoints(
+                fleet.now, "Ann", List.of(Waypoint.at("n1", PlanningFixtures.place(0, 300, 440)))));
         fleet.fly(40);
 
         assertThat(fleet.drone(down).stage()).as("%s", fleet.said).isEqualTo(RunDroneStage.READY);

@@ -9,9 +9,9 @@ import java.util.Set;
 import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
-import org.dronemap.cognitive.operation.run.model.RunWaypoint.Report.Result;
-import org.dronemap.cognitive.operation.run.model.RunWaypoint.Report;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint.Report;
+import org.dronemap.cognitive.operation.run.model.RunWaypoint.Report.Result;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.problem.Waypoint;
@@ -36,7 +36,10 @@ class TaskReportsTest {
                 .map(waypoint -> doing(waypoint, parts))
                 .toList();
         return RunFixtures.fleet(
-                PlanningProblem.of(places, plain.crafts()), seed, RunOrder.ApprovalMode.AUTOMATIC, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
+                PlanningProblem.of(places, plain.crafts()),
+                seed,
+                RunOrder.ApprovalMode.AUTOMATIC,
+                MissionCloudLossPolicy.RETURN_TO_LAUNCH);
     }
 
     private static Waypoint doing(Waypoint waypoint, WaypointTask... parts) {

@@ -53,7 +53,9 @@ class WaypointArrivalTest {
 
         comes.cruise = 10;
         fleet.flyToTheEnd();
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     /** Nothing is gained by waiting for one that comes to nothing. */
@@ -99,7 +101,9 @@ class WaypointArrivalTest {
         assertThat(weak.visits).as("%s", fleet.said).hasSize(visits + 1);
         assertThat(fleet.said).anyMatch(words -> words.contains("lasts for its way home at most"));
         fleet.flyToTheEnd();
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 
     @Test
@@ -129,6 +133,8 @@ class WaypointArrivalTest {
         assertThat(fleet.state.target(first).orElseThrow().visits()).isEmpty();
 
         fleet.flyToTheEnd();
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED))
+                .as("%s", fleet.said)
+                .isEqualTo(30);
     }
 }

@@ -8,7 +8,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Turns internal faults, such as an unhandled case, into refusals of that one command, and logs them. */
-final class InternalFaults {
+public final class InternalFaults {
     private static final Logger LOG = LoggerFactory.getLogger(InternalFaults.class);
     private static final Refusal WHY = new Refusal(
             OutcomeCode.SERVER_FAULT,
@@ -17,7 +17,7 @@ final class InternalFaults {
     private InternalFaults() {}
 
     /** What {@code judge} says, or why not when it fails. */
-    static Optional<Refusal> judging(String what, Supplier<Optional<Refusal>> judge) {
+    public static Optional<Refusal> judging(String what, Supplier<Optional<Refusal>> judge) {
         try {
             return judge.get();
         } catch (RuntimeException | LinkageError e) {
@@ -26,7 +26,7 @@ final class InternalFaults {
     }
 
     /** Why {@code work} was not done; empty when it was. */
-    static Optional<Refusal> doing(String what, Runnable work) {
+    public static Optional<Refusal> doing(String what, Runnable work) {
         return judging(what, () -> {
             work.run();
             return Optional.empty();

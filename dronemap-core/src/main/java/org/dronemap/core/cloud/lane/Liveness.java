@@ -6,7 +6,7 @@ import org.dronemap.core.drone.LinkState;
  * Last reception from one drone and the silence that is normal for it. Owned by the drone's lane, {@code silence} by
  * none.
  */
-final class Liveness {
+public final class Liveness {
     /** A silence that a link once showed is normal for it for about so long. */
     private static final double MEMORY_NANOS = 60e9;
 
@@ -16,11 +16,11 @@ final class Liveness {
     private double longestGapNanos;
     private volatile boolean everHeard;
 
-    Liveness(Watchdog watchdog) {
+    public Liveness(Watchdog watchdog) {
         this.watchdog = watchdog;
     }
 
-    void heard(long nowNanos) {
+    public void heard(long nowNanos) {
         if (everHeard) {
             long gap = Math.max(0, nowNanos - lastHeardNanos);
             longestGapNanos = Math.max((double) gap, longestGapNanos * (1 - Math.min(1, gap / MEMORY_NANOS)));
@@ -30,17 +30,17 @@ final class Liveness {
         lastProbeNanos = nowNanos;
     }
 
-    LinkState judge(long nowNanos) {
+    public LinkState judge(long nowNanos) {
         return everHeard ? watchdog.judge(nowNanos - lastHeardNanos, (long) longestGapNanos) : LinkState.LOST;
     }
 
     /** For how long it has been silent; for ever when it was never heard. Any thread. */
-    long silence(long nowNanos) {
+    public long silence(long nowNanos) {
         return everHeard ? nowNanos - lastHeardNanos : Long.MAX_VALUE;
     }
 
     /** True once a second while the silence wants a probe. */
-    boolean probeDue(long nowNanos) {
+    public boolean probeDue(long nowNanos) {
         boolean due = everHeard
                 && nowNanos - lastHeardNanos >= watchdog.probeAfter().toNanos()
                 && nowNanos - lastProbeNanos >= 1_000_000_000L;

@@ -8,7 +8,7 @@ import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.ControlState;
 
 /** Passes each change on to every listener. */
-record CompositeCloudListener(List<CloudListener> listeners) implements CloudListener {
+public record CompositeCloudListener(List<CloudListener> listeners) implements CloudListener {
     @Override
     public void droneChanged(DroneState state) {
         listeners.forEach(listener -> listener.droneChanged(state));

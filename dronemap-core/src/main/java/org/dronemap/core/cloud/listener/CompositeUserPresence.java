@@ -5,10 +5,10 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.dronemap.core.drone.DroneId;
 
 /** Composite of all {@link UserPresence} ports: a user is present if any face says so; any thread. Any thread. */
-final class CompositeUserPresence implements UserPresence {
+public final class CompositeUserPresence implements UserPresence {
     private final List<UserPresence> faces = new CopyOnWriteArrayList<>();
 
-    void add(UserPresence face) {
+    public void add(UserPresence face) {
         faces.add(face);
     }
 

@@ -10,8 +10,8 @@ import org.dronemap.core.safety.ReturnEnding;
 import org.jspecify.annotations.Nullable;
 
 /** Messages about what a drone does without the cloud. */
-final class CloudLossMessages {
-    static final String CANNOT_BE_SET = "What this vehicle does without the cloud cannot be set.";
+public final class CloudLossMessages {
+    public static final String CANNOT_BE_SET = "What this vehicle does without the cloud cannot be set.";
     private static final String CROSSING =
             "No height is free to fly home at: its way home may cross that of another drone.";
     private static final String CIRCLES =
@@ -19,7 +19,7 @@ final class CloudLossMessages {
 
     private CloudLossMessages() {}
 
-    static CloudLossState set(ParameterOverrideRecorder.OverridePlan plan, boolean crossing) {
+    public static CloudLossState set(ParameterOverrideRecorder.OverridePlan plan, boolean crossing) {
         return new CloudLossState(
                 CloudLossState.State.SET,
                 plan.after(),
@@ -29,13 +29,13 @@ final class CloudLossMessages {
     }
 
     /** Only what is not as everybody expects it. */
-    static Optional<String> worthSaying(ParameterOverrideRecorder.OverridePlan plan, boolean crossing) {
+    public static Optional<String> worthSaying(ParameterOverrideRecorder.OverridePlan plan, boolean crossing) {
         return crossing || !plan.after().note().isEmpty()
                 ? Optional.of(plan.after().sentence() + (crossing ? " " + CROSSING : ""))
                 : Optional.empty();
     }
 
-    static CloudLossState notSet(ParameterOverrideRecorder.@Nullable Plan plan, @Nullable String why) {
+    public static CloudLossState notSet(ParameterOverrideRecorder.@Nullable OverridePlan plan, @Nullable String why) {
         String then = plan == null
                 ? "It then does what its owner has set, and that is not known."
                 : "As its owner had set it: " + plan.before().sentence();
@@ -49,7 +49,7 @@ final class CloudLossMessages {
     }
 
     /** By an earlier run of the server, which knew what it does. */
-    static CloudLossState setBefore(ParameterOverrides kept) {
+    public static CloudLossState setBefore(ParameterOverrides kept) {
         return new CloudLossState(
                 CloudLossState.State.SET,
                 null,
@@ -58,12 +58,12 @@ final class CloudLossMessages {
                 List.of());
     }
 
-    static CloudLossState cannotBeSet(String why) {
+    public static CloudLossState cannotBeSet(String why) {
         return new CloudLossState(CloudLossState.State.CANNOT_BE_SET, null, null, why, List.of());
     }
 
     /** Its end at home; empty: it lands, as everybody expects. */
-    static Optional<String> atHome(ReturnEnding end, @Nullable CloudLossAction action) {
+    public static Optional<String> atHome(ReturnEnding end, @Nullable CloudLossAction action) {
         return switch (end) {
             case LANDS -> Optional.empty();
             case LANDS_BY_MISSION ->
@@ -79,7 +79,7 @@ final class CloudLossMessages {
         };
     }
 
-    static String notPutBack(@Nullable String why) {
+    public static String notPutBack(@Nullable String why) {
         return "What its owner had set could not be put back yet" + (why == null ? "" : " (" + without(why) + ")")
                 + "; it is tried again each minute while it stands disarmed.";
     }

@@ -6,11 +6,11 @@ import org.dronemap.core.lease.LeaseHolder;
 import org.jspecify.annotations.Nullable;
 
 /** Messages about changes of control, for users who watch the drone. */
-final class ControlMessages {
+public final class ControlMessages {
     private ControlMessages() {}
 
     /** A user whom these words name; null: nobody. */
-    static @Nullable String user(ControlChange change) {
+    public static @Nullable String user(ControlChange change) {
         return change.by()
                 .userName()
                 .or(() -> Optional.ofNullable(change.other()).flatMap(LeaseHolder::userName))
@@ -18,7 +18,7 @@ final class ControlMessages {
     }
 
     /** Null for what is nothing out of the ordinary. */
-    static @Nullable String of(ControlChange change) {
+    public static @Nullable String of(ControlChange change) {
         String by = change.by().words();
         LeaseHolder other = change.other();
         return switch (change.kind()) {

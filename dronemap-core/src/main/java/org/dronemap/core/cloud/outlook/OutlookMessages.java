@@ -11,15 +11,15 @@ import org.dronemap.core.safety.ReturnEnding;
 import org.jspecify.annotations.Nullable;
 
 /** Messages on what happens to a drone in the air when control of it ends. */
-final class OutlookMessages {
+public final class OutlookMessages {
     private final LeaseRules rules;
 
-    OutlookMessages(LeaseRules rules) {
+    public OutlookMessages(LeaseRules rules) {
         this.rules = rules;
     }
 
     /** {@code ours}: this cloud was the last that commanded it; {@code way}: there is one to bring it down. */
-    Outlook.State state(ControlState control, DroneState state, boolean ours, boolean way) {
+    public Outlook.State state(ControlState control, DroneState state, boolean ours, boolean way) {
         Lease tenure = control.tenure();
         if (!ours || (tenure != null && tenure.holder() instanceof LeaseHolder.Pilot)) {
             return Outlook.State.LEFT_ALONE;
@@ -41,11 +41,11 @@ final class OutlookMessages {
     }
 
     /** Whether a drone that nobody has is brought home at all. */
-    boolean returns() {
+    public boolean returns() {
         return rules.onLoss() == LeaseRules.OnLoss.RETURN;
     }
 
-    String of(Outlook.State is, ControlState control, DroneState state) {
+    public String of(Outlook.State is, ControlState control, DroneState state) {
         Lease tenure = control.tenure();
         boolean inMission = FlightFacts.isInMission(state);
         return switch (is) {
@@ -61,7 +61,7 @@ final class OutlookMessages {
     }
 
     /** More to say of one that is brought home. */
-    static String atHome(ReturnEnding end) {
+    public static String atHome(ReturnEnding end) {
         return switch (end) {
             case LANDS, LANDS_BY_MISSION -> "";
             case CIRCLES -> " At home it circles until somebody lands it: it has no landing sequence on board.";

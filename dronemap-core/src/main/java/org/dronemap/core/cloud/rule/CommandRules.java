@@ -8,8 +8,8 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
 import org.dronemap.core.command.Setpoint;
-import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
@@ -161,12 +161,12 @@ public final class CommandRules {
     }
 
     /** There is something to stop, and it knows how to. */
-    static boolean canHold(DroneState drone) {
+    public static boolean canHold(DroneState drone) {
         return whyNot(drone, Capability.HOLD).isEmpty() && (drone.airborne() || !needsAir(drone));
     }
 
     /** Robots of a kind that nobody knows drive, where they cannot take off. */
-    static boolean needsAir(DroneState drone) {
+    public static boolean needsAir(DroneState drone) {
         VehicleKind kind = drone.identification().kind();
         boolean flies =
                 kind != VehicleKind.UNKNOWN || drone.capabilities().commands().contains(Capability.TAKE_OFF);

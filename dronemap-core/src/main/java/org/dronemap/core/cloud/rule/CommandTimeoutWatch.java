@@ -6,7 +6,7 @@ import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.core.command.Outcome;
 
 /** Ends a command that nobody says anything about any more, so that none is silently lost. Owned by the drone's lane. */
-final class CommandTimeoutWatch implements Lane.Ticker {
+public final class CommandTimeoutWatch implements Lane.Ticker {
     /** No command goes without a sign for longer than this. */
     private static final long LONGEST_SILENCE_NANOS = Duration.ofSeconds(90).toNanos();
 
@@ -16,7 +16,7 @@ final class CommandTimeoutWatch implements Lane.Ticker {
     private final Lane lane;
     private final Consumer<Outcome> giveUp;
 
-    CommandTimeoutWatch(CommandTracker command, Lane lane, Consumer<Outcome> giveUp) {
+    public CommandTimeoutWatch(CommandTracker command, Lane lane, Consumer<Outcome> giveUp) {
         this.command = command;
         this.lane = lane;
         this.giveUp = giveUp;

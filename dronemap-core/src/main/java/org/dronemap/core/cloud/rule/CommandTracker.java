@@ -10,11 +10,11 @@ import org.dronemap.core.command.Outcome;
  * A command whose outcome is not known, or not written yet. Owned by the drone's lane; the records may be read from
  * anywhere.
  */
-final class CommandTracker {
+public final class CommandTracker {
     /** On its way to the vehicle within the server; whoever gave it sees something else by then. */
     private static final Duration LONGEST_WAY = Duration.ofSeconds(10);
 
-    static final Outcome LATE = new Outcome.TimedOut(
+    public static final Outcome LATE = new Outcome.TimedOut(
             "It was not on its way to the vehicle within " + LONGEST_WAY.toSeconds() + " s, so it was not sent.");
 
     private static final AtomicLong ORDER = new AtomicLong();
@@ -27,7 +27,7 @@ final class CommandTracker {
     private volatile CommandRecord told;
 
     /** {@code activeNanos} stand still while the process does, {@code nowNanos} do not. */
-    CommandTracker(Command command, CommandRecord record, long activeNanos, long nowNanos) {
+    public CommandTracker(Command command, CommandRecord record, long activeNanos, long nowNanos) {
         this.givenNanos = nowNanos;
         this.command = command;
         this.record = record;
@@ -35,41 +35,41 @@ final class CommandTracker {
         this.lastSignNanos = activeNanos;
     }
 
-    boolean isLate(long nowNanos) {
+    public boolean isLate(long nowNanos) {
         return nowNanos - givenNanos > LONGEST_WAY.toNanos();
     }
 
-    Command command() {
+    public Command command() {
         return command;
     }
 
     /** Rises with every command of this process. */
-    long order() {
+    public long order() {
         return order;
     }
 
-    CommandRecord record() {
+    public CommandRecord record() {
         return record;
     }
 
     /** What others may see: an outcome only once it is written, so that nobody relies on one that a crash takes back. */
-    CommandRecord told() {
+    public CommandRecord told() {
         return told;
     }
 
-    void update(CommandRecord newer, long nowNanos) {
+    public void update(CommandRecord newer, long nowNanos) {
         record = newer;
         told = newer;
         lastSignNanos = nowNanos;
     }
 
     /** Has its outcome, which is told once it is written. */
-    void ended(CommandRecord done, long nowNanos) {
+    public void ended(CommandRecord done, long nowNanos) {
         record = done;
         lastSignNanos = nowNanos;
     }
 
-    void written() {
+    public void written() {
         told = record;
     }
 

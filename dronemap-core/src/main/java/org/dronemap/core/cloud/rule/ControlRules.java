@@ -7,21 +7,21 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.drone.DroneId;
 
 /** Rules for commands that need no control of the drone. */
-final class ControlRules {
+public final class ControlRules {
     private ControlRules() {}
 
     /** Asks the vehicle, and changes nothing. */
-    static boolean onlyReads(Command command) {
+    public static boolean onlyReads(Command command) {
         return command.kind().purpose() == CommandKind.Purpose.READ;
     }
 
     /** What must work even when nothing can be written. */
-    static boolean bringsToSafety(Command command) {
+    public static boolean bringsToSafety(Command command) {
         return command.kind().purpose() == CommandKind.Purpose.SAFETY;
     }
 
     /** Whoever answers for safety stops, lands and calls back whatever others fly. */
-    static boolean isOpenTo(Principal principal, DroneId drone, Command command) {
+    public static boolean isOpenTo(Principal principal, DroneId drone, Command command) {
         return principal.may(Role.SUPERVISOR, drone) && command.kind().purpose().interrupts();
     }
 }

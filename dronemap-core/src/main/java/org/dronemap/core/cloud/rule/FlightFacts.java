@@ -7,11 +7,11 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 
 /** Predicates on how a drone flies, also for vehicles without motors to arm or without modes. */
-final class FlightFacts {
+public final class FlightFacts {
     private FlightFacts() {}
 
     /** In the air with its motors on; ground vehicles never are. */
-    static boolean isFlying(DroneState state) {
+    public static boolean isFlying(DroneState state) {
         boolean runs = arms(state)
                 ? Boolean.TRUE.equals(state.armed())
                 : state.capabilities().known();
@@ -19,7 +19,7 @@ final class FlightFacts {
     }
 
     /** Known to be on the ground, with its motors off where it can say so. */
-    static boolean isDown(DroneState state) {
+    public static boolean isDown(DroneState state) {
         return state.link().state() == LinkState.LIVE
                 && (arms(state)
                         ? Boolean.FALSE.equals(state.armed())
@@ -27,13 +27,13 @@ final class FlightFacts {
     }
 
     /** It flies, or drives, by itself until its mission is over. */
-    static boolean isInMission(DroneState state) {
+    public static boolean isInMission(DroneState state) {
         return state.capabilities().steering(state.mode()).equals(Optional.of(Steering.MISSION))
                 && !state.mission().complete();
     }
 
     /** By a pilot's sticks. */
-    static boolean isLedByHand(DroneState state) {
+    public static boolean isLedByHand(DroneState state) {
         return state.capabilities().steering(state.mode()).equals(Optional.of(Steering.STICKS));
     }
 
@@ -41,7 +41,7 @@ final class FlightFacts {
      * Whether it can be told if it flies. One that fell silent since is not waited for: what is known of it would be old when it
      * is heard again, and a pilot may have it by then.
      */
-    static boolean areKnown(DroneState state) {
+    public static boolean areKnown(DroneState state) {
         boolean modes = !arms(state) || (state.mode() != null && state.armed() != null);
         return state.capabilities().known() && modes && (state.phase() != null || state.position() != null);
     }

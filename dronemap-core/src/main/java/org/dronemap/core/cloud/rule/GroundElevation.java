@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * The height of the ground that a vehicle left, in metres above sea level: what bounds "above home" are measured from, since
  * users move homes. It goes with the vehicle while that stands, and stays as it is in the air. Owned by the drone's lane.
  */
-final class GroundElevation {
+public final class GroundElevation {
     /** What an estimate of height wanders by while a vehicle stands; so near, home is that ground. */
     private static final double WANDERS_METERS = 2;
 
@@ -19,18 +19,18 @@ final class GroundElevation {
     private @Nullable Double kept;
 
     /** {@code remembered}: from before; null: nothing. */
-    GroundElevation(@Nullable Double remembered) {
+    public GroundElevation(@Nullable Double remembered) {
         amslMeters = remembered;
         kept = remembered;
         old = remembered != null;
     }
 
     @Nullable
-    Double amslMeters() {
+    public Double amslMeters() {
         return amslMeters;
     }
 
-    void at(Position position, @Nullable Home home, boolean stands) {
+    public void at(Position position, @Nullable Home home, boolean stands) {
         Double here = position.altitudeAmslMeters();
         if (stands && here != null) {
             Double height = home == null ? null : Double.valueOf(home.altitudeAmslMeters());
@@ -39,7 +39,7 @@ final class GroundElevation {
         }
     }
 
-    void at(Home home, boolean stands) {
+    public void at(Home home, boolean stands) {
         double height = home.altitudeAmslMeters();
         Double before = amslMeters;
         if (before == null) {
@@ -54,7 +54,7 @@ final class GroundElevation {
     }
 
     /** It is to be written down: it left the ground and this is news. True once. */
-    boolean isToBeKept(boolean stands) {
+    public boolean isToBeKept(boolean stands) {
         boolean news = !stands && amslMeters != null && !amslMeters.equals(kept);
         if (news) {
             kept = amslMeters;

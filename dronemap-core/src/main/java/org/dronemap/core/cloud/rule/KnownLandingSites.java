@@ -15,13 +15,13 @@ import org.dronemap.core.safety.LandingSite;
 /**
  * Landing sites known for one drone: where it stood since the start, and its rally points. Owned by the drone's lane.
  */
-final class KnownLandingSites {
+public final class KnownLandingSites {
     private static final int MOST = 8;
     private static final double SAME_METERS = 10;
 
     private final Deque<Geodetic> stood = new ArrayDeque<>(MOST);
 
-    void heard(DroneState state) {
+    public void heard(DroneState state) {
         Position position = state.position();
         Geodetic here = position == null ? null : position.point();
         if (here == null || state.airborne() || !Boolean.FALSE.equals(state.armed())) {
@@ -38,7 +38,7 @@ final class KnownLandingSites {
         }
     }
 
-    List<LandingSite> known(OnboardStorage onBoard) {
+    public List<LandingSite> known(OnboardStorage onBoard) {
         List<RallyPoint> rally = onBoard.rallyPoints();
         return Stream.concat(
                         stood.stream().map(place -> new LandingSite(place, "a place where it has stood before")),

@@ -15,7 +15,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /** Follows the mission on one vehicle and notices what changed without the cloud. Owned by the drone's lane. */
-final class MissionTracker {
+public final class MissionTracker {
     private final Consumer<KnownMission> remember;
     private final TreeSet<Integer> reached = new TreeSet<>();
     private @Nullable KnownMission known;
@@ -30,17 +30,17 @@ final class MissionTracker {
     private boolean landingSequence;
 
     /** {@code known} is what was remembered before a restart; {@code remember} keeps the newest. */
-    MissionTracker(@Nullable KnownMission known, Consumer<KnownMission> remember) {
+    public MissionTracker(@Nullable KnownMission known, Consumer<KnownMission> remember) {
         this.known = known;
         this.remember = remember;
     }
 
-    MissionProgress progress() {
+    public MissionProgress progress() {
         return new MissionProgress(items, hash, current, phase, List.copyOf(reached), notice, landingSequence);
     }
 
     /** The answer is a sentence when something happened that people should hear of. */
-    Optional<String> apply(DroneEvent.MissionRead read) {
+    public Optional<String> apply(DroneEvent.MissionRead read) {
         KnownMission before = known;
         boolean first = items == null;
         if (read.asUploaded() || !read.items().equals(items)) {
@@ -90,7 +90,7 @@ final class MissionTracker {
         return "The mission on the vehicle is not the one that the cloud last knew: " + difference + ".";
     }
 
-    void apply(DroneEvent.MissionItemReached arrived) {
+    public void apply(DroneEvent.MissionItemReached arrived) {
         int index = arrived.index();
         // Some autopilots say their last one again and again, also when it lies ahead once more.
         if (!Objects.equals(index, lastReached)) {
@@ -100,7 +100,7 @@ final class MissionTracker {
     }
 
     /** As above. */
-    Optional<String> apply(DroneEvent.MissionCurrentReported heard) {
+    public Optional<String> apply(DroneEvent.MissionCurrentReported heard) {
         Integer index = heard.index();
         if (Objects.equals(index, current) && heard.phase() == phase) {
             return Optional.empty();

@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Contention;
-import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
 
 /** Recently ended commands to one drone that may still change its mode; any thread. Any thread. */
-final class RecentModeCommands {
+public final class RecentModeCommands {
     private static final long EFFECT_NANOS = Duration.ofSeconds(5).toNanos();
     private static final int MOST = 16;
 
@@ -20,7 +20,7 @@ final class RecentModeCommands {
     private record Ended(Command command, long nanos) {}
 
     /** {@code disarmed}: for certain, when it ended. */
-    synchronized void ended(Command command, boolean disarmed, long nowNanos) {
+    public synchronized void ended(Command command, boolean disarmed, long nowNanos) {
         if (!moves(command, disarmed)) {
             return;
         }
@@ -30,7 +30,7 @@ final class RecentModeCommands {
         ended.addLast(new Ended(command, nowNanos));
     }
 
-    synchronized List<Command> at(long nowNanos) {
+    public synchronized List<Command> at(long nowNanos) {
         return ended.stream()
                 .filter(one -> nowNanos - one.nanos() < EFFECT_NANOS)
                 .map(Ended::command)
@@ -44,7 +44,7 @@ final class RecentModeCommands {
     }
 
     /** Whether that command may put a vehicle that {@code can} this into a mode. */
-    static boolean mayLeadTo(Command command, String mode, Capabilities can) {
+    public static boolean mayLeadTo(Command command, String mode, Capabilities can) {
         Steering by = can.steering(mode).orElse(null);
         return switch (command.kind().movement()) {
             case NONE -> false;

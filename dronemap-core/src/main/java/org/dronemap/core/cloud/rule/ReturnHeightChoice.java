@@ -5,9 +5,9 @@ import java.util.OptionalDouble;
 import java.util.function.DoublePredicate;
 
 /** Picks how high one drone flies home so that its way crosses none of the others' at their height. All in metres. */
-final class ReturnHeightChoice {
+public final class ReturnHeightChoice {
     static final double APART_METERS = 5;
-    static final double NEAR_METERS = 2_000;
+    public static final double NEAR_METERS = 2_000;
     /**
      * Who flies above its return height comes home as high as it flies (ArduCopter's RTL_ALT, PX4's RTL_RETURN_ALT): those
      * that are not alone get theirs above the heights of most flights.
@@ -27,7 +27,7 @@ final class ReturnHeightChoice {
      * @param owners above home; 0: as high as it is then, where it is alone
      * @param taken of the others, above this drone's own ground
      */
-    static OptionalDouble of(double owners, List<Double> taken, DoublePredicate allowed) {
+    public static OptionalDouble of(double owners, List<Double> taken, DoublePredicate allowed) {
         boolean isHigh = owners >= USUALLY_FLOWN_METERS;
         if (taken.isEmpty() || (isHigh && isFree(owners, taken))) {
             return OptionalDouble.of(owners);
@@ -52,7 +52,7 @@ final class ReturnHeightChoice {
     }
 
     /** Whether two that fly home at those heights pass each other in safety. */
-    static boolean areApart(double one, double other) {
+    public static boolean areApart(double one, double other) {
         return Math.abs(other - one) >= APART_METERS - ROUNDING;
     }
 

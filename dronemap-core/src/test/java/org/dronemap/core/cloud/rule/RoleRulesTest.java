@@ -94,7 +94,12 @@ class RoleRulesTest {
     }
 
     private static Principal byKey(@Nullable Set<DroneId> drones, Permission... permissions) {
-        return new Principal("ann", Role.OPERATOR, new KeyScope(drones, Set.of(permissions)), "key", EffectivePermissions.EVERYWHERE);
+        return new Principal(
+                "ann",
+                Role.OPERATOR,
+                new KeyScope(drones, Set.of(permissions)),
+                "key",
+                EffectivePermissions.EVERYWHERE);
     }
 
     private Set<Capability> allowed(Role role, @Nullable Boolean armed) {
@@ -104,8 +109,13 @@ class RoleRulesTest {
     /** What that one may ask of a drone that said whether it is armed, or, by null, has not. */
     private Set<Capability> allowed(Principal principal, @Nullable Boolean armed) {
         LinkSession session = new LinkSession(
-                new DroneKey("127.0.0.1", 14_601, 1), "udp", false, "ArduCopter 1", new CloudFixtures.RecordingChannel());
-        DroneLink link = CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
+                new DroneKey("127.0.0.1", 14_601, 1),
+                "udp",
+                false,
+                "ArduCopter 1",
+                new CloudFixtures.RecordingChannel());
+        DroneLink link =
+                CloudFixtures.bound(cloud.admit(new Claim(session, CloudFixtures.copter(null), null, true, 0)));
         if (armed != null) {
             CompletableFuture<Void> done = new CompletableFuture<>();
             link.lane().execute(() -> {

@@ -39,7 +39,8 @@ public record MavCommandRequest(IntFunction<Message> message, int command, Retry
     }
 
     /** Parameters of a COMMAND_LONG, the missing ones 0. */
-    public static MavCommandRequest ofLong(MavlinkTarget target, int command, float[] parameters, Retry retry, CompletionCheck proof) {
+    public static MavCommandRequest ofLong(
+            MavlinkTarget target, int command, float[] parameters, Retry retry, CompletionCheck proof) {
         float[] p = java.util.Arrays.copyOf(parameters, 7);
         return new MavCommandRequest(
                 confirmation -> new CommandLong(

@@ -11,7 +11,11 @@ import org.dronemap.mavlink.Message;
  * @param ledger which commands crossed the wire when
  */
 public record MavlinkTarget(
-        int systemId, int componentId, Consumer<Message> down, Supplier<RoundTripEstimator> way, CommandSendTimes ledger) {
+        int systemId,
+        int componentId,
+        Consumer<Message> down,
+        Supplier<RoundTripEstimator> way,
+        CommandSendTimes ledger) {
     /** The cloud's own system id: what autopilots expect of their ground station. */
     public static final int OWN_SYSTEM_ID = 255;
 

@@ -145,7 +145,8 @@ public final class MissionDownload implements Exchange {
 
     /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
     private long pauseNanos() {
-        return Math.max(LEAST_PAUSE_NANOS, RetrySchedule.of(target.roundTrip(), 0).pauseNanos(tries));
+        return Math.max(
+                LEAST_PAUSE_NANOS, RetrySchedule.of(target.roundTrip(), 0).pauseNanos(tries));
     }
 
     @Override

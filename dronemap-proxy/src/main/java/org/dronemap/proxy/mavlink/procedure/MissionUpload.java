@@ -58,7 +58,12 @@ public final class MissionUpload implements Exchange {
         }
     }
 
-    private MissionUpload(MavlinkTarget target, MavMissionType kind, List<MissionItemInt> items, Span span, ExchangeObserver observer) {
+    private MissionUpload(
+            MavlinkTarget target,
+            MavMissionType kind,
+            List<MissionItemInt> items,
+            Span span,
+            ExchangeObserver observer) {
         this.target = target;
         this.kind = kind;
         this.items = List.copyOf(items);
@@ -67,13 +72,18 @@ public final class MissionUpload implements Exchange {
     }
 
     /** All of it. */
-    public MissionUpload(MavlinkTarget target, MavMissionType kind, List<MissionItemInt> items, ExchangeObserver observer) {
+    public MissionUpload(
+            MavlinkTarget target, MavMissionType kind, List<MissionItemInt> items, ExchangeObserver observer) {
         this(target, kind, items, new Span(0, items.size() - 1), observer);
     }
 
     /** Only what lies within the span goes up; the vehicle keeps what it holds before and behind it. */
     public static MissionUpload part(
-            MavlinkTarget target, MavMissionType kind, List<MissionItemInt> items, Span span, ExchangeObserver observer) {
+            MavlinkTarget target,
+            MavMissionType kind,
+            List<MissionItemInt> items,
+            Span span,
+            ExchangeObserver observer) {
         return new MissionUpload(target, kind, items, span, observer);
     }
 
@@ -132,7 +142,8 @@ public final class MissionUpload implements Exchange {
 
     /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
     private long pauseNanos() {
-        return Math.max(LEAST_PAUSE_NANOS, RetrySchedule.of(target.roundTrip(), 0).pauseNanos(tries));
+        return Math.max(
+                LEAST_PAUSE_NANOS, RetrySchedule.of(target.roundTrip(), 0).pauseNanos(tries));
     }
 
     @Override

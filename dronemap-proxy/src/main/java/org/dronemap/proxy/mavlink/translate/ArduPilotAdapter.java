@@ -52,10 +52,11 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     private static final MissionCodec.Form FORM = new MissionCodec.Form(true, 0f, 0, 0);
 
     /** In m since ArduCopter 4.7, in cm before. */
-    private static final ReturnHeightExchanges.Setting RETURN_HEIGHT =
-            ReturnHeightExchanges.Setting.of(new ReturnHeightExchanges.Name("RTL_ALT_M", 1), new ReturnHeightExchanges.Name("RTL_ALT", 100));
+    private static final ReturnHeightExchanges.Setting RETURN_HEIGHT = ReturnHeightExchanges.Setting.of(
+            new ReturnHeightExchanges.Name("RTL_ALT_M", 1), new ReturnHeightExchanges.Name("RTL_ALT", 100));
 
-    private static final CloudLossExchanges.Setting CLOUD_LOSS = new CloudLossExchanges.Setting("FS_GCS_ENABLE", Set.of(0), 1, false);
+    private static final CloudLossExchanges.Setting CLOUD_LOSS =
+            new CloudLossExchanges.Setting("FS_GCS_ENABLE", Set.of(0), 1, false);
 
     private static final Set<Capability> ALWAYS = Set.of(
             Capability.ARM,
@@ -204,10 +205,12 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                         cockpit, (Command.StartMission) command, kind, observer -> mode(cockpit, AUTO, observer));
             case CLEAR_MISSION -> new MissionExchanges(cockpit, HOME_ITEMS).clear();
             case SET_RELAY -> BasicExchanges.relay(cockpit, (Command.SetRelay) command);
-            case SET_RETURN_HEIGHT -> ReturnHeightExchanges.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
+            case SET_RETURN_HEIGHT ->
+                ReturnHeightExchanges.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
             case RETURN_ON_LOSS -> CloudLossExchanges.comeHome(cockpit, kind, CLOUD_LOSS);
             case SET_CLOUD_LOSS ->
-                CloudLossExchanges.set(cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
+                CloudLossExchanges.set(
+                        cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
             case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
             case ARM -> BasicExchanges.arm(cockpit);
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
@@ -234,7 +237,8 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     private Exchange mode(CommandContext cockpit, String name, ExchangeObserver observer) {
         return table.number(name)
                 .map(number -> BasicExchanges.mode(cockpit, name, number, 0f, observer))
-                .orElseGet(() -> BasicExchanges.refuse(OutcomeCode.MODE_UNKNOWN, "This vehicle has no mode " + name + "."));
+                .orElseGet(() ->
+                        BasicExchanges.refuse(OutcomeCode.MODE_UNKNOWN, "This vehicle has no mode " + name + "."));
     }
 
     /** BRAKE needs no pilot's throttle; where it is not to be had, the mode that every vehicle of the kind knows. */
@@ -262,7 +266,8 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     }
 
     private ExchangeSequence.Step guided(CommandContext cockpit) {
-        return ExchangeSequence.Step.when(() -> !cockpit.status().inMode(GUIDED), () -> mode(cockpit, GUIDED, ExchangeObserver.NONE));
+        return ExchangeSequence.Step.when(
+                () -> !cockpit.status().inMode(GUIDED), () -> mode(cockpit, GUIDED, ExchangeObserver.NONE));
     }
 
     private Exchange takeOff(CommandContext cockpit, Command.TakeOff command) {
@@ -284,8 +289,8 @@ final class ArduPilotAdapter implements AutopilotAdapter {
         float direction = degrees < 0 ? -1f : 1f;
         return new ExchangeSequence(List.of(
                 guided(cockpit),
-                ExchangeSequence.Step.of(() ->
-                        BasicExchanges.once(cockpit, CONDITION_YAW, (float) Math.abs(degrees), 0f, direction, RELATIVE))));
+                ExchangeSequence.Step.of(() -> BasicExchanges.once(
+                        cockpit, CONDITION_YAW, (float) Math.abs(degrees), 0f, direction, RELATIVE))));
     }
 
     private Exchange goTo(CommandContext cockpit, Command.GoTo command) {
@@ -305,7 +310,9 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                 MissionCodec.e7(command.point().longitudeDegrees()),
                 (float) command.altitude().meters());
         CommandExchange reposition = new CommandExchange(
-                cockpit.target(), MavCommandRequest.ofInt(message, MavCommandRequest.Retry.REPEATABLE), cockpit.observer());
+                cockpit.target(),
+                MavCommandRequest.ofInt(message, MavCommandRequest.Retry.REPEATABLE),
+                cockpit.observer());
         return new ExchangeSequence(List.of(
                 guided(cockpit),
                 ExchangeSequence.Step.of(() -> new FallbackExchange(

@@ -85,7 +85,8 @@ final class CloudLossExchanges {
                 .orElseGet(Outcome.Succeeded::new);
     }
 
-    private static ParameterOverrideRecorder.OverridePlan plan(SetCloudLoss command, CloudLossParameters policy, ParameterRead reading) {
+    private static ParameterOverrideRecorder.OverridePlan plan(
+            SetCloudLoss command, CloudLossParameters policy, ParameterRead reading) {
         List<OverriddenParameter> values = new ArrayList<>();
         Map<String, Double> shown = new HashMap<>();
         Map<String, Double> owners = new HashMap<>();

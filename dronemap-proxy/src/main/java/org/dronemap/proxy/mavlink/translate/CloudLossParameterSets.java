@@ -3,8 +3,8 @@ package org.dronemap.proxy.mavlink.translate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.dronemap.core.drone.CloudLossAction.AtHome;
 import org.dronemap.core.drone.CloudLossAction;
+import org.dronemap.core.drone.CloudLossAction.AtHome;
 import org.dronemap.proxy.mavlink.translate.CloudLossParameters.Setting;
 import org.jspecify.annotations.Nullable;
 
@@ -68,8 +68,8 @@ final class CloudLossParameterSets {
     static CloudLossParameters plane(int seconds) {
         return winged(
                 seconds,
-                (now, owners) ->
-                        plane(now, owners, CloudLossParameters.find(now, Q_ENABLE).orElse(0) > 0),
+                (now, owners) -> plane(
+                        now, owners, CloudLossParameters.find(now, Q_ENABLE).orElse(0) > 0),
                 Setting.ifThere(CloudLossParameters.instead(1, 0.0), AUTOLAND),
                 Setting.ifThere(old -> old, Q_ENABLE),
                 Setting.ifThere(CloudLossParameters.instead(1, 0.0), Q_RTL_MODE));
@@ -190,7 +190,10 @@ final class CloudLossParameterSets {
                 ? new CloudLossAction(words, null, "")
                 : new CloudLossAction(
                         words,
-                        timed ? (Double) CloudLossParameters.find(now, "COM_DL_LOSS_T").getAsDouble() : null,
+                        timed
+                                ? (Double) CloudLossParameters.find(now, "COM_DL_LOSS_T")
+                                        .getAsDouble()
+                                : null,
                         timed ? "" : FIXED);
     }
 }

@@ -63,14 +63,18 @@ final class FenceExchanges {
     }
 
     private static Exchange write(
-            CommandContext cockpit, MavMissionType kind, List<MissionItemInt> items, Consumer<List<MissionItemInt>> found) {
+            CommandContext cockpit,
+            MavMissionType kind,
+            List<MissionItemInt> items,
+            Consumer<List<MissionItemInt>> found) {
         int steps = 2 * items.size();
-        MissionDownload readBack =
-                MissionDownload.whole(cockpit.target(), kind, new PartialProgress(cockpit.observer(), items.size(), steps));
+        MissionDownload readBack = MissionDownload.whole(
+                cockpit.target(), kind, new PartialProgress(cockpit.observer(), items.size(), steps));
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> items.isEmpty()
                         ? new MissionClear(cockpit.target(), kind)
-                        : new MissionUpload(cockpit.target(), kind, items, new PartialProgress(cockpit.observer(), 0, steps))),
+                        : new MissionUpload(
+                                cockpit.target(), kind, items, new PartialProgress(cockpit.observer(), 0, steps))),
                 ExchangeSequence.Step.of(() -> readBack),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
                     found.accept(readBack.items());

@@ -120,7 +120,9 @@ final class HomeExchanges {
                 there.longitudeE7(),
                 (float) there.altitudeMeters());
         return new CommandExchange(
-                cockpit.target(), MavCommandRequest.ofInt(message, MavCommandRequest.Retry.REPEATABLE), cockpit.observer());
+                cockpit.target(),
+                MavCommandRequest.ofInt(message, MavCommandRequest.Retry.REPEATABLE),
+                cockpit.observer());
     }
 
     private static String words(HomePosition home) {

@@ -158,7 +158,8 @@ public final class MissionCodec {
     /** The form of a mission on the wire: whether home comes first, and how "nothing" is written. */
     record Form(boolean homeInFront, float noYaw, int hereLatitudeE7, int hereLongitudeE7) {}
 
-    static List<MissionItemInt> toWire(List<MissionItem> mission, MavlinkTarget target, VehicleStatus status, Form form) {
+    static List<MissionItemInt> toWire(
+            List<MissionItem> mission, MavlinkTarget target, VehicleStatus status, Form form) {
         List<MissionItemInt> items = new ArrayList<>();
         if (form.homeInFront()) {
             Double home = status.homeAltitudeAmslMeters();

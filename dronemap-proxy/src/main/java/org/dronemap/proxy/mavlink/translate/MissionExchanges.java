@@ -15,8 +15,8 @@ import org.dronemap.proxy.mavlink.procedure.ImmediateExchange;
 import org.dronemap.proxy.mavlink.procedure.MavMissionType;
 import org.dronemap.proxy.mavlink.procedure.MissionClear;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
-import org.dronemap.proxy.mavlink.procedure.MissionUpload.Span;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
+import org.dronemap.proxy.mavlink.procedure.MissionUpload.Span;
 import org.dronemap.proxy.mavlink.procedure.PartialProgress;
 
 /** Missions written, whole or where they differ, read back and compared; and taken away. Made for one command. */
@@ -63,7 +63,11 @@ final class MissionExchanges {
         }
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> MissionUpload.part(
-                        cockpit.target(), MavMissionType.MISSION, wire, span, new PartialProgress(cockpit.observer(), 0, steps))),
+                        cockpit.target(),
+                        MavMissionType.MISSION,
+                        wire,
+                        span,
+                        new PartialProgress(cockpit.observer(), 0, steps))),
                 ExchangeSequence.Step.of(() -> readBack),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> compare(mission, readBack)))));
     }

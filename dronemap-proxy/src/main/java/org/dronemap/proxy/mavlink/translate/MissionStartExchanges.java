@@ -20,19 +20,24 @@ final class MissionStartExchanges {
 
     /** {@code auto}: the change to the mode that it flies missions in. */
     static Exchange begin(
-            CommandContext cockpit, Command.StartMission start, VehicleKind kind, Function<ExchangeObserver, Exchange> auto) {
+            CommandContext cockpit,
+            Command.StartMission start,
+            VehicleKind kind,
+            Function<ExchangeObserver, Exchange> auto) {
         boolean fromGround = !cockpit.status().airborne();
         List<ExchangeSequence.Step> steps = new ArrayList<>(cloudLoss(cockpit, start.onCloudLoss(), kind));
         if (start.anew() && !fromGround) {
             // It would go on with the number of the item that it had, whatever is there now.
-            steps.add(ExchangeSequence.Step.of(() ->
-                    new SetCurrentItem(cockpit.target(), ArduPilotAdapter.HOME_ITEMS, seq -> seq == ArduPilotAdapter.HOME_ITEMS)));
+            steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItem(
+                    cockpit.target(), ArduPilotAdapter.HOME_ITEMS, seq -> seq == ArduPilotAdapter.HOME_ITEMS)));
         } else if (fromGround || cockpit.status().missionFinished()) {
             // Who does not say so begins at item 1 by itself; this one answer more is no reason to stay on the ground.
-            steps.add(new ExchangeSequence.Step(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq <= 1), any -> true));
+            steps.add(new ExchangeSequence.Step(
+                    () -> new SetCurrentItem(cockpit.target(), 0, seq -> seq <= 1), any -> true));
         }
         boolean copterOnGround = fromGround && (kind == VehicleKind.MULTICOPTER || kind == VehicleKind.HELICOPTER);
-        steps.add(ExchangeSequence.Step.of(() -> auto.apply(copterOnGround ? ExchangeObserver.NONE : cockpit.observer())));
+        steps.add(ExchangeSequence.Step.of(
+                () -> auto.apply(copterOnGround ? ExchangeObserver.NONE : cockpit.observer())));
         if (copterOnGround) {
             steps.add(ExchangeSequence.Step.of(() -> new CommandExchange(
                     cockpit.target(),
@@ -51,7 +56,8 @@ final class MissionStartExchanges {
      * Only what is said about missions: all else was set before it was armed, and what planes and rovers do they do without their
      * remote control as well.
      */
-    private static List<ExchangeSequence.Step> cloudLoss(CommandContext cockpit, MissionCloudLossPolicy onCloudLoss, VehicleKind kind) {
+    private static List<ExchangeSequence.Step> cloudLoss(
+            CommandContext cockpit, MissionCloudLossPolicy onCloudLoss, VehicleKind kind) {
         boolean goOn = onCloudLoss == MissionCloudLossPolicy.CONTINUE;
         return switch (kind) {
             case MULTICOPTER, HELICOPTER ->

@@ -14,8 +14,8 @@ import org.dronemap.core.command.RestoreParameters;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
-import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.VehicleKind;
@@ -71,7 +71,8 @@ final class Px4Adapter implements AutopilotAdapter {
     private static final ReturnHeightExchanges.Setting RETURN_HEIGHT =
             ReturnHeightExchanges.Setting.of(new ReturnHeightExchanges.Name("RTL_RETURN_ALT", 1));
     /** It does nothing, or holds. */
-    private static final CloudLossExchanges.Setting CLOUD_LOSS = new CloudLossExchanges.Setting("NAV_DLL_ACT", Set.of(0, 1), 2, true);
+    private static final CloudLossExchanges.Setting CLOUD_LOSS =
+            new CloudLossExchanges.Setting("NAV_DLL_ACT", Set.of(0, 1), 2, true);
 
     private static final Set<Capability> ALWAYS = Set.of(
             Capability.ARM,
@@ -201,10 +202,12 @@ final class Px4Adapter implements AutopilotAdapter {
                 upload(cockpit, ((Command.UploadMission) command).mission().items());
             case START_MISSION -> start(cockpit, (Command.StartMission) command);
             case CLEAR_MISSION -> new MissionExchanges(cockpit, 0).clear();
-            case SET_RETURN_HEIGHT -> ReturnHeightExchanges.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
+            case SET_RETURN_HEIGHT ->
+                ReturnHeightExchanges.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
             case RETURN_ON_LOSS -> CloudLossExchanges.comeHome(cockpit, kind, CLOUD_LOSS);
             case SET_CLOUD_LOSS ->
-                CloudLossExchanges.set(cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
+                CloudLossExchanges.set(
+                        cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
             case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
             case ARM -> BasicExchanges.arm(cockpit);
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
@@ -291,7 +294,9 @@ final class Px4Adapter implements AutopilotAdapter {
                 MissionCodec.e7(command.point().longitudeDegrees()),
                 (float) altitude);
         return new CommandExchange(
-                cockpit.target(), MavCommandRequest.ofInt(message, MavCommandRequest.Retry.REPEATABLE), cockpit.observer());
+                cockpit.target(),
+                MavCommandRequest.ofInt(message, MavCommandRequest.Retry.REPEATABLE),
+                cockpit.observer());
     }
 
     private @Nullable CloudLossParameters policy(int seconds) {
@@ -314,7 +319,8 @@ final class Px4Adapter implements AutopilotAdapter {
         if (start.anew() && cockpit.status().airborne()) {
             steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0)));
         } else if (!cockpit.status().airborne() || cockpit.status().missionFinished()) {
-            steps.add(new ExchangeSequence.Step(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0), any -> true));
+            steps.add(new ExchangeSequence.Step(
+                    () -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0), any -> true));
         }
         steps.add(ExchangeSequence.Step.of(() -> mode(cockpit, MISSION)));
         return new ExchangeSequence(steps);

@@ -84,7 +84,8 @@ final class ReturnHeightExchanges {
         return command.atLeast() ? Math.max(before.value(), wanted) : wanted;
     }
 
-    private static Exchange writing(CommandContext cockpit, SetReturnHeight command, Setting setting, Parameter before) {
+    private static Exchange writing(
+            CommandContext cockpit, SetReturnHeight command, Setting setting, Parameter before) {
         double wanted = wanted(command, setting, before);
         return wanted == before.value()
                 ? new ImmediateExchange(Outcome.Succeeded::new)

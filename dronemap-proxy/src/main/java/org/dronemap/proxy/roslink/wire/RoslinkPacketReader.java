@@ -70,7 +70,8 @@ public final class RoslinkPacketReader {
 
     private static PacketReadResult read(JsonFields top) {
         JsonFields nested = top.inner("header");
-        RoslinkHeader header = header(nested == null ? top : nested, nested == null ? PacketLayout.PAYLOAD : PacketLayout.NESTED_HEADER);
+        RoslinkHeader header = header(
+                nested == null ? top : nested, nested == null ? PacketLayout.PAYLOAD : PacketLayout.NESTED_HEADER);
         if (header == null) {
             return new PacketReadResult.Bad(Fault.NO_HEADER);
         }

@@ -36,7 +36,8 @@ class CommandExchangeTest {
     }
 
     private static MavCommandRequest.CompletionCheck seen(BooleanSupplier seen) {
-        return new MavCommandRequest.CompletionCheck(seen, Duration.ofSeconds(5), "It did not arm.", MavCommandRequest.CompletionCheck.ANY);
+        return new MavCommandRequest.CompletionCheck(
+                seen, Duration.ofSeconds(5), "It did not arm.", MavCommandRequest.CompletionCheck.ANY);
     }
 
     private static CommandAck ack(int result) {
@@ -47,7 +48,8 @@ class CommandExchangeTest {
     void isSentOnceWhenTheAnswerComes() {
         wire.peer((w, message) -> w.answer(ack(0)));
 
-        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED)))
+                .isEqualTo(DONE);
         assertThat(wire.sent()).hasSize(1);
     }
 
@@ -60,7 +62,8 @@ class CommandExchangeTest {
             }
         });
 
-        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED)))
+                .isEqualTo(DONE);
         assertThat(wire.sent(CommandLong.class))
                 .extracting(CommandLong::confirmation)
                 .hasSize(lost + 1)
@@ -111,8 +114,8 @@ class CommandExchangeTest {
     /** Accepted at once; the vehicle says other things all the time, and after so many seconds how it is. */
     private @Nullable Outcome toldAfter(int seconds, boolean done) {
         AtomicBoolean armed = new AtomicBoolean();
-        CommandExchange exchange =
-                exchange(new MavCommandRequest.CompletionCheck(armed::get, Duration.ofSeconds(5), "It did not arm.", Heartbeat.ID));
+        CommandExchange exchange = exchange(new MavCommandRequest.CompletionCheck(
+                armed::get, Duration.ofSeconds(5), "It did not arm.", Heartbeat.ID));
         wire.peer((w, message) -> w.answer(ack(0)));
         exchange.start(wire.now());
         wire.run(exchange, 0.5);
@@ -194,7 +197,8 @@ class CommandExchangeTest {
     void asksAgainWhenTheWordThatItIsFinishedWasLost() {
         wire.peer((w, message) -> w.answer(ack(((CommandLong) message).confirmation() == 0 ? 5 : 0)));
 
-        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED)))
+                .isEqualTo(DONE);
         assertThat(wire.sent()).hasSize(2);
     }
 
@@ -215,7 +219,9 @@ class CommandExchangeTest {
     void sendsAnOnceOnlyCommandOnceAndDoesNotPretendToKnow() {
         wire.peer((w, message) -> w.answer(new CommandAck(999, 0, 0, 0, 255, 190)));
         CommandExchange exchange = new CommandExchange(
-                wire.target(), request(MavCommandRequest.Retry.ONCE, MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE);
+                wire.target(),
+                request(MavCommandRequest.Retry.ONCE, MavCommandRequest.CompletionCheck.ACKNOWLEDGED),
+                ExchangeObserver.NONE);
 
         assertThat(wire.runWhole(exchange)).isInstanceOf(Outcome.Unknown.class);
         assertThat(wire.sent()).hasSize(1);
@@ -225,7 +231,8 @@ class CommandExchangeTest {
     void doesNotTakeTheLateEchoOfAnEarlierCommandForItsOwn() {
         MavlinkTarget target = wire.target();
         wire.peer((w, message) -> w.answer(ack(0)));
-        MavCommandRequest picture = request(MavCommandRequest.Retry.ONCE, MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
+        MavCommandRequest picture =
+                request(MavCommandRequest.Retry.ONCE, MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
         assertThat(wire.runWhole(new CommandExchange(target, picture, ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         // The network doubles the acknowledgement of the first and loses the second command.
@@ -242,14 +249,18 @@ class CommandExchangeTest {
         MavlinkTarget target = wire.target();
         wire.peer((w, message) -> w.answer(ack(0)));
         for (int i = 0; i < 8; i++) {
-            wire.runWhole(new CommandExchange(target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE));
-            wire.run(new CommandExchange(target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE), 2);
+            wire.runWhole(new CommandExchange(
+                    target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE));
+            wire.run(
+                    new CommandExchange(
+                            target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE),
+                    2);
         }
         assertThat(target.roundTrip().timeoutNanos()).isLessThan(RoundTripEstimator.FIRST_TIMEOUT_NANOS / 2);
         int before = wire.sent().size();
         wire.peer((w, message) -> {});
-        CommandExchange unheard =
-                new CommandExchange(target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE);
+        CommandExchange unheard = new CommandExchange(
+                target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE);
         unheard.start(wire.now());
         wire.run(unheard, 0.5);
 
@@ -264,8 +275,8 @@ class CommandExchangeTest {
         }
         long before = wire.now();
 
-        Outcome outcome =
-                wire.runWhole(new CommandExchange(target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE));
+        Outcome outcome = wire.runWhole(new CommandExchange(
+                target, request(MavCommandRequest.CompletionCheck.ACKNOWLEDGED), ExchangeObserver.NONE));
 
         assertThat(wire.sent()).hasSizeGreaterThanOrEqualTo(9);
         assertThat(outcome).isInstanceOf(Outcome.TimedOut.class);
@@ -282,7 +293,9 @@ class CommandExchangeTest {
             w.answer(first ? new CommandAck(999, 0, 0, 0, 255, 190) : ack(4));
         });
         CommandExchange takeOff = new CommandExchange(
-                wire.target(), request(MavCommandRequest.Retry.VERIFY_FIRST, seen(climbing::get)), ExchangeObserver.NONE);
+                wire.target(),
+                request(MavCommandRequest.Retry.VERIFY_FIRST, seen(climbing::get)),
+                ExchangeObserver.NONE);
         takeOff.start(wire.now());
         for (int i = 0; i < 8; i++) {
             wire.run(takeOff, 0.25);
@@ -305,7 +318,8 @@ class CommandExchangeTest {
     void ignoresAnswersToSomebodyElse() {
         wire.peer((w, message) -> w.answer(new CommandAck(ARM, 0, 0, 0, 42, 1)));
 
-        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isInstanceOf(Outcome.TimedOut.class);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED)))
+                .isInstanceOf(Outcome.TimedOut.class);
     }
 
     @Test
@@ -315,7 +329,8 @@ class CommandExchangeTest {
             w.answer(ack(4));
         });
 
-        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.runWhole(exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED)))
+                .isEqualTo(DONE);
     }
 
     @Test

@@ -129,7 +129,11 @@ class EveryFaultTest {
                 wire -> {
                     wire.peer(vehicle::take);
                     return MissionUpload.part(
-                            wire.target(), MavMissionType.MISSION, items(), new MissionUpload.Span(1, 2), ExchangeObserver.NONE);
+                            wire.target(),
+                            MavMissionType.MISSION,
+                            items(),
+                            new MissionUpload.Span(1, 2),
+                            ExchangeObserver.NONE);
                 },
                 (wire, outcome) -> {
                     assertThat(outcome).isEqualTo(DONE);
@@ -259,7 +263,8 @@ class EveryFaultTest {
                 "log",
                 wire -> {
                     wire.peer(vehicle::take);
-                    return new LogDownload(wire.target(), new VehicleLog(2, null, 1_000), memory, ExchangeObserver.NONE);
+                    return new LogDownload(
+                            wire.target(), new VehicleLog(2, null, 1_000), memory, ExchangeObserver.NONE);
                 },
                 (wire, outcome) -> {
                     assertThat(outcome).isEqualTo(DONE);

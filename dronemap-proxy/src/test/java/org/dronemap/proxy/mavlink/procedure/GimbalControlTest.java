@@ -26,10 +26,11 @@ class GimbalControlTest {
 
     private final List<GimbalManagerSetPitchyaw> told = new ArrayList<>();
     private final List<SendAuthority> by = new ArrayList<>();
-    private final GimbalControl gimbal = new GimbalControl(new MavlinkTarget(7, 1, message -> {}), (message, mandate) -> {
-        told.add((GimbalManagerSetPitchyaw) message);
-        by.add(mandate);
-    });
+    private final GimbalControl gimbal =
+            new GimbalControl(new MavlinkTarget(7, 1, message -> {}), (message, mandate) -> {
+                told.add((GimbalManagerSetPitchyaw) message);
+                by.add(mandate);
+            });
 
     private void heard(Message message) {
         List<Frame> frames = new ArrayList<>();

@@ -88,7 +88,8 @@ class MissionTransferTest {
         lost = n -> n == number;
         wire.peer(this::vehicle);
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held.values()).containsExactlyElementsOf(items());
     }
@@ -110,7 +111,8 @@ class MissionTransferTest {
         lost = n -> n % 3 == 1;
         wire.peer(this::vehicle);
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held.values()).containsExactlyElementsOf(items());
     }
@@ -124,7 +126,8 @@ class MissionTransferTest {
             }
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held.values()).containsExactlyElementsOf(items());
     }
@@ -133,7 +136,8 @@ class MissionTransferTest {
     void saysThatAVehicleNeverAnswered() {
         wire.chatter(true);
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isInstanceOf(Outcome.TimedOut.class);
         assertThat(wire.sent()).hasSize(9);
     }
@@ -142,7 +146,8 @@ class MissionTransferTest {
     void saysWhyAVehicleRefusesAMission() {
         wire.peer((w, message) -> w.answer(new MissionAck(255, 190, 4, 0)));
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(new Outcome.Refused(
                         "vehicle", "The vehicle has no room for so many mission items.", OutcomeCode.MISSION_TOO_LONG));
     }
@@ -161,7 +166,8 @@ class MissionTransferTest {
             }
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held).hasSize(ITEMS);
     }
@@ -180,7 +186,8 @@ class MissionTransferTest {
             }
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(counts).hasSize(2);
         assertThat(held.values()).containsExactlyElementsOf(items());
@@ -197,7 +204,8 @@ class MissionTransferTest {
             }
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(wire.sent(MissionCount.class)).hasSize(1);
     }
@@ -239,7 +247,8 @@ class MissionTransferTest {
             vehicle(w, message);
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(held.values()).containsExactlyElementsOf(items());
     }
@@ -267,7 +276,8 @@ class MissionTransferTest {
         endOfCut = wire.now() + 30_000_000_000L;
         MissionUpload upload = new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE);
         MissionDownload readBack = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
-        ExchangeSequence both = new ExchangeSequence(List.of(ExchangeSequence.Step.of(() -> upload), ExchangeSequence.Step.of(() -> readBack)));
+        ExchangeSequence both = new ExchangeSequence(
+                List.of(ExchangeSequence.Step.of(() -> upload), ExchangeSequence.Step.of(() -> readBack)));
         both.start(wire.now());
         for (int second = 0; second < 100 && both.outcome() == null; second++) {
             wire.run(both, 1);
@@ -286,7 +296,11 @@ class MissionTransferTest {
         wire.peer(vehicle::take);
 
         assertThat(wire.runWhole(MissionUpload.part(
-                        wire.target(), MavMissionType.MISSION, items(), new MissionUpload.Span(2, 3), ExchangeObserver.NONE)))
+                        wire.target(),
+                        MavMissionType.MISSION,
+                        items(),
+                        new MissionUpload.Span(2, 3),
+                        ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(wire.sent(MissionWritePartialList.class))
                 .containsExactly(new MissionWritePartialList(1, 1, 2, 3, 0));
@@ -355,7 +369,8 @@ class MissionTransferTest {
             vehicle(w, message);
         });
 
-        assertThat(wire.runWhole(new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
+        assertThat(wire.runWhole(
+                        new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
         assertThat(wire.sent(MissionItemInt.class)).hasSize(ITEMS);
     }

@@ -41,7 +41,8 @@ class MissionExchangesTest {
     }
 
     private AutopilotTestBench bench(boolean arduPilot) {
-        AutopilotTestBench bench = new AutopilotTestBench(arduPilot ? AutopilotTestBench.ARDUCOPTER : AutopilotTestBench.PX4);
+        AutopilotTestBench bench =
+                new AutopilotTestBench(arduPilot ? AutopilotTestBench.ARDUCOPTER : AutopilotTestBench.PX4);
         bench.wire.peer(vehicle::take);
         assertThat(bench.perform(mission(-1, 20))).isEqualTo(DONE);
         bench.wire.sent().clear();
@@ -209,7 +210,8 @@ class MissionExchangesTest {
         List<MissionItem> items = IntStream.range(0, 200)
                 .<MissionItem>mapToObj(number -> waypoint(number, 20 + number % 30))
                 .toList();
-        AutopilotTestBench bench = new AutopilotTestBench(seed % 2 == 0 ? AutopilotTestBench.ARDUCOPTER : AutopilotTestBench.PX4);
+        AutopilotTestBench bench =
+                new AutopilotTestBench(seed % 2 == 0 ? AutopilotTestBench.ARDUCOPTER : AutopilotTestBench.PX4);
         bench.wire.peer(vehicle::take);
         bench.wire.target().way().get().measured(20_000_000L);
         bench.wire.chatter(true);

@@ -67,8 +67,8 @@ class ModeNamesTest {
             w.answer(new CommandAck(176, 0, 0, 0, 255, 190));
         });
         ParameterTable parameters = new ParameterTable(autopilot, event -> {});
-        CommandContext cockpit =
-                new CommandContext(status, parameters, wire.target(), ExchangeObserver.NONE, event -> {}, items -> {}, warning -> {});
+        CommandContext cockpit = new CommandContext(
+                status, parameters, wire.target(), ExchangeObserver.NONE, event -> {}, items -> {}, warning -> {});
         Exchange exchange = autopilot.plan(new Command.SetMode(known.name()), cockpit);
         assertThat(wire.runWhole(exchange)).isEqualTo(new Outcome.Succeeded());
     }

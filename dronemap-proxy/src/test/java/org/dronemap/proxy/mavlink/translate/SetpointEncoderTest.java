@@ -2,9 +2,9 @@ package org.dronemap.proxy.mavlink.translate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.command.Setpoint.Frame;
-import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;

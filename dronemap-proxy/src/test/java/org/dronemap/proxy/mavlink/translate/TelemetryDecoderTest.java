@@ -41,6 +41,7 @@ class TelemetryDecoderTest {
         assertThat(battery.batteryRemaining()).isEqualTo(110);
 
         assertThat(new TelemetryDecoder().battery(system).map(Battery::percent)).isEmpty();
-        assertThat(new TelemetryDecoder().battery(battery).map(Battery::percent)).isEmpty();
+        assertThat(new TelemetryDecoder().battery(battery).map(Battery::percent))
+                .isEmpty();
     }
 }

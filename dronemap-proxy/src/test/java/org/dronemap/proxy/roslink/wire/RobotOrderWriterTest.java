@@ -8,9 +8,17 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 class RobotOrderWriterTest {
-    private static final RoslinkHeader BRIDGE =
-            new RoslinkHeader(PacketLayout.NESTED_HEADER, 7, 0, 9L, new StringOrNumber("12", true), new StringOrNumber("maram", false), 1, 8);
-    private static final RoslinkHeader PAPER = new RoslinkHeader(PacketLayout.PAYLOAD, 7, 0, null, new StringOrNumber("abc", false), null, 2, 0);
+    private static final RoslinkHeader BRIDGE = new RoslinkHeader(
+            PacketLayout.NESTED_HEADER,
+            7,
+            0,
+            9L,
+            new StringOrNumber("12", true),
+            new StringOrNumber("maram", false),
+            1,
+            8);
+    private static final RoslinkHeader PAPER =
+            new RoslinkHeader(PacketLayout.PAYLOAD, 7, 0, null, new StringOrNumber("abc", false), null, 2, 0);
 
     private final RobotOrderWriter writer = new RobotOrderWriter();
 
@@ -72,7 +80,11 @@ class RobotOrderWriterTest {
     @Test
     void numbersOrdersInOneRowAndEachByItsId() {
         RobotOrder[] orders = {
-            new RobotOrder.Land(), new RobotOrder.Arm(), new RobotOrder.Disarm(), new RobotOrder.GetMap(), new RobotOrder.EmergencyStop()
+            new RobotOrder.Land(),
+            new RobotOrder.Arm(),
+            new RobotOrder.Disarm(),
+            new RobotOrder.GetMap(),
+            new RobotOrder.EmergencyStop()
         };
         int[] ids = {103, 104, 105, 107, 108};
         for (int i = 0; i < orders.length; i++) {

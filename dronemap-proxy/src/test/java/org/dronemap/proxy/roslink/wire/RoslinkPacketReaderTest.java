@@ -49,7 +49,8 @@ class RoslinkPacketReaderTest {
 
     @Test
     void takesTheYawOfThePapersForTheHeading() {
-        RoslinkPacket packet = good("{\"system_id\":1,\"message_id\":2,\"payload\":{\"x\":1.5,\"y\":-2,\"z\":0,\"yaw\":0.5}}");
+        RoslinkPacket packet =
+                good("{\"system_id\":1,\"message_id\":2,\"payload\":{\"x\":1.5,\"y\":-2,\"z\":0,\"yaw\":0.5}}");
 
         RobotMessage.Motion motion = (RobotMessage.Motion) packet.message();
         assertThat(motion.angles().heading()).isEqualTo(0.5);
@@ -69,14 +70,16 @@ class RoslinkPacketReaderTest {
 
     @Test
     void takesAStatusWithTheBodyOfAHeartbeatForAHeartbeat() {
-        RoslinkPacket packet = good(nested(1, "\"type\":8,\"name\":\"tb3\",\"system_status\":2,\"owner_id\":12,\"mode\":0"));
+        RoslinkPacket packet =
+                good(nested(1, "\"type\":8,\"name\":\"tb3\",\"system_status\":2,\"owner_id\":12,\"mode\":0"));
 
         assertThat(packet.message()).isEqualTo(new RobotMessage.Heartbeat(8, "tb3", 2, 0));
     }
 
     @Test
     void readsDegreesAsDegreesAndWhatIsNotFilledAsUnknown() {
-        RoslinkPacket packet = good(nested(3, "\"fix_type\":3,\"lat\":24.7136,\"lon\":46.6753,\"satellites_visible\":9"));
+        RoslinkPacket packet =
+                good(nested(3, "\"fix_type\":3,\"lat\":24.7136,\"lon\":46.6753,\"satellites_visible\":9"));
 
         assertThat(packet.message()).isEqualTo(new RobotMessage.Satellites(3, 24.7136, 46.6753, null, 9));
     }
@@ -110,7 +113,8 @@ class RoslinkPacketReaderTest {
 
     @Test
     void readsFromWhereAPlacedImageWasTaken() {
-        RoslinkPacket packet = good(nested(7, "\"data\":\"AAAA\",\"lat\":24.5,\"lon\":46.5,\"alt\":30,\"camera_yaw\":1"));
+        RoslinkPacket packet =
+                good(nested(7, "\"data\":\"AAAA\",\"lat\":24.5,\"lon\":46.5,\"alt\":30,\"camera_yaw\":1"));
 
         assertThat(packet.message()).isEqualTo(new RobotMessage.Image("AAAA", new RobotMessage.View(24.5, 46.5, 30.0)));
     }
@@ -140,13 +144,15 @@ class RoslinkPacketReaderTest {
     void needsNeitherOwnerNorKeyNorSequenceNorVersions() {
         RoslinkPacket packet = good("{\"header\":{\"system_id\":1,\"message_id\":0}}");
 
-        assertThat(packet.header()).isEqualTo(new RoslinkHeader(PacketLayout.NESTED_HEADER, 1, 0, null, null, null, 1, 0));
+        assertThat(packet.header())
+                .isEqualTo(new RoslinkHeader(PacketLayout.NESTED_HEADER, 1, 0, null, null, null, 1, 0));
         assertThat(packet.message()).isEqualTo(new RobotMessage.Heartbeat(null, null, null, null));
     }
 
     @Test
     void takesNumbersInStringsAndWithAFractionOfNothing() {
-        RoslinkPacket packet = good("{\"header\":{\"system_id\":\"3\",\"message_id\":2.0},\"x\":\" 1.25 \",\"y\":\"north\"}");
+        RoslinkPacket packet =
+                good("{\"header\":{\"system_id\":\"3\",\"message_id\":2.0},\"x\":\" 1.25 \",\"y\":\"north\"}");
 
         RobotMessage.Motion motion = (RobotMessage.Motion) packet.message();
         assertThat(packet.header().systemId()).isEqualTo(3);
@@ -155,7 +161,8 @@ class RoslinkPacketReaderTest {
 
     @Test
     void takesAFieldOfAnotherTypeForOneThatIsNotThere() {
-        RoslinkPacket packet = good(nested(2, "\"x\":[1],\"y\":{\"z\":1},\"z\":true,\"vx\":1e999,\"vy\":" + "9".repeat(60)));
+        RoslinkPacket packet =
+                good(nested(2, "\"x\":[1],\"y\":{\"z\":1},\"z\":true,\"vx\":1e999,\"vy\":" + "9".repeat(60)));
 
         RobotMessage.Motion motion = (RobotMessage.Motion) packet.message();
         assertThat(motion.place()).isEqualTo(new RobotMessage.Triple(null, null, null));
@@ -228,13 +235,15 @@ class RoslinkPacketReaderTest {
 
     @Test
     void refusesAnImageWithoutData() {
-        assertThat(read("{" + HEADER.formatted(5) + ",\"height\":1}")).isEqualTo(new PacketReadResult.Bad(Fault.WITHOUT_DATA));
+        assertThat(read("{" + HEADER.formatted(5) + ",\"height\":1}"))
+                .isEqualTo(new PacketReadResult.Bad(Fault.WITHOUT_DATA));
     }
 
     @Test
     void refusesWhatIsTooDeepTooLongOrOfTooManyParts() {
         String start = "{" + HEADER.formatted(2) + ",\"x\":";
-        assertThat(read(start + "[".repeat(5_000) + "]".repeat(5_000) + "}")).isEqualTo(new PacketReadResult.Bad(Fault.NO_JSON));
+        assertThat(read(start + "[".repeat(5_000) + "]".repeat(5_000) + "}"))
+                .isEqualTo(new PacketReadResult.Bad(Fault.NO_JSON));
         assertThat(read(start + "[" + "1,".repeat(100_000) + "1]}")).isEqualTo(new PacketReadResult.Bad(Fault.NO_JSON));
         assertThat(read(start + "1" + "0".repeat(100_000) + "}")).isEqualTo(new PacketReadResult.Bad(Fault.NO_JSON));
         assertThat(read("{\"" + "n".repeat(10_000) + "\":1," + HEADER.formatted(2) + "}"))
@@ -245,7 +254,8 @@ class RoslinkPacketReaderTest {
 
     @Test
     void takesNoKeyAsLongAsAPageNorOneWithControlCharacters() {
-        RoslinkPacket longOne = good("{\"header\":{\"system_id\":1,\"message_id\":0,\"key\":\"" + "k".repeat(65) + "\"}}");
+        RoslinkPacket longOne =
+                good("{\"header\":{\"system_id\":1,\"message_id\":0,\"key\":\"" + "k".repeat(65) + "\"}}");
         RoslinkPacket odd = good("{\"header\":{\"system_id\":1,\"message_id\":0,\"key\":\"a\\u0000b\"}}");
 
         assertThat(longOne.header().key()).isNull();

@@ -20,7 +20,8 @@ import org.dronemap.sim.flight.TextSeverity;
 
 /** An ArduCopter: checks before arming, modes, fail-safes. Orders are taken apart by {@link CopterCommands}. */
 public final class SimulatedArduCopter implements SimulatedAutopilot {
-    private static final MissionProtocolStyle STYLE = new MissionProtocolStyle(true, true, false, 1_000, 8_000, 650, true);
+    private static final MissionProtocolStyle STYLE =
+            new MissionProtocolStyle(true, true, false, 1_000, 8_000, 650, true);
     private static final long FIRMWARE = 4L << 24 | 5 << 16 | 5 << 8 | 255;
     private static final long LANDED_DISARM_MILLIS = 400;
     private static final long PREARM_TEXT_MILLIS = 30_000;
@@ -44,7 +45,11 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
 
     /** {@code modeAnnouncer} is called when the mode has changed: the heartbeat does not wait for its second */
     public SimulatedArduCopter(
-            SimulatedCraft craft, int systemId, Consumer<FlightEvent> events, Consumer<Message> out, Runnable modeAnnouncer) {
+            SimulatedCraft craft,
+            int systemId,
+            Consumer<FlightEvent> events,
+            Consumer<Message> out,
+            Runnable modeAnnouncer) {
         this.craft = craft;
         this.events = events;
         this.modeAnnouncer = modeAnnouncer;

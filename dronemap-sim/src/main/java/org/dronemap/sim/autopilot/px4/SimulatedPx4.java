@@ -27,7 +27,8 @@ import org.dronemap.sim.flight.TextSeverity;
 
 /** A PX4 multicopter: what it accepts by which order, and when it acts by itself. */
 public final class SimulatedPx4 implements SimulatedAutopilot {
-    private static final MissionProtocolStyle STYLE = new MissionProtocolStyle(false, false, true, 500, 5_000, 500, false);
+    private static final MissionProtocolStyle STYLE =
+            new MissionProtocolStyle(false, false, true, 500, 5_000, 500, false);
     private static final long FIRMWARE = 1L << 24 | 14 << 16 | 3 << 8 | 255;
 
     private final SimulatedCraft craft;
@@ -44,7 +45,12 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     private long missionStamp = 1;
 
     /** {@code modeAnnouncer} is called when the mode has changed: the heartbeat does not wait for its second */
-    public SimulatedPx4(SimulatedCraft craft, int systemId, Consumer<FlightEvent> events, Consumer<Message> out, Runnable modeAnnouncer) {
+    public SimulatedPx4(
+            SimulatedCraft craft,
+            int systemId,
+            Consumer<FlightEvent> events,
+            Consumer<Message> out,
+            Runnable modeAnnouncer) {
         this.craft = craft;
         this.events = events;
         this.modeAnnouncer = modeAnnouncer;

@@ -43,7 +43,8 @@ public final class BundledPostgres implements AutoCloseable {
     private final String password;
     private final int port;
     private final boolean adopted;
-    private final ScheduledExecutorService guard = Executors.newSingleThreadScheduledExecutor(BundledPostgres::guardThread);
+    private final ScheduledExecutorService guard =
+            Executors.newSingleThreadScheduledExecutor(BundledPostgres::guardThread);
     private boolean closed;
 
     private BundledPostgres(DirectoryLock lock, DatabaseCluster cluster, String password) {

@@ -34,7 +34,8 @@ record ToolResult(int exitCode, String output) {
         }
     }
 
-    private static ToolResult run(List<String> command, Path directory, Duration limit, Path output) throws IOException {
+    private static ToolResult run(List<String> command, Path directory, Duration limit, Path output)
+            throws IOException {
         ProcessBuilder builder = new ProcessBuilder(command)
                 .directory(directory.toFile())
                 .redirectErrorStream(true)

@@ -13,12 +13,12 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Bounds to JSON and back, the widest first; null: there are none. */
-final class BoundsJson {
+public final class BoundsJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 
     private BoundsJson() {}
 
-    static @Nullable String write(List<Bounds> bounds) {
+    public static @Nullable String write(List<Bounds> bounds) {
         if (bounds.isEmpty()) {
             return null;
         }
@@ -35,7 +35,7 @@ final class BoundsJson {
         ShapeJson.write(bounds.band(), to);
     }
 
-    static List<Bounds> read(@Nullable String json) {
+    public static List<Bounds> read(@Nullable String json) {
         if (json == null) {
             return List.of();
         }

@@ -13,12 +13,12 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Mission items to JSON and back, spelled out so that a renamed record component never changes stored data. */
-final class MissionItemJson {
+public final class MissionItemJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 
     private MissionItemJson() {}
 
-    static String write(List<MissionItem> items) {
+    public static String write(List<MissionItem> items) {
         ArrayNode array = MAPPER.createArrayNode();
         for (MissionItem item : items) {
             write(item, array.addObject());
@@ -26,7 +26,7 @@ final class MissionItemJson {
         return MAPPER.writeValueAsString(array);
     }
 
-    static List<MissionItem> read(String json) {
+    public static List<MissionItem> read(String json) {
         try {
             List<MissionItem> items = new ArrayList<>();
             for (JsonNode node : MAPPER.readTree(json)) {

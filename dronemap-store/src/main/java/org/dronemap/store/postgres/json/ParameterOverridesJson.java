@@ -10,12 +10,12 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 
 /** Converts parameter values of owners to JSON and back. */
-final class ParameterOverridesJson {
+public final class ParameterOverridesJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 
     private ParameterOverridesJson() {}
 
-    static String write(List<OverriddenParameter> values) {
+    public static String write(List<OverriddenParameter> values) {
         ArrayNode array = MAPPER.createArrayNode();
         values.forEach(value -> array.addObject()
                 .put("name", value.name())
@@ -25,7 +25,7 @@ final class ParameterOverridesJson {
         return MAPPER.writeValueAsString(array);
     }
 
-    static List<OverriddenParameter> read(String json) {
+    public static List<OverriddenParameter> read(String json) {
         try {
             List<OverriddenParameter> values = new ArrayList<>();
             MAPPER.readTree(json).forEach(one -> values.add(read(one)));

@@ -34,12 +34,12 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Virtual drones to JSON and back, spelled out so that a renamed record component never changes stored data. */
-final class VirtualDroneJson {
+public final class VirtualDroneJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 
     private VirtualDroneJson() {}
 
-    static String write(VirtualDrone drone) {
+    public static String write(VirtualDrone drone) {
         ObjectNode to = MAPPER.createObjectNode();
         to.put("id", drone.id().value());
         to.put("name", drone.name());
@@ -58,7 +58,7 @@ final class VirtualDroneJson {
         return MAPPER.writeValueAsString(to);
     }
 
-    static VirtualDrone read(String json) {
+    public static VirtualDrone read(String json) {
         try {
             JsonNode from = MAPPER.readTree(json);
             return new VirtualDrone(
@@ -207,7 +207,9 @@ final class VirtualDroneJson {
         return new DroneChoice(
                 new DroneId(text(from, "chosen")),
                 from.hasNonNull("runnerUp") ? new DroneId(text(from, "runnerUp")) : null,
-                from.hasNonNull("deciding") ? StoredNames.constant(SelectionCriterion.class, text(from, "deciding")) : null,
+                from.hasNonNull("deciding")
+                        ? StoredNames.constant(SelectionCriterion.class, text(from, "deciding"))
+                        : null,
                 from.required("chosenValue").doubleValue(),
                 from.required("otherValue").doubleValue(),
                 text(from, "energy"),

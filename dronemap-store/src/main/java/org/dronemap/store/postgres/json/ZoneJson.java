@@ -18,18 +18,18 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Zones to JSON and back, spelled out so that a renamed record component never changes stored data. */
-final class ZoneJson {
+public final class ZoneJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 
     private ZoneJson() {}
 
-    static String write(List<Zone> zones) {
+    public static String write(List<Zone> zones) {
         ArrayNode array = MAPPER.createArrayNode();
         zones.forEach(zone -> write(zone, array.addObject()));
         return MAPPER.writeValueAsString(array);
     }
 
-    static Zone read(String json) {
+    public static Zone read(String json) {
         try {
             return read(MAPPER.readTree(json));
         } catch (JacksonException | IllegalArgumentException e) {

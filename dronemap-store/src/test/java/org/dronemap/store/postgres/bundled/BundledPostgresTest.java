@@ -242,7 +242,8 @@ class BundledPostgresTest {
     void namesTheProcessorThatItHasNoDatabaseFor() {
         assertThat(PostgresBinaries.archiveName("Linux", "amd64")).isEqualTo("postgres-linux-x86_64.txz");
         assertThat(PostgresBinaries.archiveName("Linux", "aarch64")).isEqualTo("postgres-linux-arm_64.txz");
-        assertThat(PostgresBinaries.class.getResource("/postgres-linux-arm_64.txz")).isNotNull();
+        assertThat(PostgresBinaries.class.getResource("/postgres-linux-arm_64.txz"))
+                .isNotNull();
         assertThatThrownBy(() -> PostgresBinaries.archiveName("Linux", "riscv64"))
                 .isInstanceOf(StoreException.class)
                 .hasMessageContaining("Linux on riscv64")
@@ -258,7 +259,8 @@ class BundledPostgresTest {
     }
 
     private PostmasterFile postmaster() throws IOException {
-        return PostmasterFile.read(DatabaseCluster.directory(directory.toRealPath())).orElseThrow();
+        return PostmasterFile.read(DatabaseCluster.directory(directory.toRealPath()))
+                .orElseThrow();
     }
 
     private static int count(BundledPostgres own) throws SQLException {

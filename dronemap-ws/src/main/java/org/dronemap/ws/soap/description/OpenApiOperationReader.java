@@ -25,7 +25,7 @@ import tools.jackson.databind.JsonNode;
  * Reads the services of SOAP from the OpenAPI description of the same server, so that SOAP has each operation of REST, by the
  * same names of members.
  */
-final class OpenApiOperationReader {
+public final class OpenApiOperationReader {
     private static final String API = "/api/v1";
     private static final String JSON = "application/json";
     private static final Pattern VARIABLE = Pattern.compile("/([a-z-]+)/\\{id}");
@@ -40,7 +40,7 @@ final class OpenApiOperationReader {
         this.types = OpenApiTypeReader.read(openApi);
     }
 
-    static SoapServices read(JsonNode openApi) {
+    public static SoapServices read(JsonNode openApi) {
         OpenApiOperationReader reader = new OpenApiOperationReader(openApi);
         reader.readAll();
         Map<String, SoapService> services = new LinkedHashMap<>();

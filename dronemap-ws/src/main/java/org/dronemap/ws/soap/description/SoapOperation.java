@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param body what the body of the request is made from; null: it has none
  * @param answer what {@code return} is; null: the answer is empty
  */
-record SoapOperation(
+public record SoapOperation(
         String name,
         RestAddress of,
         List<Argument> arguments,
@@ -25,19 +25,19 @@ record SoapOperation(
         String words) {
 
     /** An operation of REST: {@code path} with its variables in braces. */
-    record RestAddress(String id, String method, String path) {}
+    public record RestAddress(String id, String method, String path) {}
 
     /** Where REST has a value. */
-    enum Place {
+    public enum Place {
         PATH,
         QUERY
     }
 
     /** {@code inRest}: its name there. */
-    record Argument(XmlMember member, Place place, String inRest) {}
+    public record Argument(XmlMember member, Place place, String inRest) {}
 
     /** The body of a request. */
-    sealed interface Body {
+    public sealed interface Body {
         /** Members of the body are elements of the call; {@code fixed} says which alternative it is. */
         record Members(
                 XmlTypes.Structure type,
@@ -49,21 +49,21 @@ record SoapOperation(
     }
 
     /** A member that the name of the operation stands for. */
-    record Fixed(String member, String value) {}
+    public record Fixed(String member, String value) {}
 
     /** {@code json}: else the bytes of the answer, as base64Binary. */
-    record Answer(XmlType type, boolean json, boolean nullable) {}
+    public record Answer(XmlType type, boolean json, boolean nullable) {}
 
-    static final String CONTENT = "content";
+    public static final String CONTENT = "content";
 
-    Optional<Argument> argument(String element) {
+    public Optional<Argument> argument(String element) {
         return arguments.stream()
                 .filter(one -> one.member().name().equals(element))
                 .findFirst();
     }
 
     /** All elements of a call in the order of its schema; a call may have them in any. */
-    List<XmlMember> elements() {
+    public List<XmlMember> elements() {
         List<XmlMember> all = new ArrayList<>();
         arguments.stream()
                 .filter(one -> one.place() == Place.PATH)

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.dronemap.ws.soap.xml.XmlTypes;
 
 /** All services with all their operations, as an OpenAPI description has them. Immutable. */
-record SoapServices(Map<String, SoapService> services, XmlTypes types, Map<String, String> without) {
+public record SoapServices(Map<String, SoapService> services, XmlTypes types, Map<String, String> without) {
 
     /** The services that the paper on the Dronemap Planner names. */
     static final String CONTROLLER = "MAVLinkControllerService";
@@ -70,7 +70,7 @@ record SoapServices(Map<String, SoapService> services, XmlTypes types, Map<Strin
         return name.append("Service").toString();
     }
 
-    Optional<SoapService> service(String name) {
+    public Optional<SoapService> service(String name) {
         return Optional.ofNullable(services.get(name));
     }
 }

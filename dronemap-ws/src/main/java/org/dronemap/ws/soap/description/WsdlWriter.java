@@ -11,14 +11,14 @@ import org.dronemap.ws.soap.xml.XmlType;
 import org.dronemap.ws.soap.xml.XmlTypes;
 
 /** Writes the description of a service: WSDL 1.1, document/literal, SOAP 1.1 and 1.2 at the same address. */
-final class WsdlWriter {
+public final class WsdlWriter {
     /** Of the namespace of operations, where one is written. */
-    static final String PREFIX = "ns1";
+    public static final String PREFIX = "ns1";
 
-    static final String RETURN = "return";
-    static final String FAULT = "DronemapFault";
+    public static final String RETURN = "return";
+    public static final String FAULT = "DronemapFault";
     /** What faults carry; REST's problems. */
-    static final String PROBLEM = "Problem";
+    public static final String PROBLEM = "Problem";
 
     /** Namespaces of what makes clients in Java: now, and before it was given to another foundation. */
     private static final List<String> JAVA_TOOLS =
@@ -37,7 +37,7 @@ final class WsdlWriter {
     }
 
     /** {@code address}: where the service is, as its caller reached it. */
-    static String write(SoapService service, XmlTypes types, String address) {
+    public static String write(SoapService service, XmlTypes types, String address) {
         return new WsdlWriter(service, types).write(address);
     }
 

@@ -7,18 +7,18 @@ import javax.xml.stream.XMLStreamWriter;
 import tools.jackson.databind.JsonNode;
 
 /** Writes JSON as elements by their types. Members without a value are left out, as their schema allows. */
-final class JsonToXml {
+public final class JsonToXml {
     static final String TYPE = "type";
 
     private static final int UNKNOWN = 0xFFFD;
 
     private final XmlTypes types;
 
-    JsonToXml(XmlTypes types) {
+    public JsonToXml(XmlTypes types) {
         this.types = types;
     }
 
-    void write(XMLStreamWriter out, String element, XmlType type, JsonNode value) throws XMLStreamException {
+    public void write(XMLStreamWriter out, String element, XmlType type, JsonNode value) throws XMLStreamException {
         out.writeStartElement(element);
         content(out, type, value);
         out.writeEndElement();
@@ -60,7 +60,7 @@ final class JsonToXml {
         }
     }
 
-    void members(XMLStreamWriter out, XmlTypes.Structure type, JsonNode value) throws XMLStreamException {
+    public void members(XMLStreamWriter out, XmlTypes.Structure type, JsonNode value) throws XMLStreamException {
         for (XmlMember member : type.members()) {
             JsonNode of = value.path(member.name());
             if (!of.isMissingNode() && !of.isNull()) {

@@ -7,4 +7,4 @@ package org.dronemap.ws.soap.xml;
  * @param nullable it may be without a value
  * @param words what it means, for who reads the description; may be empty
  */
-record XmlMember(String name, XmlType type, boolean required, boolean nullable, String words) {}
+public record XmlMember(String name, XmlType type, boolean required, boolean nullable, String words) {}

@@ -8,23 +8,30 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
 /** Writes types as XML Schema. */
-final class XmlSchemaWriter {
-    static final String PREFIX = "t";
+public final class XmlSchemaWriter {
+    public static final String PREFIX = "t";
 
     private final XmlTypes types;
     private final XmlTextWriter out;
     private final Map<String, XmlTypes.Complex> named = new TreeMap<>();
     private final Map<String, XmlType> several = new TreeMap<>();
 
-    XmlSchemaWriter(XmlTypes types, XmlTextWriter out) {
+    public XmlSchemaWriter(XmlTypes types, XmlTextWriter out) {
         this.types = types;
         this.out = out;
     }
 
     /** The types of {@code members} and all that those are made of. */
-    void write(Collection<XmlMember> members) {
+    public void write(Collection<XmlMember> members) {
         members.forEach(member -> reach(member.type()));
-        out.open("xs:schema", "xmlns:" + PREFIX, SoapNamespaces.TYPES, "targetNamespace", SoapNamespaces.TYPES, "version", "2");
+        out.open(
+                "xs:schema",
+                "xmlns:" + PREFIX,
+                SoapNamespaces.TYPES,
+                "targetNamespace",
+                SoapNamespaces.TYPES,
+                "version",
+                "2");
         named.forEach(this::complex);
         several.forEach(this::several);
         out.close();
@@ -98,7 +105,7 @@ final class XmlSchemaWriter {
     }
 
     /** Absent and without a value are alike in an answer; in a call some members know both. */
-    void sequence(List<XmlMember> members) {
+    public void sequence(List<XmlMember> members) {
         if (members.isEmpty()) {
             out.empty("xs:sequence");
             return;

@@ -5,29 +5,29 @@ import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
 /** Writes XML for people to read: an element a line, indented. Owned by who makes it. */
-final class XmlTextWriter {
+public final class XmlTextWriter {
     private final StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     private final Deque<String> open = new ArrayDeque<>();
 
     /** {@code attributes}: names and values in turn; one whose value is null is left out. */
-    XmlTextWriter open(String element, @Nullable String... attributes) {
+    public XmlTextWriter open(String element, @Nullable String... attributes) {
         start(element, attributes).append(">\n");
         open.push(element);
         return this;
     }
 
-    XmlTextWriter close() {
+    public XmlTextWriter close() {
         String element = open.pop();
         indent().append("</").append(element).append(">\n");
         return this;
     }
 
-    XmlTextWriter empty(String element, @Nullable String... attributes) {
+    public XmlTextWriter empty(String element, @Nullable String... attributes) {
         start(element, attributes).append("/>\n");
         return this;
     }
 
-    XmlTextWriter leaf(String element, String words) {
+    public XmlTextWriter leaf(String element, String words) {
         start(element)
                 .append('>')
                 .append(escaped(words))

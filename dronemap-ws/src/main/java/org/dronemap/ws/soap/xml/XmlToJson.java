@@ -18,7 +18,7 @@ import tools.jackson.databind.node.ObjectNode;
 import tools.jackson.databind.node.StringNode;
 
 /** Makes JSON from elements by their types. */
-final class XmlToJson {
+public final class XmlToJson {
     static final String ITEM = "item";
     static final String ENTRY = "entry";
     static final String KEY = "key";
@@ -30,13 +30,13 @@ final class XmlToJson {
     private final XmlTypes types;
     private final JsonMapper mapper;
 
-    XmlToJson(XmlTypes types, JsonMapper mapper) {
+    public XmlToJson(XmlTypes types, JsonMapper mapper) {
         this.types = types;
         this.mapper = mapper;
     }
 
     /** {@code within}: what the element is in, for sentences. */
-    void put(ObjectNode object, XmlTypes.Structure type, String within, Element element) {
+    public void put(ObjectNode object, XmlTypes.Structure type, String within, Element element) {
         String name = element.getLocalName();
         String field = within.isEmpty() ? name : within + "." + name;
         if (object.has(name)) {
@@ -54,7 +54,7 @@ final class XmlToJson {
     }
 
     /** By the names that elements have, some of which JSON has otherwise. */
-    static InvalidInput unknown(String field, List<XmlMember> known) {
+    public static InvalidInput unknown(String field, List<XmlMember> known) {
         String allowed =
                 known.isEmpty() ? "none" : known.stream().map(XmlMember::name).collect(Collectors.joining(", "));
         return new InvalidInput(
@@ -183,7 +183,7 @@ final class XmlToJson {
         return object;
     }
 
-    static List<Element> children(Element element) {
+    public static List<Element> children(Element element) {
         List<Element> all = new ArrayList<>();
         for (Node node = element.getFirstChild(); node != null; node = node.getNextSibling()) {
             if (node instanceof Element child) {
@@ -193,7 +193,7 @@ final class XmlToJson {
         return all;
     }
 
-    static String text(String field, Element element) {
+    public static String text(String field, Element element) {
         List<Element> within = children(element);
         if (!within.isEmpty()) {
             throw new InvalidInput(
@@ -223,7 +223,7 @@ final class XmlToJson {
         return text == null || text.isBlank();
     }
 
-    static boolean isNil(Element element) {
+    public static boolean isNil(Element element) {
         String nil = element.getAttributeNS(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI, "nil");
         return nil.equals("true") || nil.equals("1");
     }

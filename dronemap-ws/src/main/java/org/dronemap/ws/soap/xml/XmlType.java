@@ -3,7 +3,7 @@ package org.dronemap.ws.soap.xml;
 import java.util.List;
 
 /** The type of a value in XML, and how it is written as JSON. */
-sealed interface XmlType {
+public sealed interface XmlType {
 
     /**
      * A text.
@@ -12,7 +12,7 @@ sealed interface XmlType {
      * @param values all that it may be; empty: what {@code xsd} allows
      */
     record Text(String xsd, List<String> values) implements XmlType {
-        static Text of(String xsd) {
+        public static Text of(String xsd) {
             return new Text(xsd, List.of());
         }
     }

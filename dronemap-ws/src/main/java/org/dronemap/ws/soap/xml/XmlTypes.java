@@ -5,16 +5,16 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** The types with names that operations take and answer with. Immutable. */
-record XmlTypes(Map<String, Complex> named) {
+public record XmlTypes(Map<String, Complex> named) {
 
     /** Something with elements of its own. */
-    sealed interface Complex {
+    public sealed interface Complex {
         String words();
     }
 
-    record Structure(List<XmlMember> members, String words) implements Complex {
+    public record Structure(List<XmlMember> members, String words) implements Complex {
         @Nullable
-        XmlMember member(String name) {
+        public XmlMember member(String name) {
             return members.stream()
                     .filter(one -> one.name().equals(name))
                     .findFirst()
@@ -28,9 +28,9 @@ record XmlTypes(Map<String, Complex> named) {
      * @param told the member of JSON that says which it is
      * @param kinds the named type of each alternative
      */
-    record Alternatives(String told, Map<String, String> kinds, String words) implements Complex {}
+    public record Alternatives(String told, Map<String, String> kinds, String words) implements Complex {}
 
-    Complex get(String name) {
+    public Complex get(String name) {
         Complex found = named.get(name);
         if (found == null) {
             throw new IllegalStateException("the description has no type " + name);
@@ -38,7 +38,7 @@ record XmlTypes(Map<String, Complex> named) {
         return found;
     }
 
-    Structure structure(String name) {
+    public Structure structure(String name) {
         if (get(name) instanceof Structure structure) {
             return structure;
         }

@@ -9,8 +9,8 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** Bounded outbox of one client: only the newest state of each thing, all commands and answers in order. Any thread. */
-final class ClientOutbox {
-    static final int MOST_DISCRETE = 1_000;
+public final class ClientOutbox {
+    public static final int MOST_DISCRETE = 1_000;
 
     // all guarded by this
     private final Deque<Message> discrete = new ArrayDeque<>();
@@ -23,35 +23,35 @@ final class ClientOutbox {
     private record Message(@Nullable MessageSubject about, String json) {}
 
     /** A picture that the next one of the same thing replaces. */
-    synchronized void offer(MessageSubject about, String json) {
+    public synchronized void offer(MessageSubject about, String json) {
         if (newest.put(about, json) != null) {
             replaced++;
         }
     }
 
     /** A sign of life that the next one replaces: who is slow to read is not given more to read for it. */
-    synchronized void beat(String json) {
+    public synchronized void beat(String json) {
         beat = json;
     }
 
     /** No picture of what is gone. */
-    synchronized void forget(MessageSubject about) {
+    public synchronized void forget(MessageSubject about) {
         newest.remove(about);
     }
 
     /** Nothing at all of what this client may see no longer. */
-    synchronized void withhold(MessageSubject about) {
+    public synchronized void withhold(MessageSubject about) {
         newest.remove(about);
         discrete.removeIf(message -> about.equals(message.about()));
     }
 
     /** Something that must arrive; when there is no room for it the client is to be closed. */
-    void add(String json) {
+    public void add(String json) {
         add(null, json);
     }
 
     /** The same, of one thing. */
-    synchronized void add(@Nullable MessageSubject about, String json) {
+    public synchronized void add(@Nullable MessageSubject about, String json) {
         if (discrete.size() == MOST_DISCRETE) {
             overflown = true;
         } else {
@@ -60,7 +60,7 @@ final class ClientOutbox {
     }
 
     /** All that waits: first what must arrive, then the pictures, at last the sign of life. */
-    synchronized List<String> drain() {
+    public synchronized List<String> drain() {
         List<String> all = new ArrayList<>(discrete.size() + newest.size() + 1);
         discrete.forEach(message -> all.add(message.json()));
         all.addAll(newest.values());
@@ -71,17 +71,17 @@ final class ClientOutbox {
         return all;
     }
 
-    synchronized void clear() {
+    public synchronized void clear() {
         discrete.clear();
         newest.clear();
         beat = null;
     }
 
-    synchronized boolean isEmpty() {
+    public synchronized boolean isEmpty() {
         return discrete.isEmpty() && newest.isEmpty() && beat == null;
     }
 
-    synchronized boolean isOverflown() {
+    public synchronized boolean isOverflown() {
         return overflown;
     }
 

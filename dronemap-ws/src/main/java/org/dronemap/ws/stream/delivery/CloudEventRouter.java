@@ -13,7 +13,7 @@ import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.ControlState;
 
 /** Hands what the cloud says of drones to the topics that it concerns. Heard on lanes; rounds belong to the pump. */
-final class CloudEventRouter implements CloudListener {
+public final class CloudEventRouter implements CloudListener {
     private static final long MOVES_GAP_NANOS = 250_000_000L;
 
     private final List<Consumer<DroneState>> onChange = new CopyOnWriteArrayList<>();
@@ -26,26 +26,26 @@ final class CloudEventRouter implements CloudListener {
     private long movesNanos = System.nanoTime();
 
     /** What has happened to who has a drone. */
-    record ControlEvent(DroneId drone, ControlState now, ControlChange change) {}
+    public record ControlEvent(DroneId drone, ControlState now, ControlChange change) {}
 
-    void onChange(Consumer<DroneState> topic) {
+    public void onChange(Consumer<DroneState> topic) {
         onChange.add(topic);
     }
 
-    void onRemoval(Consumer<DroneId> topic) {
+    public void onRemoval(Consumer<DroneId> topic) {
         onRemoval.add(topic);
     }
 
-    void onCommand(Consumer<CommandRecord> topic) {
+    public void onCommand(Consumer<CommandRecord> topic) {
         onCommand.add(topic);
     }
 
-    void onControl(Consumer<ControlEvent> topic) {
+    public void onControl(Consumer<ControlEvent> topic) {
         onControl.add(topic);
     }
 
     /** Told in rounds, four times a second at most: for what moves with the drones that serve it. */
-    void onMoves(Consumer<Set<DroneId>> topic) {
+    public void onMoves(Consumer<Set<DroneId>> topic) {
         onMoves.add(topic);
     }
 
@@ -71,7 +71,7 @@ final class CloudEventRouter implements CloudListener {
         onControl.forEach(topic -> topic.accept(news));
     }
 
-    void round(long nowNanos) {
+    public void round(long nowNanos) {
         if (nowNanos - movesNanos < MOVES_GAP_NANOS || moved.isEmpty()) {
             return;
         }

@@ -3,14 +3,14 @@ package org.dronemap.ws.stream.delivery;
 import org.dronemap.core.drone.DroneId;
 
 /** Subject of a stream message: a kind and an id that is unique within it. */
-record MessageSubject(String kind, String id) {
-    static final String DRONE = "drone";
+public record MessageSubject(String kind, String id) {
+    public static final String DRONE = "drone";
 
-    static MessageSubject drone(DroneId id) {
+    public static MessageSubject drone(DroneId id) {
         return new MessageSubject(DRONE, id.value());
     }
 
-    boolean isDrone() {
+    public boolean isDrone() {
         return kind.equals(DRONE);
     }
 }

@@ -6,7 +6,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** One thread that works off rounds: soon after somebody asks for one, or when the last one said. Any thread may ask. */
-final class PublishLoop implements AutoCloseable {
+public final class PublishLoop implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(PublishLoop.class);
     private static final long LONGEST_NANOS = 40_000_000L;
 
@@ -16,33 +16,33 @@ final class PublishLoop implements AutoCloseable {
     private volatile boolean closed;
 
     /** A round of work. */
-    interface Pass {
+    public interface Pass {
         Pause round(long nowNanos);
     }
 
     /** How long to rest after a round at least, whoever asks, and at most. */
-    record Pause(long leastNanos, long mostNanos) {
+    public record Pause(long leastNanos, long mostNanos) {
         /** However long others want. */
         public static final Pause ANY = new Pause(Long.MAX_VALUE, Long.MAX_VALUE);
 
         /** As long as both allow. */
-        Pause and(Pause other) {
+        public Pause and(Pause other) {
             return new Pause(Math.min(leastNanos, other.leastNanos), Math.min(mostNanos, other.mostNanos));
         }
     }
 
-    PublishLoop(String name, Pass work) {
+    public PublishLoop(String name, Pass work) {
         this.work = work;
         thread = new Thread(this::run, name);
         thread.setDaemon(true);
     }
 
-    void start() {
+    public void start() {
         thread.start();
     }
 
     /** Asks for a round; cheap when one is asked for already. */
-    void wake() {
+    public void wake() {
         if (!asked.get() && asked.compareAndSet(false, true)) {
             LockSupport.unpark(thread);
         }

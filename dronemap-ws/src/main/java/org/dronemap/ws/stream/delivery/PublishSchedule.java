@@ -12,8 +12,8 @@ import java.util.function.Consumer;
  *
  * @param <P> a picture
  */
-final class PublishSchedule<P> {
-    static final int MOST_PER_SECOND = 50;
+public final class PublishSchedule<P> {
+    public static final int MOST_PER_SECOND = 50;
     private static final long SHORTEST_GAP_NANOS = 1_000_000_000L / MOST_PER_SECOND;
     private static final long LONGEST_GAP_NANOS = 200_000_000L;
     /** Up to 1,250 pictures a second for all of a topic together. */
@@ -26,35 +26,37 @@ final class PublishSchedule<P> {
     private final Map<MessageSubject, Long> sentNanos = new HashMap<>();
 
     /** {@code perSecond}: not more than this of each thing. */
-    PublishSchedule(int perSecond) {
+    public PublishSchedule(int perSecond) {
         askedGapNanos = 1_000_000_000L / perSecond;
     }
 
-    void changed(MessageSubject id, P picture) {
+    public void changed(MessageSubject id, P picture) {
         waiting.put(id, picture);
     }
 
     /** The same, and its turn is now, whenever its last one was. */
-    void changedAtOnce(MessageSubject id, P picture) {
+    public void changedAtOnce(MessageSubject id, P picture) {
         sentNanos.remove(id);
         changed(id, picture);
     }
 
-    void removed(MessageSubject id) {
+    public void removed(MessageSubject id) {
         waiting.remove(id);
         sentNanos.remove(id);
     }
 
-    long gapNanos() {
+    public long gapNanos() {
         long fair = Math.min(LONGEST_GAP_NANOS, sentNanos.size() * SHARE_NANOS);
         return Math.max(askedGapNanos, Math.max(SHORTEST_GAP_NANOS, fair));
     }
 
     /** Hands out all whose turn has come; in how many ns the next one's does, at most a gap. */
-    long take(long nowNanos, Consumer<P> due) {
+    public long take(long nowNanos, Consumer<P> due) {
         long gap = gapNanos();
         long next = gap;
-        for (Iterator<Map.Entry<MessageSubject, P>> pictures = waiting.entrySet().iterator(); pictures.hasNext(); ) {
+        for (Iterator<Map.Entry<MessageSubject, P>> pictures =
+                        waiting.entrySet().iterator();
+                pictures.hasNext(); ) {
             Map.Entry<MessageSubject, P> picture = pictures.next();
             Long sent = sentNanos.get(picture.getKey());
             long left = sent == null ? 0 : sent + gap - nowNanos;
@@ -70,7 +72,7 @@ final class PublishSchedule<P> {
     }
 
     /** What did not change for long takes no share. */
-    void forget(long nowNanos) {
+    public void forget(long nowNanos) {
         sentNanos.values().removeIf(sent -> nowNanos - sent > FORGOTTEN_NANOS);
     }
 }

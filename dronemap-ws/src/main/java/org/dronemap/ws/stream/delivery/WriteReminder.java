@@ -7,16 +7,16 @@ import org.java_websocket.WebSocket;
  * Tells the socket library again that something waits. It forgets, when a message comes between its last write and its
  * turning to reading, and would then leave all that follows lying until its own sign of life, half a minute later.
  */
-final class WriteReminder {
+public final class WriteReminder {
     private final Consumer<WebSocket> demand;
 
     /** {@code demand} has the library write to a socket as soon as it can. */
-    WriteReminder(Consumer<WebSocket> demand) {
+    public WriteReminder(Consumer<WebSocket> demand) {
         this.demand = demand;
     }
 
     /** Cheap where nothing waits, and harmless where the peer is only slow. */
-    void remind(WebSocket socket) {
+    public void remind(WebSocket socket) {
         if (!socket.isClosed() && socket.hasBufferedData()) {
             demand.accept(socket);
         }

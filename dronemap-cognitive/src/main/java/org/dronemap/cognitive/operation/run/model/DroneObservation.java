@@ -71,51 +71,51 @@ public record DroneObservation(
     public record Progress(
             @Nullable Boolean carries, @Nullable Boolean carriesNext, boolean told, int passed, boolean complete) {}
 
-    boolean isLive() {
+    public boolean isLive() {
         return link == LinkState.LIVE;
     }
 
     /** All is known that its part in the run is judged by. */
-    boolean tells() {
+    public boolean tells() {
         return isLive() && ready && mode != null && armed != null && place != null && progress.told();
     }
 
     /** It has flown what it was given. */
-    boolean isAtTheEnd() {
+    public boolean isAtTheEnd() {
         return progress.complete() && !Boolean.FALSE.equals(progress.carries());
     }
 
-    boolean isLost() {
+    public boolean isLost() {
         return link == LinkState.LOST || link == LinkState.ENDED;
     }
 
-    boolean isArmed() {
+    public boolean isArmed() {
         return Boolean.TRUE.equals(armed);
     }
 
     /** It was told to stand, and does not yet. */
-    boolean rolls() {
+    public boolean rolls() {
         return waits() && speed != null && speed > STANDS_SPEED;
     }
 
-    boolean isDisarmed() {
+    public boolean isDisarmed() {
         return Boolean.FALSE.equals(armed);
     }
 
-    boolean isOnMission() {
+    public boolean isOnMission() {
         return steering == Steering.MISSION;
     }
 
-    boolean waits() {
+    public boolean waits() {
         return steering != null && steering.takesOrders();
     }
 
-    boolean comesDown() {
+    public boolean comesDown() {
         return steering != null && steering.isSafe();
     }
 
     /** Somebody's sticks, or a way of flying that nobody here asks for. */
-    boolean isSteered() {
+    public boolean isSteered() {
         return mode != null && (steering == null || steering == Steering.STICKS);
     }
 }

@@ -30,7 +30,8 @@ public record PendingReplan(
         crafts = List.copyOf(crafts);
     }
 
-    static PendingReplan of(int number, boolean searched, Instant at, List<ReplanCause> causes, List<Craft> crafts) {
+    public static PendingReplan of(
+            int number, boolean searched, Instant at, List<ReplanCause> causes, List<Craft> crafts) {
         boolean better = causes.stream().allMatch(ReplanCause::isBetter);
         boolean approved = causes.stream().anyMatch(cause -> cause.trigger() == RunTrigger.ANSWERED);
         List<ReplanCause> real =
@@ -39,7 +40,7 @@ public record PendingReplan(
     }
 
     /** What it is told by. */
-    ReplanCause first() {
+    public ReplanCause first() {
         return Objects.requireNonNull(causes.get(0));
     }
 }

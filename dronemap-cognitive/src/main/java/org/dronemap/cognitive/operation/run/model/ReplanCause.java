@@ -16,7 +16,8 @@ import org.jspecify.annotations.Nullable;
 @Stored(names = "trigger drone words orphans")
 public record ReplanCause(RunTrigger trigger, @Nullable DroneId drone, String words, List<String> orphans) {
     /** Nothing has to be changed: a better plan is looked for than the one at once. */
-    static final ReplanCause BETTER = new ReplanCause(RunTrigger.BETTER_PLAN, null, "A better plan was looked for.", List.of());
+    public static final ReplanCause BETTER =
+            new ReplanCause(RunTrigger.BETTER_PLAN, null, "A better plan was looked for.", List.of());
 
     private static final Set<RunTrigger> PATIENT = EnumSet.of(
             RunTrigger.JOINED,
@@ -32,12 +33,12 @@ public record ReplanCause(RunTrigger trigger, @Nullable DroneId drone, String wo
         orphans = List.copyOf(orphans);
     }
 
-    boolean isBetter() {
+    public boolean isBetter() {
         return trigger == RunTrigger.BETTER_PLAN;
     }
 
     /** A plan that is searched for is worth waiting for. */
-    boolean isPatient() {
+    public boolean isPatient() {
         return PATIENT.contains(trigger);
     }
 }

@@ -49,11 +49,11 @@ public record RunDrone(
             String name,
             VehicleKind kind,
             @Nullable Double returnMeters) {
-        Profile with(Craft other) {
+        public Profile with(Craft other) {
             return new Profile(other, name, kind, returnMeters);
         }
 
-        Profile withoutLayer() {
+        public Profile withoutLayer() {
             return new Profile(craft, name, kind, null);
         }
     }
@@ -85,7 +85,7 @@ public record RunDrone(
     /** The number of failed attempts in a row, and the time before which there is none again. */
     @Stored(names = "failed notBefore")
     public record Attempts(int failed, @Nullable Instant notBefore) {
-        static final Attempts NONE = new Attempts(0, null);
+        public static final Attempts NONE = new Attempts(0, null);
     }
 
     /**
@@ -112,45 +112,45 @@ public record RunDrone(
             List<RunTrigger> told,
             @Nullable Double joulesPerPercent,
             @Nullable ReturnHeight homeward) {
-        static final Flags NONE = new Flags(false, false, null, null, null, null, List.of(), null, null);
+        public static final Flags NONE = new Flags(false, false, null, null, null, null, List.of(), null, null);
 
         public Flags {
             told = List.copyOf(told);
         }
 
-        Flags held(boolean now) {
+        public Flags held(boolean now) {
             return new Flags(now, begun, falling, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
-        Flags begun(boolean now) {
+        public Flags begun(boolean now) {
             return new Flags(held, now, falling, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
-        Flags falling(@Nullable Instant from) {
+        public Flags falling(@Nullable Instant from) {
             return new Flags(held, begun, from, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
-        Flags astray(@Nullable Instant from) {
+        public Flags astray(@Nullable Instant from) {
             return new Flags(held, begun, falling, from, silence, yields, told, joulesPerPercent, homeward);
         }
 
-        Flags silent(@Nullable LinkLoss what) {
+        public Flags silent(@Nullable LinkLoss what) {
             return new Flags(held, begun, falling, astray, what, yields, told, joulesPerPercent, homeward);
         }
 
-        Flags yields(@Nullable DroneId other) {
+        public Flags yields(@Nullable DroneId other) {
             return new Flags(held, begun, falling, astray, silence, other, told, joulesPerPercent, homeward);
         }
 
-        Flags told(List<RunTrigger> all) {
+        public Flags told(List<RunTrigger> all) {
             return new Flags(held, begun, falling, astray, silence, yields, all, joulesPerPercent, homeward);
         }
 
-        Flags joulesPerPercent(double joules) {
+        public Flags joulesPerPercent(double joules) {
             return new Flags(held, begun, falling, astray, silence, yields, told, joules, homeward);
         }
 
-        Flags homeward(@Nullable ReturnHeight now) {
+        public Flags homeward(@Nullable ReturnHeight now) {
             return new Flags(held, begun, falling, astray, silence, yields, told, joulesPerPercent, now);
         }
     }
@@ -172,8 +172,9 @@ public record RunDrone(
         orders = List.copyOf(orders);
     }
 
-    static RunDrone joining(Profile kin, Instant now) {
-        return new RunDrone(kin, RunDroneStage.LANDED, now, List.of(), null, 0, null, null, Attempts.NONE, null, Flags.NONE);
+    public static RunDrone joining(Profile kin, Instant now) {
+        return new RunDrone(
+                kin, RunDroneStage.LANDED, now, List.of(), null, 0, null, null, Attempts.NONE, null, Flags.NONE);
     }
 
     public DroneId id() {
@@ -190,51 +191,61 @@ public record RunDrone(
 
     /** What it will have been given last. */
     @Nullable
-    Sortie latest() {
+    public Sortie latest() {
         return next == null ? sortie : next;
     }
 
     /** A new step begins. */
-    RunDrone to(RunDroneStage step, Instant now) {
+    public RunDrone to(RunDroneStage step, Instant now) {
         Flags seen = step == RunDroneStage.FLYING ? signs.begun(true) : signs;
         return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Attempts.NONE, note, seen);
     }
 
-    RunDrone with(Profile other) {
+    public RunDrone with(Profile other) {
         return new RunDrone(other, stage, since, orders, sortie, passed, next, errand, tries, note, signs);
     }
 
-    RunDrone noted(@Nullable String why) {
+    public RunDrone noted(@Nullable String why) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, why, signs);
     }
 
-    RunDrone ordered(List<String> waypoints) {
+    public RunDrone ordered(List<String> waypoints) {
         return new RunDrone(kin, stage, since, waypoints, sortie, passed, next, errand, tries, note, signs);
     }
 
-    RunDrone flying(@Nullable Sortie what, int behind) {
+    public RunDrone flying(@Nullable Sortie what, int behind) {
         return new RunDrone(kin, stage, since, orders, what, behind, next, errand, tries, note, signs);
     }
 
-    RunDrone getting(@Nullable Sortie later) {
+    public RunDrone getting(@Nullable Sortie later) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, later, errand, tries, note, signs);
     }
 
-    RunDrone on(@Nullable IssuedCommand what) {
+    public RunDrone on(@Nullable IssuedCommand what) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, next, what, tries, note, signs);
     }
 
-    RunDrone tried(Attempts now) {
+    public RunDrone tried(Attempts now) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, next, null, now, note, signs);
     }
 
     /** It does nothing else until then. */
-    RunDrone busy(Instant until) {
+    public RunDrone busy(Instant until) {
         return new RunDrone(
-                kin, stage, since, orders, sortie, passed, next, errand, new Attempts(tries.failed(), until), note, signs);
+                kin,
+                stage,
+                since,
+                orders,
+                sortie,
+                passed,
+                next,
+                errand,
+                new Attempts(tries.failed(), until),
+                note,
+                signs);
     }
 
-    RunDrone with(Flags other) {
+    public RunDrone with(Flags other) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, note, other);
     }
 }

@@ -38,7 +38,7 @@ public sealed interface RunInput {
     record ReplanEnded(
             Instant at,
             int request,
-            org.dronemap.cognitive.replan.@Nullable ReplanEnded result,
+            org.dronemap.cognitive.replan.@Nullable ReplanResult result,
             @Nullable String why) implements RunInput {}
 
     /** The process was started again. */

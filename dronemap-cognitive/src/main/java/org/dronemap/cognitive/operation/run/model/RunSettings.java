@@ -25,7 +25,7 @@ public record RunSettings(
         barriers = List.copyOf(barriers);
     }
 
-    static RunSettings of(RunOrder order) {
+    public static RunSettings of(RunOrder order) {
         return new RunSettings(
                 order.problem().barriers(),
                 order.problem().wind(),
@@ -37,7 +37,7 @@ public record RunSettings(
                 order.search());
     }
 
-    RunSettings with(Barrier barrier) {
+    public RunSettings with(Barrier barrier) {
         List<Barrier> all = new ArrayList<>(barriers);
         all.add(barrier);
         return new RunSettings(all, wind, objective, rules, mode, onCloudLoss, seed, search);

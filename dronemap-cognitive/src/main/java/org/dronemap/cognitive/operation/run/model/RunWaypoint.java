@@ -82,7 +82,7 @@ public record RunWaypoint(
         visits = List.copyOf(visits);
     }
 
-    static RunWaypoint waiting(Waypoint waypoint) {
+    public static RunWaypoint waiting(Waypoint waypoint) {
         return new RunWaypoint(waypoint, State.WAITING, null, List.of(), null, false, List.of());
     }
 
@@ -94,11 +94,11 @@ public record RunWaypoint(
         return visits.size() > 1;
     }
 
-    RunWaypoint to(State next, @Nullable DroneId whose, @Nullable String why) {
+    public RunWaypoint to(State next, @Nullable DroneId whose, @Nullable String why) {
         return new RunWaypoint(waypoint, next, whose, visits, why, false, reports);
     }
 
-    RunWaypoint leftOut(@Nullable String why) {
+    public RunWaypoint leftOut(@Nullable String why) {
         return new RunWaypoint(waypoint, State.WAITING, null, visits, why, true, reports);
     }
 
@@ -107,7 +107,7 @@ public record RunWaypoint(
     }
 
     /** In the place of what was reported of that part before. */
-    RunWaypoint with(Report newer) {
+    public RunWaypoint with(Report newer) {
         List<Report> all = new ArrayList<>(
                 reports.stream().filter(report -> report.part() != newer.part()).toList());
         all.add(newer);
@@ -116,17 +116,17 @@ public record RunWaypoint(
     }
 
     /** Somewhere else, where nothing was done yet. */
-    RunWaypoint with(Waypoint other) {
+    public RunWaypoint with(Waypoint other) {
         return new RunWaypoint(other, state, drone, visits, leftOut ? null : reason, false, List.of());
     }
 
-    boolean isVisitedBy(DroneId by) {
+    public boolean isVisitedBy(DroneId by) {
         return state == State.VISITED
                 && visits.stream().anyMatch(visit -> visit.drone().equals(by));
     }
 
     /** Whoever it is: the same drone does not count twice. */
-    RunWaypoint visited(DroneId by, Instant at) {
+    public RunWaypoint visited(DroneId by, Instant at) {
         if (visits.stream().anyMatch(visit -> visit.drone().equals(by))) {
             return this;
         }

@@ -37,13 +37,13 @@ public record Sortie(
     }
 
     /** {@code kin}: with the craft as it stands in the problem that the tour was made for. */
-    static Sortie of(int number, RunDrone.Profile kin, Tour tour, Instant zero, Function<String, Task> tasks) {
+    public static Sortie of(int number, RunDrone.Profile kin, Tour tour, Instant zero, Function<String, Task> tasks) {
         MissionWriter.WrittenMission written = new MissionWriter(kin.craft(), kin.kind(), tasks).write(tour);
         return new Sortie(number, tour, new Mission(written.items()), written.arrivals(), written.tasks(), zero);
     }
 
     /** The same without those items; how long it stays is left as it is. */
-    Sortie sparing(Predicate<TaskItem> done) {
+    public Sortie sparing(Predicate<TaskItem> done) {
         List<TaskItem> spared = tasks.stream().filter(done).toList();
         if (spared.isEmpty()) {
             return this;
@@ -66,13 +66,13 @@ public record Sortie(
     }
 
     /** Which waypoints are done when so many items are behind the drone. */
-    List<String> done(int passed) {
+    public List<String> done(int passed) {
         int stops = (int) arrivals.stream().filter(item -> item < passed).count();
         return tour.stops().subList(0, stops).stream().map(Stop::waypoint).toList();
     }
 
     /** Which are not. */
-    List<String> ahead(int passed) {
+    public List<String> ahead(int passed) {
         return tour.stops().stream()
                 .skip(done(passed).size())
                 .map(Stop::waypoint)
@@ -84,7 +84,7 @@ public record Sortie(
     }
 
     /** The same mission, where passing that waypoint's place counts for nothing any more. */
-    Sortie without(String waypoint) {
+    public Sortie without(String waypoint) {
         List<Stop> stops = new ArrayList<>();
         List<Integer> items = new ArrayList<>();
         for (int stop = 0; stop < arrivals.size(); stop++) {
@@ -103,30 +103,30 @@ public record Sortie(
     }
 
     /** The same mission with what is ahead at newer times: {@code later} has just those stops. */
-    Sortie retimed(Tour later, Instant newZero, int passed) {
+    public Sortie retimed(Tour later, Instant newZero, int passed) {
         int done = done(passed).size();
         return new Sortie(number, later, mission, arrivals.subList(done, arrivals.size()), tasks, newZero);
     }
 
-    Sortie at(Instant newZero) {
+    public Sortie at(Instant newZero) {
         return new Sortie(number, tour, mission, arrivals, tasks, newZero);
     }
 
     /** As it was planned, or as much later as it departs. */
-    Sortie departingAt(Instant moment) {
+    public Sortie departingAt(Instant moment) {
         Duration late = Duration.between(moment(tour.departsSeconds()), moment);
         return late.isNegative() ? this : at(zero.plus(late));
     }
 
     /** When it is to be there; empty: it is none of its stops. */
-    Optional<Instant> due(String waypoint) {
+    public Optional<Instant> due(String waypoint) {
         return tour.stops().stream()
                 .filter(stop -> stop.waypoint().equals(waypoint))
                 .findFirst()
                 .map(stop -> moment(stop.arrivesSeconds()));
     }
 
-    Instant moment(double seconds) {
+    public Instant moment(double seconds) {
         return zero.plusNanos((long) (seconds * NANOS));
     }
 }
