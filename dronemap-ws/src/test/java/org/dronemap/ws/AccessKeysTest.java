@@ -99,10 +99,8 @@ class AccessKeysTest {
             })
     void answerForOtherDronesAsForThoseThatAreNotThere(String below) {
         TestHttpClient http = new TestHttpClient(house, tenant.key(operatorOf(mine)));
-
         TestHttpClient.Answer foreign = http.get("/api/v1/drones/" + other.id() + below);
         TestHttpClient.Answer absent = http.get("/api/v1/drones/nosuchdrone" + below);
-
         assertThat(foreign.status()).isEqualTo(404);
         assertThat(foreign.raw().body().replace(other.id(), "nosuchdrone"))
                 .isEqualTo(absent.raw().body());

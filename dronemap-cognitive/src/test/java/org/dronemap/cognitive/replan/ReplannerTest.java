@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
-import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.allocate.SearchBudget;
@@ -33,13 +32,13 @@ import org.junit.jupiter.api.Test;
 
 /** A plan that is being flown changes as little as need be, and loses no waypoint on the way. */
 class ReplannerTest {
-    private static final SearchBudget SHORT = SearchBudget.iterations(3_000);
+    static final SearchBudget SHORT = SearchBudget.iterations(3_000);
 
-    private static DroneId drone(int number) {
+    static DroneId drone(int number) {
         return new DroneId("d" + number);
     }
 
-    private static List<String> ids(int... waypoints) {
+    static List<String> ids(int... waypoints) {
         return Arrays.stream(waypoints).mapToObj(i -> "w" + i).toList();
     }
 
@@ -51,7 +50,7 @@ class ReplannerTest {
                 .toList();
     }
 
-    private static Craft inFlight(Craft craft, double east, double north) {
+    static Craft inFlight(Craft craft, double east, double north) {
         return craft.with(Start.inFlight(PlanningFixtures.place(east, north, 450)));
     }
 
@@ -332,61 +331,6 @@ class ReplannerTest {
 
         assertThat(replanned.faults()).isEmpty();
         assertThat(replanned.changes().drones()).isEmpty();
-    }
-
-    @Test
-    void neverLosesAWaypointWhateverHappens() {
-        SplittableRandom random = new SplittableRandom(12);
-        for (int round = 0; round < 60; round++) {
-            ReplanSituation situation = anySituation(random);
-            Replanner replanning = FleetPlanner.replanning(situation);
-            for (ReplanResult replanned : List.of(replanning.atOnce(), replanning.improve(round, SHORT))) {
-                List<String> told = new ArrayList<>();
-                replanned.plan().tours().forEach(tour -> tour.stops().forEach(stop -> told.add(stop.waypoint())));
-                replanned.plan().unserved().forEach(one -> told.add(one.waypoint()));
-
-                assertThat(told)
-                        .as("round %d", round)
-                        .containsExactlyInAnyOrderElementsOf(situation.problem().waypoints().stream()
-                                .map(Waypoint::id)
-                                .toList());
-                assertThat(replanned.faults())
-                        .as("round %d", round)
-                        .filteredOn(fault -> !fault.contains("m apart"))
-                        .isEmpty();
-                assertThat(replanned.after().unserved())
-                        .isEqualTo(replanned.plan().unserved().size());
-            }
-        }
-    }
-
-    /** Drones in the air and on the ground, some with little left, windows, one drone gone, new and cancelled waypoints. */
-    private static ReplanSituation anySituation(SplittableRandom random) {
-        List<Waypoint> waypoints = new ArrayList<>();
-        for (int i = 0; i < 25; i++) {
-            double opens = random.nextInt(3) == 0 ? random.nextDouble(300) : 0;
-            double closes = random.nextInt(3) == 0 ? opens + random.nextDouble(600) : Double.POSITIVE_INFINITY;
-            waypoints.add(new Waypoint(
-                    "w" + i,
-                    PlanningFixtures.place(random.nextDouble(-1_500, 1_500), random.nextDouble(-1_500, 1_500), 450),
-                    new Task(random.nextInt(5), Set.of()),
-                    1 + random.nextInt(3),
-                    new TimeWindow(opens, closes)));
-        }
-        List<Craft> crafts = new ArrayList<>();
-        for (int r = 0; r < 4; r++) {
-            Craft craft = PlanningFixtures.craft(r, 500 * r, 0);
-            craft = random.nextBoolean() ? inFlight(craft, 500 * r, random.nextDouble(-800, 800)) : craft;
-            crafts.add(
-                    random.nextInt(3) == 0
-                            ? craft.with(EnergyBudget.ofWattHours(random.nextDouble(20, 60), 2))
-                            : craft);
-        }
-        List<LiveAssignment> live = new ArrayList<>();
-        for (int r = 0; r < 5; r++) {
-            live.add(new LiveAssignment(drone(r), ids(6 * r), ids(6 * r + 1, 6 * r + 2, 6 * r + 3, 6 * r + 4)));
-        }
-        return new ReplanSituation(PlanningProblem.of(waypoints, crafts), live);
     }
 
     @Test

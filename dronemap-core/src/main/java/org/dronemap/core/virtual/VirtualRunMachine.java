@@ -1,10 +1,21 @@
 package org.dronemap.core.virtual;
 
+import static org.dronemap.core.virtual.VirtualRunStage.ARMING;
+import static org.dronemap.core.virtual.VirtualRunStage.DONE;
+import static org.dronemap.core.virtual.VirtualRunStage.FAILED;
+import static org.dronemap.core.virtual.VirtualRunStage.FLYING;
+import static org.dronemap.core.virtual.VirtualRunStage.GIVING_UP;
+import static org.dronemap.core.virtual.VirtualRunStage.RETURNING;
+import static org.dronemap.core.virtual.VirtualRunStage.STARTING;
+import static org.dronemap.core.virtual.VirtualRunStage.STOPPED;
+import static org.dronemap.core.virtual.VirtualRunStage.STOPPING;
+import static org.dronemap.core.virtual.VirtualRunStage.SUSPENDED;
+import static org.dronemap.core.virtual.VirtualRunStep.Release.FREE;
+
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
@@ -12,7 +23,6 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Position;
-import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
@@ -27,8 +37,6 @@ public final class VirtualRunMachine {
     private static final int MOST_TRIES = 3;
     private static final int MOST_FAILURES = 5;
     private static final Duration AVOIDED = Duration.ofMinutes(10);
-    /** On the ground a drone that is not heard is soon replaced. */
-    private static final Duration PATIENCE_ON_THE_GROUND = Duration.ofSeconds(15);
     /** From an order that was carried out until that shows. */
     private static final Duration UNTIL_SEEN = Duration.ofSeconds(30);
     /** Who flies a mission moves, except while it waits at a waypoint. */
@@ -40,11 +48,11 @@ public final class VirtualRunMachine {
     /** Before it is called home once more. */
     private static final Duration BETWEEN_CALLS = Duration.ofSeconds(5);
 
-    private final Duration silence;
+    private final SilentVirtualRun silent;
 
     /** {@code silence}: so long a drone that is not heard counts as flying, beside what its mission still takes. */
     public VirtualRunMachine(Duration silence) {
-        this.silence = silence;
+        silent = new SilentVirtualRun(silence);
     }
 
     public VirtualRunStep next(VirtualRun run, VirtualRunObservation sight) {
@@ -54,20 +62,19 @@ public final class VirtualRunMachine {
         }
         DroneState drone = sight.drone();
         if (drone == null) {
-            return replace(run, assignment, "The drone was taken away.", sight, VirtualRunStep.Release.FREE);
+            return replace(run, assignment, "The drone was taken away.", sight, FREE);
         }
         if (sight.takenBy() != null) {
             return suspend(run, sight.takenBy(), sight.now());
         }
         if (drone.link().state() == LinkState.LOST) {
-            return unheard(run, assignment, drone, sight);
+            return silent.next(run, assignment, drone, sight);
         }
         if (drone.link().state() != LinkState.LIVE || !drone.capabilities().known()) {
             return VirtualRunStep.stay(run);
         }
-        if (!sight.mayFly() && run.stage().compareTo(VirtualRunStage.RETURNING) < 0) {
-            return VirtualRunStep.stay(
-                    run.to(VirtualRunStage.STOPPING, "Its owner may not fly virtual drones any more.", sight.now()));
+        if (!sight.mayFly() && run.stage().compareTo(RETURNING) < 0) {
+            return VirtualRunStep.stay(run.to(STOPPING, "Its owner may not fly virtual drones any more.", sight.now()));
         }
         return sight.underWay()
                 ? VirtualRunStep.stay(progress(run, assignment, drone))
@@ -78,28 +85,26 @@ public final class VirtualRunMachine {
     public static VirtualRunStep suspend(VirtualRun run, String why, Instant now) {
         return VirtualRunStep.leave(
                 run.unbound(
-                        VirtualRunStage.SUSPENDED,
+                        SUSPENDED,
                         "Somebody who goes first has taken the drone. Resume when another one shall go on, or stop.",
                         why,
                         now),
-                VirtualRunStep.Release.FREE);
+                FREE);
     }
 
     /** The user wants it to end. */
     public VirtualRun stop(VirtualRun run, Instant now) {
-        if (run.stage().isOver() || run.stage() == VirtualRunStage.STOPPING) {
+        if (run.stage().isOver() || run.stage() == STOPPING) {
             return run;
         }
         return run.stage().isBound()
-                ? run.to(VirtualRunStage.STOPPING, "It is stopped: the drone comes home.", now)
-                : run.unbound(VirtualRunStage.STOPPED, "It was stopped.", run.detail(), now);
+                ? run.to(STOPPING, "It is stopped: the drone comes home.", now)
+                : run.unbound(STOPPED, "It was stopped.", run.detail(), now);
     }
 
     /** The user wants it to go on; empty when it does not wait for that. */
     public Optional<VirtualRun> resume(VirtualRun run, Instant now) {
-        return run.stage() == VirtualRunStage.SUSPENDED || run.stage() == VirtualRunStage.FAILED
-                ? Optional.of(run.resumed(now))
-                : Optional.empty();
+        return run.stage() == SUSPENDED || run.stage() == FAILED ? Optional.of(run.resumed(now)) : Optional.empty();
     }
 
     private VirtualRunStep go(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
@@ -116,12 +121,10 @@ public final class VirtualRunMachine {
     private static VirtualRunStep upload(
             VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (sight.outcome() instanceof Outcome.Succeeded) {
-            return VirtualRunStep.stay(
-                    run.to(VirtualRunStage.ARMING, "The drone has the mission and is armed.", sight.now()));
+            return VirtualRunStep.stay(run.to(ARMING, "The drone has the mission and is armed.", sight.now()));
         }
         if (Boolean.TRUE.equals(drone.armed())) {
-            return replace(
-                    run, assignment, "The drone was armed by somebody else.", sight, VirtualRunStep.Release.FREE);
+            return replace(run, assignment, "The drone was armed by somebody else.", sight, FREE);
         }
         if (sight.outcome() != null) {
             return tryAgain(run, assignment, drone, sight);
@@ -133,8 +136,7 @@ public final class VirtualRunMachine {
     private static VirtualRunStep arm(
             VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.TRUE.equals(drone.armed())) {
-            return VirtualRunStep.stay(
-                    run.to(VirtualRunStage.STARTING, assignment.tries(), "The drone starts.", sight.now()));
+            return VirtualRunStep.stay(run.to(STARTING, assignment.tries(), "The drone starts.", sight.now()));
         }
         if (sight.outcome() != null && !(sight.outcome() instanceof Outcome.Succeeded)) {
             return tryAgain(run, assignment, drone, sight);
@@ -151,7 +153,7 @@ public final class VirtualRunMachine {
         boolean armed = Boolean.TRUE.equals(drone.armed());
         boolean up = assignment.takeOffMeters() == null || drone.airborne();
         if (armed && isOnMission(drone) && up) {
-            return VirtualRunStep.stay(run.to(VirtualRunStage.FLYING, "The drone flies the mission.", sight.now()));
+            return VirtualRunStep.stay(run.to(FLYING, "The drone flies the mission.", sight.now()));
         }
         if (Boolean.FALSE.equals(drone.armed())) {
             return armAgain(run, assignment, sight);
@@ -172,13 +174,13 @@ public final class VirtualRunMachine {
         boolean started = sight.outcome() == null || sight.outcome() instanceof Outcome.Succeeded;
         String why = started ? "It was disarmed before it started." : reason(sight.outcome());
         return assignment.tries() + 1 < MOST_TRIES
-                ? VirtualRunStep.stay(run.to(VirtualRunStage.ARMING, assignment.tries() + 1, why, sight.now()))
+                ? VirtualRunStep.stay(run.to(ARMING, assignment.tries() + 1, why, sight.now()))
                 : replace(
                         run.failedTry(why, sight.now()),
                         assignment,
                         "The drone could not be made to fly.",
                         sight,
-                        VirtualRunStep.Release.FREE);
+                        FREE);
     }
 
     private static VirtualRunStep fly(
@@ -191,18 +193,17 @@ public final class VirtualRunMachine {
         VirtualRun run = progress(before, assignment, drone);
         if (run.flown() == run.total()) {
             return VirtualRunStep.stay(
-                    run.to(VirtualRunStage.RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
+                    run.to(RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
         }
         if (Boolean.FALSE.equals(drone.armed())) {
-            return replace(run, assignment, "The drone came down before the end.", sight, VirtualRunStep.Release.FREE);
+            return replace(run, assignment, "The drone came down before the end.", sight, FREE);
         }
         if (share(run, assignment).isOnBoard(drone.mission()).equals(Optional.of(false))) {
             return giveUp(run, "The drone carries another mission now; it is called home.", sight);
         }
         Optional<Steering> steering = drone.capabilities().steering(drone.mode());
         if (drone.capabilities().isSafe(drone.mode())) {
-            return replace(
-                    run, assignment, "The drone went home or down by itself.", sight, VirtualRunStep.Release.FREE);
+            return replace(run, assignment, "The drone went home or down by itself.", sight, FREE);
         }
         if (steering.equals(Optional.of(Steering.STICKS))) {
             // No mission ends in one: a pilot has it, who may not be called home by anybody.
@@ -231,21 +232,12 @@ public final class VirtualRunMachine {
             VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.FALSE.equals(drone.armed())) {
             return VirtualRunStep.leave(
-                    run.unbound(
-                            VirtualRunStage.DONE,
-                            "Done: all waypoints are flown and the drone is back.",
-                            null,
-                            sight.now()),
-                    VirtualRunStep.Release.FREE);
+                    run.unbound(DONE, "Done: all waypoints are flown and the drone is back.", null, sight.now()), FREE);
         }
         if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
             return VirtualRunStep.leave(
-                    run.unbound(
-                            VirtualRunStage.DONE,
-                            "All waypoints are flown; the drone is stuck on its way.",
-                            null,
-                            sight.now()),
-                    VirtualRunStep.Release.FREE);
+                    run.unbound(DONE, "All waypoints are flown; the drone is stuck on its way.", null, sight.now()),
+                    FREE);
         }
         boolean hangs = drone.mission().complete()
                 && drone.airborne()
@@ -258,25 +250,20 @@ public final class VirtualRunMachine {
     private static VirtualRunStep bringHome(
             VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.FALSE.equals(drone.armed())) {
-            return run.stage() == VirtualRunStage.STOPPING
+            return run.stage() == STOPPING
                     ? VirtualRunStep.leave(
-                            run.unbound(
-                                    VirtualRunStage.STOPPED,
-                                    "It was stopped; the drone is down.",
-                                    run.detail(),
-                                    sight.now()),
-                            VirtualRunStep.Release.FREE)
-                    : replace(run, assignment, "The drone could not go on.", sight, VirtualRunStep.Release.FREE);
+                            run.unbound(STOPPED, "It was stopped; the drone is down.", run.detail(), sight.now()), FREE)
+                    : replace(run, assignment, "The drone could not go on.", sight, FREE);
         }
         if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
-            return replace(run, assignment, "The drone is stuck on its way home.", sight, VirtualRunStep.Release.FREE);
+            return replace(run, assignment, "The drone is stuck on its way home.", sight, FREE);
         }
         boolean called =
                 assignment.command() != null && since(assignment, sight).compareTo(BETWEEN_CALLS) < 0;
         boolean onItsWay = drone.capabilities().isSafe(drone.mode());
-        if (onItsWay && run.stage() == VirtualRunStage.GIVING_UP) {
+        if (onItsWay && run.stage() == GIVING_UP) {
             String why = "The drone could not go on and is on its way home.";
-            return replace(run, assignment, why, sight, VirtualRunStep.Release.FREE);
+            return replace(run, assignment, why, sight, FREE);
         }
         if (called || onItsWay) {
             return VirtualRunStep.stay(run);
@@ -290,55 +277,8 @@ public final class VirtualRunMachine {
                 : new Command.Land();
     }
 
-    /** A silent drone is still flying: what was given to it stays its own until it must be down. */
-    private VirtualRunStep unheard(
-            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
-        boolean neverArmed = run.stage().compareTo(VirtualRunStage.ARMING) <= 0 && !Boolean.TRUE.equals(drone.armed());
-        Duration patience = neverArmed ? PATIENCE_ON_THE_GROUND : silence.plus(remaining(run, drone));
-        if (sight.silence().compareTo(patience) <= 0) {
-            String words = neverArmed
-                    ? "Nothing is heard of the drone."
-                    : "Nothing is heard of the drone; it may still fly, and its waypoints stay its own.";
-            return VirtualRunStep.stay(run.saying(words, sight.now()));
-        }
-        VirtualRunStep.Release release = neverArmed ? VirtualRunStep.Release.FREE : VirtualRunStep.Release.RECALL;
-        return switch (run.stage()) {
-            case RETURNING ->
-                VirtualRunStep.leave(
-                        run.unbound(
-                                VirtualRunStage.DONE,
-                                "All waypoints are flown; the drone was not heard again on its way back.",
-                                null,
-                                sight.now()),
-                        release);
-            case STOPPING ->
-                VirtualRunStep.leave(
-                        run.unbound(
-                                VirtualRunStage.STOPPED,
-                                "It was stopped; the drone was not heard again.",
-                                run.detail(),
-                                sight.now()),
-                        release);
-            default -> replace(run, assignment, "The drone was not heard again.", sight, release);
-        };
-    }
-
-    /** What the mission may still take where a silent drone flies it to the end. */
-    private static Duration remaining(VirtualRun run, DroneState drone) {
-        Position position = drone.position();
-        Geodetic at = position == null ? null : position.point();
-        if (run.onCloudLoss() != MissionCloudLossPolicy.CONTINUE || at == null) {
-            return Duration.ZERO;
-        }
-        int next = Math.min(run.flown(), run.total() - 1);
-        return Duration.ofSeconds(Math.round(
-                TourEnergyEstimate.of(run.tour(), next, drone, at, null).minutes() * 60));
-    }
-
     private static VirtualRun progress(VirtualRun run, Assignment assignment, DroneState drone) {
-        if (run.stage() != VirtualRunStage.FLYING
-                && run.stage() != VirtualRunStage.STOPPING
-                && run.stage() != VirtualRunStage.GIVING_UP) {
+        if (run.stage() != FLYING && run.stage() != STOPPING && run.stage() != GIVING_UP) {
             return run;
         }
         VirtualTourSection share = share(run, assignment);
@@ -372,7 +312,7 @@ public final class VirtualRunMachine {
         }
         VirtualRun failed = run.failedTry(why, sight.now());
         return Boolean.FALSE.equals(drone.armed())
-                ? replace(failed, assignment, "The drone could not be made to fly.", sight, VirtualRunStep.Release.FREE)
+                ? replace(failed, assignment, "The drone could not be made to fly.", sight, FREE)
                 : giveUp(failed, "The drone could not be made to fly; it is brought to rest.", sight);
     }
 
@@ -382,24 +322,24 @@ public final class VirtualRunMachine {
     }
 
     private static VirtualRunStep giveUp(VirtualRun run, String why, VirtualRunObservation sight) {
-        return VirtualRunStep.stay(run.to(VirtualRunStage.GIVING_UP, why, sight.now()));
+        return VirtualRunStep.stay(run.to(GIVING_UP, why, sight.now()));
     }
 
     /** Another drone shall do the rest. */
-    private static VirtualRunStep replace(
+    static VirtualRunStep replace(
             VirtualRun run,
             Assignment assignment,
             String why,
             VirtualRunObservation sight,
             VirtualRunStep.Release release) {
-        if (run.stage() == VirtualRunStage.STOPPING) {
+        if (run.stage() == STOPPING) {
             return VirtualRunStep.leave(
-                    run.unbound(VirtualRunStage.STOPPED, "It was stopped. " + why, run.detail(), sight.now()), release);
+                    run.unbound(STOPPED, "It was stopped. " + why, run.detail(), sight.now()), release);
         }
         if (run.failures() + 1 >= MOST_FAILURES) {
             return VirtualRunStep.leave(
                     run.unbound(
-                            VirtualRunStage.FAILED,
+                            FAILED,
                             MOST_FAILURES + " drones could not go on; look at why, then resume. " + why,
                             run.detail(),
                             sight.now()),

@@ -90,11 +90,9 @@ class CommandGateTest {
         CompletableFuture<CommandRecord> end = gate.end(sent.id());
         assertThat(sent.phase()).isEqualTo(CommandPhase.SENT);
         assertThat(store.records).containsKey(sent.id());
-
         report(sent).accepted();
         assertThat(gate.find(sent.id())).map(CommandRecord::phase).contains(CommandPhase.ACCEPTED);
         report(sent).ended(new Outcome.Succeeded());
-
         assertThat(end)
                 .succeedsWithin(5, TimeUnit.SECONDS)
                 .satisfies(done -> assertThat(done.outcome()).isEqualTo(new Outcome.Succeeded()));
@@ -108,14 +106,12 @@ class CommandGateTest {
         report(again).ended(new Outcome.Succeeded());
         await().until(() -> store.records.get(again.id()).outcome() != null);
         gate.submit(OPERATOR, link.id(), id("twice-001"), new Command.Arm());
-
         assertThat(vehicle.performed).hasSize(1);
     }
 
     @Test
     void refusesAViewerAndSendsNothing() {
         CommandRecord refused = gate.submit(VIEWER, link.id(), id("viewer-01"), new Command.Arm());
-
         assertThat(refused.outcome())
                 .isEqualTo(refused(
                         OutcomeCode.ROLE_MAY_NOT_COMMAND,
@@ -126,7 +122,6 @@ class CommandGateTest {
     @Test
     void saysWhatIsMissingBeforeTakeOff() {
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("takeoff-1"), new Command.TakeOff(20));
-
         assertThat(refused.outcome()).isEqualTo(refused(OutcomeCode.NOT_ARMED, "Arm first."));
         assertThat(store.records.get(refused.id()).outcome()).isEqualTo(refused.outcome());
         assertNothingSent();

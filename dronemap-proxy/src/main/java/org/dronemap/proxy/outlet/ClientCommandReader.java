@@ -96,13 +96,7 @@ final class ClientCommandReader {
         words.put(400, new Entry("COMPONENT_ARM_DISARM", "arm, disarm", ClientCommandReader::arm));
         words.put(410, new Entry("GET_HOME_POSITION", "from the cache", asked -> new ClientIntent.Show(242)));
         words.put(511, new Entry("SET_MESSAGE_INTERVAL", "the usual rate only", ClientCommandReader::rate));
-        words.put(
-                512,
-                new Entry(
-                        "REQUEST_MESSAGE",
-                        "from the cache",
-                        asked ->
-                                new ClientIntent.Show(Math.round(asked.command().param1()))));
+        words.put(512, new Entry("REQUEST_MESSAGE", "from the cache", ClientCommandReader::message));
         words.put(519, new Entry("REQUEST_PROTOCOL_VERSION", "from the cache", asked -> new ClientIntent.Show(300)));
         words.put(
                 520,
@@ -115,6 +109,10 @@ final class ClientCommandReader {
                         ClientCommandReader::control));
         words.put(2000, new Entry("IMAGE_START_CAPTURE", "takePicture", asked -> order(new Command.TakePicture())));
         return words;
+    }
+
+    private static ClientIntent message(Context asked) {
+        return new ClientIntent.Show(Math.round(asked.command().param1()));
     }
 
     private static ClientIntent order(Command command) {

@@ -369,7 +369,6 @@ public final class TestServer implements AutoCloseable {
         return secret;
     }
 
-    /** The id of that user's account. */
     public String account(String name) {
         return access.user(name).orElseThrow().account();
     }

@@ -79,16 +79,14 @@ final class SeparationGuard {
 
     static void watch(RunTransition draft, List<DroneObservation> looks) {
         SeparationGuard guard = new SeparationGuard(draft, looks);
-        List<RunDrone> drones = draft.drones();
-        for (int i = 0; i < drones.size(); i++) {
-            for (int j = i + 1; j < drones.size(); j++) {
-                guard.pair(
-                        draft.drone(drones.get(i).id()),
-                        draft.drone(drones.get(j).id()));
+        List<DroneId> ids = draft.drones().stream().map(RunDrone::id).toList();
+        for (int i = 0; i < ids.size(); i++) {
+            for (int j = i + 1; j < ids.size(); j++) {
+                guard.pair(draft.drone(ids.get(i)), draft.drone(ids.get(j)));
             }
         }
         draft.drones().stream().filter(drone -> waitsToRise(draft, drone)).forEach(guard::mayRise);
-        draft.drones().stream().filter(drone -> isAboutToGoOn(drone)).forEach(guard::maySetOff);
+        draft.drones().stream().filter(SeparationGuard::isAboutToGoOn).forEach(guard::maySetOff);
         draft.drones().stream()
                 .filter(drone -> drone.signs().yields() != null && !waitsToRise(draft, drone))
                 .filter(drone -> !(draft.isPaused() && drone.stage() == RunDroneStage.HOLDING))
@@ -153,10 +151,8 @@ final class SeparationGuard {
         step.ifPresent(found -> {
             Duration takes = Duration.ofMillis(Math.round(1_000 * found.seconds()));
             go(yielding(who, whom.id()).busy(draft.now().plus(takes)), found.to());
-            draft.say(
-                    RunTrigger.TOO_NEAR,
-                    who.id(),
-                    who.name() + " " + found.words() + ", to make room for " + whom.name() + ".");
+            String words = who.name() + " " + found.words() + ", to make room for " + whom.name() + ".";
+            draft.say(RunTrigger.TOO_NEAR, who.id(), words);
         });
         return step.isPresent();
     }
@@ -295,10 +291,8 @@ final class SeparationGuard {
         if (!Objects.equals(yields, drone.signs().yields())) {
             draft.put(drone.with(drone.signs().yields(yields)));
             above.filter(other -> drone.signs().yields() == null)
-                    .ifPresent(other -> draft.say(
-                            RunTrigger.TOO_NEAR,
-                            drone.id(),
-                            drone.name() + " waits on the ground until " + other.name() + " has passed."));
+                    .map(other -> drone.name() + " waits on the ground until " + other.name() + " has passed.")
+                    .ifPresent(words -> draft.say(RunTrigger.TOO_NEAR, drone.id(), words));
         }
     }
 

@@ -28,11 +28,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** A run from its start to its end, and what happens on the way. */
 class MissionRunOperationTest {
-    private static RunTestBench fleet(int drones, int waypoints) {
+    static RunTestBench fleet(int drones, int waypoints) {
         return RunFixtures.fleet(drones, waypoints, 1);
     }
 
-    private static List<RunTrigger> triggers(RunTestBench fleet) {
+    static List<RunTrigger> triggers(RunTestBench fleet) {
         return fleet.state.explanations().stream().map(Explanation::trigger).collect(Collectors.toList());
     }
 
@@ -204,7 +204,7 @@ class MissionRunOperationTest {
     }
 
     /** All have acknowledged what they are to fly. */
-    private static boolean changed(RunTestBench fleet) {
+    static boolean changed(RunTestBench fleet) {
         return fleet.state.drones().stream().allMatch(drone -> drone.next() == null);
     }
 
@@ -292,45 +292,6 @@ class MissionRunOperationTest {
         fleet.flyToTheEnd();
         assertThat(fleet.drone(1).stage()).isEqualTo(RunDroneStage.LANDED);
         assertThat(fleet.state.count(RunWaypoint.State.VISITED)).isEqualTo(30);
-    }
-
-    @Test
-    void givesNobodyUpWhoIsSlowToRise() {
-        RunTestBench fleet = fleet(3, 30);
-        fleet.vehicles.values().forEach(vehicle -> vehicle.lingers = 12);
-
-        fleet.flyToTheEnd();
-        assertThat(triggers(fleet)).doesNotContain(RunTrigger.CRASHED);
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).isEqualTo(30);
-    }
-
-    @Test
-    void givesTheWaypointsOfAFallenDroneToOthersWithinFiveSeconds() {
-        RunTestBench fleet = fleet(3, 30);
-        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 3, 600);
-
-        fleet.vehicle(1).falling = true;
-        fleet.flyUntil(() -> fleet.drone(1).stage() == RunDroneStage.CRASHED, 2);
-        fleet.flyUntil(() -> fleet.state.counts().replans() > 0 && changed(fleet), 3);
-
-        fleet.flyToTheEnd();
-        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).isEqualTo(30);
-        assertThat(fleet.drone(1).stage()).isEqualTo(RunDroneStage.CRASHED);
-    }
-
-    @Test
-    void givesThemToThoseThatAreUpAsLongAsAnotherTakesOff() {
-        RunTestBench fleet = fleet(4, 40);
-        fleet.vehicle(0).lingers = 40;
-        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 2, 60);
-
-        fleet.vehicle(1).falling = true;
-        fleet.flyUntil(() -> fleet.drone(1).stage() == RunDroneStage.CRASHED, 2);
-        fleet.flyUntil(
-                () -> fleet.state.counts().replans() > 0
-                        && fleet.state.drones().stream().allMatch(drone -> drone.next() == null),
-                3);
-        assertThat(CraftSnapshots.isTakingOff(fleet.drone(0))).isTrue();
     }
 
     @Test

@@ -87,7 +87,6 @@ class MissionTransferTest {
     void uploadsThoughOneMessageIsLost(int number) {
         lost = n -> n == number;
         wire.peer(this::vehicle);
-
         assertThat(wire.runWhole(
                         new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
@@ -101,7 +100,6 @@ class MissionTransferTest {
         lost = n -> n == number;
         wire.peer(this::vehicle);
         MissionDownload download = MissionDownload.whole(wire.target(), MavMissionType.MISSION);
-
         assertThat(wire.runWhole(download)).isEqualTo(DONE);
         assertThat(download.items()).containsExactlyElementsOf(items());
     }
@@ -110,7 +108,6 @@ class MissionTransferTest {
     void uploadsThoughEveryThirdMessageIsLost() {
         lost = n -> n % 3 == 1;
         wire.peer(this::vehicle);
-
         assertThat(wire.runWhole(
                         new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
@@ -125,7 +122,6 @@ class MissionTransferTest {
                 w.answer(new MissionRequestInt(255, 190, Math.min(held.size(), ITEMS - 1), 0));
             }
         });
-
         assertThat(wire.runWhole(
                         new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isEqualTo(DONE);
@@ -135,7 +131,6 @@ class MissionTransferTest {
     @Test
     void saysThatAVehicleNeverAnswered() {
         wire.chatter(true);
-
         assertThat(wire.runWhole(
                         new MissionUpload(wire.target(), MavMissionType.MISSION, items(), ExchangeObserver.NONE)))
                 .isInstanceOf(Outcome.TimedOut.class);

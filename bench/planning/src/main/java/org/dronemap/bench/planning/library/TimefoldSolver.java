@@ -42,7 +42,7 @@ public final class TimefoldSolver implements org.dronemap.bench.planning.Solver 
     }
 
     @Override
-    public int[][] solve(TourProblem problem, Order order, Consumer<int[][]> improved) {
+    public int[][] solve(TourProblem problem, SearchOptions order, Consumer<int[][]> improved) {
         if (!problem.longest()) {
             throw new IllegalArgumentException("set up for the longest tour only");
         }
