@@ -127,7 +127,7 @@ class AuditSecretsTest extends SuccessfulCallTrial {
             String word = bare(secret);
             for (String operation : faces.soap()) {
                 faces.soapAsRest(estate.administrator().http(), operation, Map.of("id", word, "name", word));
-                for (SoapOperations.Member element : faces.elements(operation)) {
+                for (SoapOperations.OrganisationMember element : faces.elements(operation)) {
                     faces.soap(
                             estate.administrator().http(),
                             operation,

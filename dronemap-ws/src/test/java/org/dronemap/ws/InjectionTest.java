@@ -156,7 +156,7 @@ class InjectionTest {
         ExposedOperations faces = new ExposedOperations(house);
         int tried = 0;
         for (String operation : faces.soap()) {
-            for (SoapOperations.Member element : faces.elements(operation)) {
+            for (SoapOperations.OrganisationMember element : faces.elements(operation)) {
                 if (!element.type().matches("string|")) {
                     continue;
                 }

@@ -10,7 +10,7 @@ final class BruteForcePlans {
     private final AllocationOracle judge;
     private final int waypoints;
     private final List<List<Integer>> orders = new ArrayList<>();
-    private AllocationOracle.@Nullable Verdict best;
+    private AllocationOracle.@Nullable Expectation best;
 
     private BruteForcePlans(AllocationProblem instance) {
         judge = new AllocationOracle(instance);

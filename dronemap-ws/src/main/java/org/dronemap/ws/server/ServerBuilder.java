@@ -353,17 +353,17 @@ public final class ServerBuilder {
     }
 
     /** Takes in the bytes of links to vehicles, once the house is open. */
-    PeerHandler.Factory vehicles() {
+    public PeerHandler.Factory vehicles() {
         return Objects.requireNonNull(proxy, "the house is not open yet").handlers();
     }
 
     /** Takes in the bytes of links to robots, once the house is open. */
-    PeerHandler.Factory robots() {
+    public PeerHandler.Factory robots() {
         return Objects.requireNonNull(robotLinks, "the house is not open yet").handlers();
     }
 
     /** Takes in the bytes of ground stations of other makers, once the house is open. */
-    PeerHandler.Factory stations() {
+    public PeerHandler.Factory stations() {
         return Objects.requireNonNull(outlet, "the house is not open yet");
     }
 

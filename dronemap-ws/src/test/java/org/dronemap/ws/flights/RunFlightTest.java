@@ -156,10 +156,7 @@ class RunFlightTest {
         assertThat(orders(leaves, since)).isEmpty();
         assertThat(leaves.mode()).isEqualTo(LOITER);
         assertThat(leaves.state().mode()).isEqualTo("LOITER");
-        assertThat(run.told("takenOver"))
-                .first()
-                .extracting(RunView.ExplanationView::drone)
-                .isEqualTo(leaves.id().value());
+        assertThat(run.told("takenOver").get(0).drone()).isEqualTo(leaves.id().value());
 
         lab.server().runs().resume(chief.principal(), run.id(), leaves.id().value());
         assertThat(run.end().counts().visited()).isEqualTo(8);

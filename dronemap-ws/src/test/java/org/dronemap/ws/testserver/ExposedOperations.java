@@ -88,7 +88,7 @@ public final class ExposedOperations {
     }
 
     /** The elements of a call of an operation. */
-    public List<SoapOperations.Member> elements(String operation) {
+    public List<SoapOperations.OrganisationMember> elements(String operation) {
         return soap.get(operation).members();
     }
 
@@ -163,7 +163,7 @@ public final class ExposedOperations {
                 .properties()
                 .forEach(member -> elements.set(member.getKey(), member.getValue()));
         Matcher variable = VARIABLE.matcher(restOf(operation));
-        for (SoapOperations.Member element : elements(operation)) {
+        for (SoapOperations.OrganisationMember element : elements(operation)) {
             if (variable.find()) {
                 elements.put(element.name(), valueOf(variable.group(1), values));
             }

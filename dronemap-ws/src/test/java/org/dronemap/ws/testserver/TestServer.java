@@ -143,16 +143,11 @@ public final class TestServer implements AutoCloseable {
         audit = auditSide();
         cloud = new CloudManager(lanes, PATIENT, time, keeping(), () -> new DroneId("drone-" + ids.incrementAndGet()));
         cloud.addListener(new ControlAuditListener(audit.store(), Clock.systemUTC(), grants::owner));
-        recorder = new Recorder(
-                data.resolve("recordings"),
-                RecordingPolicy.DEFAULT,
-                new Recorder.Dependencies(new MemoryRecordingStore(), journal, DroneId::value),
-                time);
-        startRecorder();
+        recorder = startedRecorder();
         history = history();
         virtuals = virtuals();
-        runs = OperationComponents.of(
-                cloud, stores.operations, new AccountRights(access, grants, time), FollowSeparation.USUAL, time);
+        AccountRights rights = new AccountRights(access, grants, time);
+        runs = OperationComponents.of(cloud, stores.operations, rights, FollowSeparation.USUAL, time);
         runs.operations().takeUp();
         runs.operations().goOn();
         ServerComponents house = new ServerComponents(
@@ -259,9 +254,15 @@ public final class TestServer implements AutoCloseable {
                 false);
     }
 
-    private void startRecorder() {
+    private Recorder startedRecorder() {
+        Recorder made = new Recorder(
+                data.resolve("recordings"),
+                RecordingPolicy.DEFAULT,
+                new Recorder.Dependencies(new MemoryRecordingStore(), journal, DroneId::value),
+                time);
         try {
-            recorder.start();
+            made.start();
+            return made;
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -373,7 +374,6 @@ public final class TestServer implements AutoCloseable {
         return access.user(name).orElseThrow().account();
     }
 
-    /** One that no other thing of this house has. */
     public int number() {
         return ids.incrementAndGet();
     }

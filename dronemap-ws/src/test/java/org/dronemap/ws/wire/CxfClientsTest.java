@@ -96,7 +96,7 @@ class CxfClientsTest {
         for (String operation : operations.names()) {
             SoapOperations.Operation one = operations.get(operation);
             String rest = operations.restOf(operation);
-            boolean needsNothing = one.members().stream().noneMatch(SoapOperations.Member::required);
+            boolean needsNothing = one.members().stream().noneMatch(SoapOperations.OrganisationMember::required);
             if (!rest.startsWith("GET ") || !needsNothing) {
                 continue;
             }

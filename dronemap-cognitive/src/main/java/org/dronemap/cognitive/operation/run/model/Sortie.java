@@ -79,7 +79,7 @@ public record Sortie(
                 .toList();
     }
 
-    boolean leadsTo(String waypoint, int passed) {
+    public boolean leadsTo(String waypoint, int passed) {
         return ahead(passed).contains(waypoint);
     }
 
