@@ -216,7 +216,10 @@ class OnBoardMissionsTest {
         FenceView fence = new FenceView(List.of(
                 new FenceView.PolygonView(
                         true,
-                        List.of(corner, new FenceView.TelemetryPointView(47.41, 8.54), new FenceView.TelemetryPointView(47.4, 8.56))),
+                        List.of(
+                                corner,
+                                new FenceView.TelemetryPointView(47.41, 8.54),
+                                new FenceView.TelemetryPointView(47.4, 8.56))),
                 new FenceView.CircleView(false, corner, 50.0)));
         FenceView.RallyView rally = new FenceView.RallyView(List.of(new FenceView.RallyPointView(47.395, 8.545, 25.0)));
         assertThat(fences.fence(ann.principal(), id).zones()).isNull();
