@@ -235,7 +235,7 @@ final class ArchitectureRules {
 
     static final ArchRule ONLY_THE_GATE_COMMANDS = noClasses()
             .that()
-            .haveNameNotMatching(".*\\.core\\.cloud\\.Dispatch")
+            .haveNameNotMatching(".*\\.core\\.cloud\\.CommandDispatcher")
             .should()
             .callMethodWhere(new DescribedPredicate<JavaCall<?>>("it is a vehicle channel's perform") {
                 @Override

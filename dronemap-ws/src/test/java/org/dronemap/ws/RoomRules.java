@@ -29,7 +29,7 @@ final class RoomRules {
 
     /** From a room to those that it sees. */
     static final Map<String, Set<String>> ARROWS = Stream.of(
-                    "command: drone history mission",
+                    "command: drone mission",
                     "control: drone outlet",
                     "drone: mission",
                     "enrol: drone organisation",
@@ -41,12 +41,12 @@ final class RoomRules {
                     "log: command drone",
                     "organisation: drone key zone",
                     "parameter: command drone",
-                    "plan: command drone history mission",
-                    "robotkey: history link organisation",
-                    "run: drone operation plan recording zone",
+                    "plan: command drone mission",
+                    "robotkey: link organisation",
+                    "run: drone operation plan zone",
                     "system: history link outlet",
                     "user: key organisation",
-                    "virtual: drone mission run",
+                    "virtual: drone mission",
                     "zone: drone",
                     "stream: command control drone follow plan run virtual zone",
                     "settings: limit user",

@@ -34,6 +34,7 @@ public final class HandlerCatalogue {
         scanner.addIncludeFilter(new AnnotationTypeFilter(RestController.class));
         Class<?>[] controllers = scanner.findCandidateComponents("org.dronemap.ws").stream()
                 .flatMap(found -> Stream.ofNullable(found.getBeanClassName()))
+                .filter(name -> !name.startsWith("org.dronemap.ws.violation."))
                 .map(name -> ClassUtils.resolveClassName(name, HandlerCatalogue.class.getClassLoader()))
                 .toArray(Class<?>[]::new);
         return of(controllers).all();

@@ -31,14 +31,15 @@ class ProblemCatalogueTest {
 
     private static final int WORDS_IN_A_ROW = 3;
     private static final String OUTCOMES = "Commands";
-    private static final String OF_OUTCOMES = "These are also the `code` of the outcome of a command, in each face: a"
-            + " refusal by the cloud is told at once as a problem over REST and on the stream, and as an outcome over"
-            + " SOAP; what comes later, such as a refusal by the vehicle, is told as an outcome alone.\n\n";
+    private static final String OF_OUTCOMES =
+            "These are also the `code` of the outcome of a command, in each face: a refusal"
+                    + " by the cloud is told at once as a problem\nover REST and on the stream, and as an outcome over SOAP; what"
+                    + " comes later, such as a refusal by the vehicle, is told as\nan outcome alone.\n\n";
 
     private static final String UNFIT = "Drones that cannot serve";
     private static final String OF_UNFIT = "These are the `code` beside a drone that cannot serve a virtual one. No"
-            + " request is refused for them. Other codes stand there, too: of commands, for what the gate would refuse,"
-            + " and `contact-not-good`, `drone-not-at-rest`, `position-unknown` and `battery-unknown`.\n\n";
+            + " request is refused for them. Other codes stand\nthere, too: of commands, for what the gate would refuse,"
+            + " and `contact-not-good`, `drone-not-at-rest`, `position-unknown`\nand `battery-unknown`.\n\n";
     private static final Map<String, String> INTRODUCTIONS = Map.of(OUTCOMES, OF_OUTCOMES, UNFIT, OF_UNFIT);
 
     @Test

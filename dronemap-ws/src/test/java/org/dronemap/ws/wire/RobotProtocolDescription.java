@@ -53,8 +53,8 @@ final class RobotProtocolDescription {
      * is tried as a member, with values of several types: none can be forgotten here.
      */
     static String heard() throws IOException {
-        Set<String> words = new TreeSet<>(ClassStringConstants.of(WIRE + "Bodies"));
-        words.addAll(ClassStringConstants.of(WIRE + "PacketReader"));
+        Set<String> words = new TreeSet<>(ClassStringConstants.of(WIRE + "RobotMessageReader"));
+        words.addAll(ClassStringConstants.of(WIRE + "RoslinkPacketReader"));
         // Where the members of a header stand is seen by trying them there.
         words.remove("header");
         Set<Class<?>> kinds = new HashSet<>();
