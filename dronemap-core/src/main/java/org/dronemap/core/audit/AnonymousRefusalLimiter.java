@@ -8,16 +8,18 @@ import java.util.function.LongSupplier;
  * counted, so that nobody can fill the disk from outside. Any thread.
  */
 final class AnonymousRefusalLimiter {
-    private static final long MOST = 2_000;
     private static final long NANOS_EACH = TimeUnit.SECONDS.toNanos(1);
 
+    private final long most;
     private final LongSupplier nanoTime;
     // guarded by this
-    private long left = MOST;
+    private long left;
     private long since;
     private long untold;
 
-    AnonymousRefusalLimiter(LongSupplier nanoTime) {
+    AnonymousRefusalLimiter(long most, LongSupplier nanoTime) {
+        this.most = most;
+        this.left = most;
         this.nanoTime = nanoTime;
         this.since = nanoTime.getAsLong();
     }
@@ -25,7 +27,7 @@ final class AnonymousRefusalLimiter {
     synchronized boolean take() {
         long more = (nanoTime.getAsLong() - since) / NANOS_EACH;
         if (more > 0) {
-            left = Math.min(MOST, left + more);
+            left = Math.min(most, left + more);
             since += more * NANOS_EACH;
         }
         if (left == 0) {

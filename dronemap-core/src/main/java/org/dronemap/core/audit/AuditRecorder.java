@@ -6,8 +6,11 @@ import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Opens, ends and records the calls of all faces: each one leaves exactly one record; any thread. Any thread. */
+/** Opens, ends and records the calls of all faces: each one leaves exactly one record. Any thread. */
 public final class AuditRecorder {
+    /** So many refusals of strangers are recorded one by one, and one more a second. */
+    public static final long ANONYMOUS_REFUSALS = 2_000;
+
     private static final Logger LOG = LoggerFactory.getLogger(AuditRecorder.class);
 
     private final AuditStore store;
@@ -16,11 +19,12 @@ public final class AuditRecorder {
     private final AnonymousRefusalLimiter strangers;
     private final LongAdder late = new LongAdder();
 
-    public AuditRecorder(AuditStore store, Clock clock, LongSupplier nanoTime) {
+    /** {@code anonymousRefusals}: how many of strangers are recorded one by one, such as {@link #ANONYMOUS_REFUSALS}. */
+    public AuditRecorder(AuditStore store, Clock clock, LongSupplier nanoTime, long anonymousRefusals) {
         this.store = store;
         this.clock = clock;
         this.nanoTime = nanoTime;
-        this.strangers = new AnonymousRefusalLimiter(nanoTime);
+        this.strangers = new AnonymousRefusalLimiter(anonymousRefusals, nanoTime);
     }
 
     /** A call that has just come in; nothing of it is known yet but how. */

@@ -15,6 +15,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.OverriddenParameter;
+import org.dronemap.core.stored.Stored;
 import org.junit.jupiter.api.BeforeEach;
 
 /** A copter that stands, and what it is told of what it does without the cloud. */
@@ -53,8 +54,8 @@ abstract class CloudLossTestBase extends GuidedFlightTestBase {
     VehicleChannel.Report ruleReport(Class<? extends Command> kind) {
         until(() -> vehicle.performed.stream().anyMatch(kind::isInstance));
         return commands.records.values().stream()
-                .filter(record ->
-                        record.by().equals("dronemap") && record.type().equals(kind.getSimpleName()))
+                .filter(record -> record.by().equals("dronemap")
+                        && record.type().equals(kind.getAnnotation(Stored.class).as()))
                 .filter(record -> record.outcome() == null)
                 .map(this::report)
                 .findFirst()

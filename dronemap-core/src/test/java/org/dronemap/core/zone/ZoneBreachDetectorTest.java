@@ -47,7 +47,7 @@ class ZoneBreachDetectorTest {
 
         assertThat(fly(field, 0, 70, 20))
                 .extracting(finding -> finding.getClass().getSimpleName())
-                .containsExactly("Ahead", "Breach");
+                .containsExactly("Predicted", "Breach");
     }
 
     @Test
@@ -64,7 +64,7 @@ class ZoneBreachDetectorTest {
         }
         assertThat(findings)
                 .extracting(finding -> finding.getClass().getSimpleName())
-                .containsExactly("Ahead", "Breach");
+                .containsExactly("Predicted", "Breach");
     }
 
     @Test

@@ -6,6 +6,7 @@ import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditHeadStore;
 import org.dronemap.core.audit.AuditHeadWriter;
 import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.SignedHead;
@@ -36,14 +37,18 @@ final class AuditBuilder {
         AuditHeadWriter keeper = new AuditHeadWriter(store, heads, chain, time);
         keeper.start();
         closing.add("the heads of the audit log", keeper);
-        return new ServerComponents.AuditComponents(store, heads, chain, keeper);
+        return components(store, keeper);
     }
 
     /** For a server that does not run. */
     AuditVerdict verify(Stores stores, @Nullable SignedHead receipt) {
         AuditStore store = stores.audit(chain);
-        return new ServerComponents.AuditComponents(store, heads, chain, new AuditHeadWriter(store, heads, chain, time))
-                .verify(receipt);
+        return components(store, new AuditHeadWriter(store, heads, chain, time)).verify(receipt);
+    }
+
+    private ServerComponents.AuditComponents components(AuditStore store, AuditHeadWriter keeper) {
+        AuditRecorder recorder = new AuditRecorder(store, time.clock(), time::nanos, AuditRecorder.ANONYMOUS_REFUSALS);
+        return new ServerComponents.AuditComponents(store, heads, chain, keeper, recorder);
     }
 
     /** The chain goes on from what the backup held, and says so. */

@@ -9,7 +9,6 @@ import java.util.Objects;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.access.GrantRegistry;
-import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditedCommandStore;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.ControlAuditListener;
@@ -163,7 +162,7 @@ public final class ServerBuilder {
     }
 
     private AuditedOutletControl control(CloudManager cloud, ServerComponents.AuditComponents audit) {
-        return new AuditedOutletControl(cloud, new AuditRecorder(audit.store(), time.clock(), time::nanos));
+        return new AuditedOutletControl(cloud, audit.recorder());
     }
 
     private RoslinkProxy robots(CloudManager cloud, Recorder recorder, RobotKeyRing keys, EndpointSecurity doors) {

@@ -8,6 +8,7 @@ import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditHeadStore;
 import org.dronemap.core.audit.AuditHeadWriter;
+import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.AuditVerifier;
@@ -55,8 +56,9 @@ public record ServerComponents(
         List<ServerPart> parts,
         ProcessStart beginning) {
 
-    /** Where it is kept what was done by whom, and what vouches for it beside the database. */
-    public record AuditComponents(AuditStore store, AuditHeadStore heads, AuditChain chain, AuditHeadWriter keeper) {
+    /** Where it is kept what was done by whom, what writes it, and what vouches for it beside the database. */
+    public record AuditComponents(
+            AuditStore store, AuditHeadStore heads, AuditChain chain, AuditHeadWriter keeper, AuditRecorder recorder) {
         public AuditVerdict verify(@Nullable SignedHead receipt) {
             return new AuditVerifier(store, heads, chain).verify(receipt);
         }

@@ -183,8 +183,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    AuditRecorder auditDesk(ServerComponents house, Clock clock) {
-        return new AuditRecorder(house.audit().store(), clock, house.time()::nanos);
+    AuditRecorder auditRecorder(ServerComponents house) {
+        return house.audit().recorder();
     }
 
     @Bean

@@ -21,6 +21,7 @@ import org.dronemap.core.access.User;
 import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditHeadWriter;
 import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditedCommandStore;
 import org.dronemap.core.cloud.CloudManager;
@@ -216,10 +217,10 @@ public final class TestServer implements AutoCloseable {
         FileAuditHeadStore heads = new FileAuditHeadStore(data.resolve("audit-heads"));
         AuditHeadWriter keeper = new AuditHeadWriter(store, heads, chain, time);
         keeper.start();
-        return new ServerComponents.AuditComponents(store, heads, chain, keeper);
+        AuditRecorder recorder = new AuditRecorder(store, Clock.systemUTC(), System::nanoTime, 1_000_000_000);
+        return new ServerComponents.AuditComponents(store, heads, chain, keeper, recorder);
     }
 
-    /** Every record that was left so far, in order. */
     public List<AuditRecord> records() {
         return audit.store().after(0, Integer.MAX_VALUE);
     }
@@ -378,7 +379,6 @@ public final class TestServer implements AutoCloseable {
         return ids.incrementAndGet();
     }
 
-    /** A new user of an organisation, with this role and a key that may as much. */
     public OrganisationMember member(OrganisationId organisation, String name, Role role) {
         User user = new User(name, role, AccountState.ACTIVE, "none", false, organisation);
         String secret = keyOf(user, new KeyRights(role, KeyScope.ALL, null));
