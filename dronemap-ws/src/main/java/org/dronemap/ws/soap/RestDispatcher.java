@@ -17,6 +17,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.ForwardedCaller;
 import org.dronemap.ws.security.ProblemWriter;
+import org.jspecify.annotations.Nullable;
 import org.springframework.mock.web.MockAsyncContext;
 import org.springframework.mock.web.MockFilterChain;
 import org.springframework.mock.web.MockHttpServletRequest;
@@ -40,15 +41,20 @@ public final class RestDispatcher {
     }
 
     /**
-     * {@code from}: what the request came in, for the address that it came from. The answer comes when it is whole; it never
+     * {@code from}: what the request came in, for the address that it came from; {@code xmlWriter}: null: nothing is written as
+     * XML. The answer comes when it is whole; it never
      * fails.
      */
-    CompletableFuture<RestResponse> call(HttpServletRequest from, RestRequest asked, ForwardedCaller caller) {
+    CompletableFuture<RestResponse> call(
+            HttpServletRequest from,
+            RestRequest asked,
+            ForwardedCaller caller,
+            RestResponse.@Nullable BodyWriter xmlWriter) {
         // This request keeps the record.
         AuditedCall.current().ifPresent(AuditedCall::leaveOut);
         MockHttpServletRequest request = request(from, asked);
         CurrentPrincipal.from(request, caller);
-        RestResponse answer = new RestResponse();
+        RestResponse answer = new RestResponse(xmlWriter);
         CompletableFuture<RestResponse> whole = new CompletableFuture<>();
         go(asked.refusal().<Servlet>map(this::refusing).orElse(dispatcher), request, answer);
         if (request.isAsyncStarted() && request.getAsyncContext() instanceof MockAsyncContext later) {
@@ -67,7 +73,7 @@ public final class RestDispatcher {
 
     /** What REST answers to anybody at an address of it. */
     public byte[] read(ServletContext context, String uri) {
-        RestResponse answer = new RestResponse();
+        RestResponse answer = new RestResponse(null);
         go(dispatcher, new MockHttpServletRequest(context, "GET", uri), answer);
         if (answer.getStatus() != HttpServletResponse.SC_OK) {
             throw new IllegalStateException(uri + " was answered with status " + answer.getStatus());

@@ -6,6 +6,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import org.dronemap.ws.problem.RejectionKind;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -13,19 +14,56 @@ import org.slf4j.LoggerFactory;
 import org.springframework.mock.web.MockHttpServletResponse;
 import org.springframework.web.context.request.async.AsyncRequestNotUsableException;
 
-/** The complete response of REST, bounded by the size of one SOAP message. */
+/**
+ * The complete response of REST, bounded by the size of one SOAP message: what a handler answers is XML, all else the bytes that
+ * REST writes.
+ */
 final class RestResponse extends MockHttpServletResponse {
-    /** A file of this size is a message of 6 MB. */
+    /** As many letters of XML; a file of this size is a message of 6 MB. */
     static final int LONGEST_BYTES = 4 << 20;
 
     private static final Logger LOG = LoggerFactory.getLogger(RestResponse.class);
+    private static final int FIRST_REFUSAL = 400;
     private static final int OWN_FAULT = 500;
 
     // The mock's own takes one byte at a time.
     private final ByteArrayOutputStream content = new ByteArrayOutputStream();
     private final ServletOutputStream bounded = new Bounded();
+    private final @Nullable BodyWriter xmlWriter;
     private @Nullable PrintWriter writer;
+    private @Nullable List<String> xml;
     private boolean tooLong;
+
+    /** Writes what a handler answers as XML, in parts; null: that is longer than {@link #LONGEST_BYTES}. */
+    interface BodyWriter {
+        @Nullable
+        List<String> write(Object body);
+    }
+
+    /** {@code xmlWriter}: null: nothing is written as XML. */
+    RestResponse(@Nullable BodyWriter xmlWriter) {
+        this.xmlWriter = xmlWriter;
+    }
+
+    /** False: it is to be written by others. */
+    boolean write(Object body) {
+        if (xmlWriter == null || isRefusal()) {
+            return false;
+        }
+        xml = xmlWriter.write(body);
+        tooLong = xml == null;
+        return true;
+    }
+
+    /** What a handler answered; null: that was no value. */
+    @Nullable
+    List<String> xml() {
+        return xml;
+    }
+
+    boolean isRefusal() {
+        return getStatus() >= FIRST_REFUSAL;
+    }
 
     @Override
     public ServletOutputStream getOutputStream() {

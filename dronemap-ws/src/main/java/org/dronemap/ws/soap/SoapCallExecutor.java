@@ -16,7 +16,9 @@ import org.dronemap.ws.reading.JsonReader;
 import org.dronemap.ws.security.ForwardedCaller;
 import org.dronemap.ws.soap.description.SoapOperation;
 import org.dronemap.ws.soap.description.SoapServices;
+import org.dronemap.ws.soap.description.WsdlWriter;
 import org.dronemap.ws.soap.xml.SoapNamespaces;
+import org.dronemap.ws.soap.xml.XmlGenerator;
 import org.dronemap.ws.soap.xml.XmlType;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
@@ -25,7 +27,6 @@ import tools.jackson.databind.JsonNode;
 
 /** Carries out calls by requests to REST, and makes messages of what it answers. Any thread. */
 public final class SoapCallExecutor {
-    private static final int FIRST_REFUSAL = 400;
     private static final String COMMAND_ID = "commandId";
     private static final XmlType COMMAND = new XmlType.Named("CommandView");
 
@@ -62,7 +63,7 @@ public final class SoapCallExecutor {
             AuditedCall.current().ifPresent(call -> call.operation(operation.name()));
             var request = new SoapRequestReader(services.types(), json.mapper()).read(operation, payload);
             ForwardedCaller by = caller.of(message, from);
-            return new Called(operation, from, by, rest.call(from, request, by));
+            return new Called(operation, from, by, rest.call(from, request, by, xmlWriter(services, operation)));
         } catch (Rejection rejection) {
             throw fault(ProblemView.of(rejection));
         }
@@ -92,14 +93,14 @@ public final class SoapCallExecutor {
         if (answer.tooLong()) {
             throw fault(ProblemView.of(tooLong(called)));
         }
-        if (answer.getStatus() < FIRST_REFUSAL) {
+        if (!answer.isRefusal()) {
             return message(called, answer);
         }
         JsonNode problem = problem(answer);
         if (problem.path(COMMAND_ID).isString() && isCommand(called.operation())) {
             return refused(called, problem);
         }
-        throw SoapFaultFactory.of(problem, contract.services().types());
+        throw SoapFaultFactory.of(problem, json.mapper(), contract.services().types());
     }
 
     private static boolean isCommand(SoapOperation operation) {
@@ -110,15 +111,41 @@ public final class SoapCallExecutor {
     private Source refused(Called called, JsonNode problem) {
         String uri = "/api/v1/commands/" + problem.path(COMMAND_ID).asString();
         var look = new RestRequest("GET", uri, Map.of());
-        RestResponse command = rest.call(called.from(), look, called.by()).getNow(null);
-        if (command == null || command.getStatus() >= FIRST_REFUSAL) {
-            throw SoapFaultFactory.of(problem, contract.services().types());
+        RestResponse command = rest.call(
+                        called.from(), look, called.by(), xmlWriter(contract.services(), called.operation()))
+                .getNow(null);
+        if (command == null || command.isRefusal()) {
+            throw SoapFaultFactory.of(
+                    problem, json.mapper(), contract.services().types());
         }
         return message(called, command);
     }
 
     private Source message(Called called, RestResponse answer) {
-        return SoapResponseSource.of(contract.services().types(), json.mapper(), called.operation(), answer);
+        SoapOperation.Answer described = called.operation().answer();
+        byte[] content = answer.getContentAsByteArray();
+        if (described != null && described.json() && content.length > 0) {
+            // Not every handler leaves the writing to Spring.
+            answer.write(json.mapper().readTree(content));
+        }
+        if (answer.tooLong()) {
+            throw fault(ProblemView.of(tooLong(called)));
+        }
+        return new SoapResponseSource(
+                called.operation().name(), answer.xml(), described == null ? new byte[0] : content);
+    }
+
+    private RestResponse.@Nullable BodyWriter xmlWriter(SoapServices services, SoapOperation operation) {
+        SoapOperation.Answer described = operation.answer();
+        return described == null || !described.json()
+                ? null
+                : body -> XmlGenerator.write(
+                        json.mapper(),
+                        services.types(),
+                        WsdlWriter.RETURN,
+                        described.type(),
+                        body,
+                        RestResponse.LONGEST_BYTES);
     }
 
     private JsonNode problem(RestResponse answer) {
@@ -145,6 +172,8 @@ public final class SoapCallExecutor {
     SoapFault fault(ProblemView problem) {
         AuditNotes.turnedAway(problem);
         return SoapFaultFactory.of(
-                json.mapper().valueToTree(problem), contract.services().types());
+                json.mapper().valueToTree(problem),
+                json.mapper(),
+                contract.services().types());
     }
 }

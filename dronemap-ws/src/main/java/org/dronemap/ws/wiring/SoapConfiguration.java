@@ -16,6 +16,7 @@ import org.dronemap.ws.soap.RestDispatcher;
 import org.dronemap.ws.soap.SoapAuthentication;
 import org.dronemap.ws.soap.SoapCallExecutor;
 import org.dronemap.ws.soap.SoapContract;
+import org.dronemap.ws.soap.SoapResponseAdvice;
 import org.dronemap.ws.soap.SoapServicePublisher;
 import org.dronemap.ws.soap.UsernameTokenReader;
 import org.dronemap.ws.soap.WsdlFilter;
@@ -59,6 +60,11 @@ public class SoapConfiguration {
             SoapContract contract, RestDispatcher rest, Authentication authentication, Clock clock, JsonReader json) {
         return new SoapCallExecutor(
                 contract, new SoapAuthentication(authentication, new UsernameTokenReader(clock)), rest, json);
+    }
+
+    @Bean
+    SoapResponseAdvice soapResponses() {
+        return new SoapResponseAdvice();
     }
 
     @Bean

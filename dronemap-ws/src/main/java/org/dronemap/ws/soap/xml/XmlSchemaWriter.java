@@ -194,7 +194,7 @@ public final class XmlSchemaWriter {
         out.open(simple ? "xs:simpleContent" : "xs:complexContent").open("xs:extension", "base", base);
         out.empty("xs:attribute", "name", XmlToJson.KEY, "type", "xs:string", "use", "required");
         if (plain) {
-            out.empty("xs:attribute", "name", JsonToXml.TYPE, "type", "xs:string", "use", "required");
+            out.empty("xs:attribute", "name", XmlToJson.TYPE, "type", "xs:string", "use", "required");
         }
         out.close().close();
         out.close().close();

@@ -28,12 +28,8 @@ public final class XmlTextWriter {
     }
 
     public XmlTextWriter leaf(String element, String words) {
-        start(element)
-                .append('>')
-                .append(escaped(words))
-                .append("</")
-                .append(element)
-                .append(">\n");
+        XmlText.append(start(element).append('>'), words, true);
+        text.append("</").append(element).append(">\n");
         return this;
     }
 
@@ -42,11 +38,9 @@ public final class XmlTextWriter {
         for (int i = 0; i < attributes.length; i += 2) {
             String value = attributes[i + 1];
             if (value != null) {
-                text.append(' ')
-                        .append(attributes[i])
-                        .append("=\"")
-                        .append(escaped(value))
-                        .append('"');
+                text.append(' ').append(attributes[i]).append("=\"");
+                XmlText.append(text, value, true);
+                text.append('"');
             }
         }
         return text;
@@ -54,14 +48,6 @@ public final class XmlTextWriter {
 
     private StringBuilder indent() {
         return text.append("  ".repeat(open.size()));
-    }
-
-    private static String escaped(String words) {
-        return JsonToXml.plain(words)
-                .replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace(">", "&gt;")
-                .replace("\"", "&quot;");
     }
 
     @Override

@@ -22,6 +22,7 @@ public final class XmlToJson {
     static final String ITEM = "item";
     static final String ENTRY = "entry";
     static final String KEY = "key";
+    static final String TYPE = "type";
 
     private static final Pattern NUMBER =
             Pattern.compile("[+-]?(\\d{1,40}(\\.\\d{0,40})?|\\.\\d{1,40})([eE][+-]?\\d{1,3})?");
@@ -85,7 +86,7 @@ public final class XmlToJson {
 
     private JsonNode untold(String field, Element element) {
         String text = text(field, element);
-        return switch (element.getAttribute(JsonToXml.TYPE)) {
+        return switch (element.getAttribute(TYPE)) {
             case "number" -> NUMBER.matcher(text.strip()).matches() ? number(text.strip()) : StringNode.valueOf(text);
             case "boolean" -> truth(text.strip());
             default -> StringNode.valueOf(text);
