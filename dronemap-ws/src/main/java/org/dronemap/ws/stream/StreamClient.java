@@ -13,6 +13,7 @@ import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.stream.delivery.ClientOutbox;
 import org.dronemap.ws.stream.delivery.MessageSubject;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
+import org.dronemap.ws.stream.delivery.TextFrames;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
@@ -184,14 +185,14 @@ final class StreamClient {
      * Hands waiting messages to the socket as soon as it has sent all that it had: its own queue has no bound. False
      * when something still waits.
      */
-    boolean pump(long nowNanos, WriteReminder reminder) {
+    boolean pump(long nowNanos, WriteReminder reminder, TextFrames frames) {
         return guarded(() -> {
             reminder.remind(socket);
-            return pump(nowNanos);
+            return pump(nowNanos, frames);
         });
     }
 
-    private boolean pump(long nowNanos) {
+    private boolean pump(long nowNanos, TextFrames frames) {
         if (closingSinceNanos != 0) {
             if (nowNanos - closingSinceNanos > 2_000_000_000L) {
                 // it does not even take the farewell
@@ -213,7 +214,7 @@ final class StreamClient {
             return true;
         }
         if (socket.isOpen() && !socket.hasBufferedData()) {
-            outbox.drain().forEach(socket::send);
+            socket.sendFrame(frames.of(outbox.drain()));
         }
         return outbox.isEmpty();
     }

@@ -35,6 +35,7 @@ import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.stream.delivery.CloudEventRouter;
 import org.dronemap.ws.stream.delivery.MessageSubject;
 import org.dronemap.ws.stream.delivery.PublishLoop;
+import org.dronemap.ws.stream.delivery.TextFrames;
 import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.java_websocket.WebSocketServerFactory;
 import org.java_websocket.drafts.Draft;
@@ -58,6 +59,7 @@ public final class StreamFace implements AutoCloseable {
     private final Clock clock;
     private final PublishLoop pump = new PublishLoop("stream-pump", this::round);
     private final StreamHeartbeat beat;
+    private final TextFrames frames = new TextFrames();
 
     /** The use cases behind the stream. */
     public record Services(
@@ -170,6 +172,7 @@ public final class StreamFace implements AutoCloseable {
         for (StreamClient client : server.clients()) {
             allSent &= attend(client, sign, now);
         }
+        frames.clear();
         return allSent ? pause : new PublishLoop.Pause(pause.leastNanos(), Math.min(pause.mostNanos(), RETRY_NANOS));
     }
 
@@ -180,7 +183,7 @@ public final class StreamFace implements AutoCloseable {
                 Rejection late = Rejection.of(
                         AccessProblem.SIGN_IN_NEEDED, "No ticket, key or authenticate message came within 5 s.");
                 requests.say(client, new StreamMessage.Failure(ProblemView.of(late), null));
-                client.pump(now, server.reminder());
+                client.pump(now, server.reminder(), frames);
                 client.close(CloseFrame.POLICY_VALIDATION, late.sentence());
             }
         } else if (caller.until() != null && sign.isPresent() && !caller.until().isAfter(clock.instant())) {
@@ -188,7 +191,7 @@ public final class StreamFace implements AutoCloseable {
         } else {
             sign.ifPresent(client.outbox()::beat);
         }
-        return client.pump(now, server.reminder());
+        return client.pump(now, server.reminder(), frames);
     }
 
     /** Hears what is to be told of drones. */

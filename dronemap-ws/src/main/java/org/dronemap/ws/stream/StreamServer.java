@@ -16,6 +16,7 @@ import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.StreamTickets;
+import org.dronemap.ws.stream.delivery.TextFrames;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
 import org.java_websocket.framing.CloseFrame;
@@ -101,7 +102,7 @@ public final class StreamServer extends WebSocketServer {
         } catch (Rejection rejection) {
             requests.refused(rejection);
             requests.say(client, new StreamMessage.Failure(ProblemView.of(rejection), null));
-            client.pump(System.nanoTime(), reminder);
+            client.pump(System.nanoTime(), reminder, new TextFrames());
             client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
         }
         onNews.run();

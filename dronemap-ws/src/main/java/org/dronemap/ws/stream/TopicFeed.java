@@ -186,7 +186,9 @@ final class TopicFeed<T> implements TopicSink<T> {
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : some) {
             Principal who = client.principal().orElse(null);
-            Object sight = who == null ? null : sight(client, who, thing);
+            Object sight = who == null || !client.wants(subject)
+                    ? null
+                    : topic.audience().sight().of(who, thing);
             if (who == null || sight == null) {
                 continue;
             }

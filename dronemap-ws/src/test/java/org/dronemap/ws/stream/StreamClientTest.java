@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.ws.stream.delivery.TextFrames;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
@@ -30,15 +31,15 @@ class StreamClientTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"isClosed", "isOpen", "hasBufferedData", "send", "sendPing", "close"})
+    @ValueSource(strings = {"isClosed", "isOpen", "hasBufferedData", "sendFrame", "sendPing", "close"})
     void isCutOffAlone(String call) {
         StreamClient client = new StreamClient(thatBreaksAt(call), 0);
         client.outbox().add("news");
 
         client.probe();
-        client.pump(1, new WriteReminder(socket -> {}));
+        client.pump(1, new WriteReminder(socket -> {}), new TextFrames());
         client.expel(new StreamClient.ClosingMessage(CloseFrame.NORMAL, "over", "{}"));
-        client.pump(2, new WriteReminder(socket -> {}));
+        client.pump(2, new WriteReminder(socket -> {}), new TextFrames());
 
         assertThat(called).contains(call, "closeConnection");
         assertThat(client.caller()).isEmpty();
