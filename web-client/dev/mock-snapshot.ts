@@ -114,12 +114,10 @@ function actionsOf(drone: MockDrone): Record<CommandKind, Action> {
     'pauseMission',
     'clearMission',
   ];
-  const action = (why: string | null): Action => ({
-    allowed: why === null,
-    why,
-    code: why === null ? null : 'command-refused',
-    mode: null,
-  });
+  const action = (why: string | null): Action =>
+    why === null
+      ? { allowed: true, why, mode: null }
+      : { allowed: false, why, code: 'command-refused', mode: null };
   return Object.fromEntries(kinds.map((kind) => [kind, action(drone.why(kind))])) as Record<
     CommandKind,
     Action

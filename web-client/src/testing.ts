@@ -53,7 +53,9 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
 
 /** What may be done now, unless there is something against it. */
 export function anAction(why: string | null = null): Action {
-  return { allowed: why === null, why, code: why === null ? null : 'command-refused', mode: null };
+  return why === null
+    ? { allowed: true, why, mode: null }
+    : { allowed: false, why, code: 'command-refused', mode: null };
 }
 
 /** What a vehicle holds that was not asked yet. */

@@ -238,8 +238,8 @@ export interface components {
         };
         DroneActionView: {
             allowed: boolean;
-            /** @description Why not, for programs; docs/problems.md lists them */
-            code: string | null;
+            /** @description Why not, for programs; docs/problems.md lists them; left out when it is allowed */
+            code?: string;
             /** @description The vehicle refuses it in its mode of now: change to this one first */
             mode: string | null;
             why: string | null;

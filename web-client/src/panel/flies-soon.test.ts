@@ -93,7 +93,7 @@ describe('arming in a mode that refuses it', () => {
   const drone = aDrone({
     mode: 'RTL',
     actions: {
-      arm: { allowed: true, why: null, code: null, mode: 'GUIDED' },
+      arm: { allowed: true, why: null, mode: 'GUIDED' },
       setMode: anAction(),
     },
   });

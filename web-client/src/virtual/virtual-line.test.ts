@@ -17,7 +17,7 @@ const RUN: VirtualRun = {
 };
 
 function virtual(part: Partial<VirtualDrone>): VirtualDrone {
-  const no = { allowed: false, why: null, code: null, mode: null };
+  const no = { allowed: false, why: null, mode: null };
   return {
     id: 'v1',
     name: 'Survey',

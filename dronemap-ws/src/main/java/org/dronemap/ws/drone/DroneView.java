@@ -1,5 +1,6 @@
 package org.dronemap.ws.drone;
 
+import com.fasterxml.jackson.annotation.JsonInclude;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
@@ -193,7 +194,9 @@ public record DroneView(
             boolean allowed,
             @Nullable String why,
 
-            @Schema(description = "Why not, for programs; docs/problems.md lists them") @Nullable
+            @Schema(description = "Why not, for programs; docs/problems.md lists them; left out when it is allowed")
+            @JsonInclude(JsonInclude.Include.NON_NULL)
+            @Nullable
             String code,
 
             @Schema(description = "The vehicle refuses it in its mode of now: change to this one first") @Nullable

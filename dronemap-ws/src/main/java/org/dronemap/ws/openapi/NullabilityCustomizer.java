@@ -48,7 +48,8 @@ public final class NullabilityCustomizer implements OpenApiCustomizer {
                         : (Schema<?>) schema.getProperties().get(component.getName());
                 if (member != null) {
                     AllowedValuesSchema.say(component, member);
-                    say(schema, component, member, whole, nulls);
+                    boolean always = !component.getAccessor().isAnnotationPresent(JsonInclude.class);
+                    say(schema, component, member, whole && always, nulls && always);
                 }
             }
         }));
