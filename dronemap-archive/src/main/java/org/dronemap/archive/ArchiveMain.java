@@ -10,7 +10,10 @@ import org.apache.hadoop.fs.Path;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Writes all finished days that are not there yet: {@code ArchiveMain jdbc:postgresql://… file:///archive}. */
+/**
+ * Command-line program that archives the finished days of telemetry: {@code ArchiveMain jdbc:postgresql://…
+ * file:///archive}.
+ */
 public final class ArchiveMain {
     private static final Logger LOG = LoggerFactory.getLogger(ArchiveMain.class);
     private static final int ARGUMENTS = 2;

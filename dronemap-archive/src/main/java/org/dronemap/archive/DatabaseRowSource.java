@@ -17,7 +17,7 @@ import java.util.List;
 import org.dronemap.core.history.TelemetryColumn;
 import org.jspecify.annotations.Nullable;
 
-/** Rows of the server's PostgreSQL as they were when this was opened, whatever is written or thinned meanwhile. One thread. */
+/** Reads telemetry rows for the archive from the server's PostgreSQL, as they were when it was opened. One thread. */
 public final class DatabaseRowSource implements RowSource, AutoCloseable {
     private static final int ROWS_AT_ONCE = 5_000;
     /** What was measured late may come for so long after midnight. */

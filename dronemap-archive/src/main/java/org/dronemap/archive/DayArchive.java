@@ -17,9 +17,9 @@ import org.apache.parquet.hadoop.util.HadoopOutputFile;
 import org.apache.parquet.schema.MessageType;
 
 /**
- * A folder for each day with one file, {@code day=2026-03-04/telemetry.parquet}. The file has another name, which no reader
- * takes for one of it, until all its rows were read back and compared with where they came from. One thread, and one
- * archive at a time in one place.
+ * Archives telemetry as one verified Parquet file for each day, such as {@code day=2026-03-04/telemetry.parquet}. The
+ * file has another name, which no reader takes for one of it, until all its rows were read back and compared with where
+ * they came from. One thread, and one archive at a time in one place.
  */
 public final class DayArchive {
     private static final String FILE = "telemetry.parquet";

@@ -15,7 +15,7 @@ import org.apache.parquet.schema.Types;
 import org.dronemap.core.history.TelemetryColumn;
 import org.jspecify.annotations.Nullable;
 
-/** The columns of telemetry as Parquet's library has them: the same in every file. */
+/** The Parquet schema of the archive's files, and the conversion of telemetry rows to it and back. */
 final class ParquetColumns {
     private ParquetColumns() {}
 

@@ -5,7 +5,7 @@ import java.time.LocalDate;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A source of a day's telemetry rows: the same rows in the same order at each read. */
+/** A source of a day's telemetry rows for the archive: the same rows in the same order at each read. */
 public interface RowSource {
     /** The values in the order of the columns, null: not known. Each moment of a drone once, by drone and time. */
     void of(LocalDate day, RowConsumer taker) throws IOException;

@@ -5,8 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * One received frame, version 1 or 2; immutable. Payload reads are little-endian and answer 0 beyond the payload's end,
- * since version 2 cuts trailing zeros (MAVLink guide, "Empty-byte payload truncation").
+ * A received MAVLink frame, version 1 or 2; immutable. Payload reads are little-endian and answer 0 beyond the
+ * payload's end, since version 2 cuts trailing zeros (MAVLink guide, "Empty-byte payload truncation").
  */
 public final class Frame {
     static final int MAGIC_1 = 0xFE;

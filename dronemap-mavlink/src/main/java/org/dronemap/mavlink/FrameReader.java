@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * Finds frames in a stream of bytes that may come split or packed. Broken bytes are counted and skipped: after a frame
- * with a wrong checksum the search goes on right behind its first byte, so that a lying length swallows nothing. Not
- * thread-safe.
+ * Parses MAVLink frames from a byte stream, in which they may be split, packed together or broken. Broken bytes are
+ * counted and skipped: after a frame with a wrong checksum the search goes on right behind its first byte, so that a
+ * lying length swallows nothing. Not thread-safe.
  */
 public final class FrameReader {
     private static final int LONGEST = Frame.HEADER_2 + 255 + 2 + Frame.SIGNATURE_BYTES;

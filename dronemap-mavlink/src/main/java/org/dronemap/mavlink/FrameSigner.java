@@ -1,6 +1,6 @@
 package org.dronemap.mavlink;
 
-/** Fills in the signature of a version 2 frame that is whole but for it. */
+/** Signs a MAVLink 2 frame that is complete but for its signature. */
 @FunctionalInterface
 public interface FrameSigner {
     /** Writes link id, timestamp and signature into the last {@link Frame#SIGNATURE_BYTES} bytes of {@code frame}. */

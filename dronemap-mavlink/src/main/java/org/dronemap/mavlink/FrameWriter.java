@@ -4,8 +4,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Builds frames as one sender: system and component id, version, and a sequence number that rises with each frame. Not
- * thread-safe.
+ * Encodes MAVLink frames of one sender: system and component id, version, and rising sequence numbers. Not thread-safe.
  */
 public final class FrameWriter {
     private final int systemId;

@@ -1,6 +1,6 @@
 package org.dronemap.mavlink;
 
-/** A message that can be written: its raw fields as on the wire. */
+/** A MAVLink message that can be encoded: its raw fields as on the wire. */
 public interface Message {
     /** The message's number in the MAVLink definitions. */
     int messageId();

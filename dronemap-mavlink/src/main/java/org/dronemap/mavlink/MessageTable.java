@@ -11,10 +11,7 @@ import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Checksum seeds (CRC_EXTRA) and names of all messages known here; read once from messages.tsv, and what is
- * newer than dronefleet's definitions from messages-newer.tsv.
- */
+/** The checksum seeds (CRC_EXTRA), names and lengths of all known MAVLink messages, read from resource files. */
 public final class MessageTable {
     private static final int LOW_IDS = 512;
     private static final Map<Integer, Entry> ENTRIES = readAll();

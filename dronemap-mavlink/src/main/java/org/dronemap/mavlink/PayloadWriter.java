@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** Writes payload fields little-endian, in wire order. Not thread-safe. */
+/** Writes the fields of a MAVLink payload, little-endian and in wire order. Not thread-safe. */
 public final class PayloadWriter {
     private static final int LONGEST = 255;
 

@@ -1,9 +1,9 @@
 package org.dronemap.mavlink;
 
 /**
- * Takes the signature off a frame, for what is kept: the flag is cleared and the 13 bytes go (MAVLink guide, "Message
- * signing", Logging). The checksum covers the flag, so it is put right as well, by the difference that one flipped bit
- * makes: that needs no checksum seed and works for messages that nobody here knows. All other bytes stay as they were.
+ * Removes the signature from a MAVLink frame before it is recorded, as the MAVLink guide advises. The checksum covers
+ * the flag, so it is put right as well, by the difference that one flipped bit makes: that needs no checksum seed and
+ * works for messages that nobody here knows. All other bytes stay as they were.
  */
 public final class SignatureStripper {
     private static final int FLAGS = 2;

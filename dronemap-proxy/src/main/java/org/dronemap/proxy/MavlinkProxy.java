@@ -19,7 +19,9 @@ import org.dronemap.proxy.session.VehicleSessionRegistry;
 import org.dronemap.proxy.session.VehicleTraffic;
 import org.dronemap.proxy.signing.KeyringRegistry;
 
-/** The links to vehicles: opens the configured endpoints and keeps them until closed. Any thread. */
+/**
+ * Opens the endpoints that MAVLink vehicles connect to, and owns their sessions, signing keys and replays. Any thread.
+ */
 public final class MavlinkProxy implements AutoCloseable {
     private final List<EndpointUrl> urls;
     private final KeyringRegistry keyrings;

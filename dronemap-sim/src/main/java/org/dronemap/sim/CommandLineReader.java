@@ -8,7 +8,7 @@ import org.dronemap.sim.link.ServerAddress;
 import org.dronemap.sim.physics.LocalFrame;
 import org.jspecify.annotations.Nullable;
 
-/** Takes options out of a command line one by one; what is left at the end is an error. */
+/** Parses the simulator's command line option by option; what is left at the end is an error. */
 final class CommandLineReader {
     private final List<String> left;
 

@@ -15,7 +15,7 @@ import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
 import org.dronemap.sim.physics.WindModel;
 
-/** Puts a fleet on the field: a square grid of ten metres, north-east of home. */
+/** Builds the simulated fleet: vehicles on a square grid, ten metres apart, north-east of home. */
 final class FleetBuilder {
     private static final double SPACING_METERS = 60;
     private static final double BATTERY_MILLIAMP_HOURS = 5200;

@@ -6,7 +6,7 @@ import org.dronemap.sim.link.ServerAddress;
 import org.dronemap.sim.robot.RobotOptions;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the command line of simulated robots. */
+/** Parses the simulator's command line options for simulated ROSLink robots. */
 final class RobotOptionsReader {
     private static final ServerAddress SERVER = new ServerAddress(false, "127.0.0.1", 25_500);
 

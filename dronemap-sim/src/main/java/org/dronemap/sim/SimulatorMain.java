@@ -9,7 +9,7 @@ import org.dronemap.sim.link.SimulatedFleet;
 import org.dronemap.sim.robot.RobotFleet;
 import org.dronemap.sim.robot.RobotOptions;
 
-/** Starts a simulated fleet from the command line and lets it run until the process is stopped. */
+/** The entry point of the vehicle simulator: starts simulated vehicles or robots that connect to a server. */
 public final class SimulatorMain {
     private static final int BAD_USAGE = 2;
 

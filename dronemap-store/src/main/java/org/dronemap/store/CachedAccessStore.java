@@ -28,10 +28,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * An access store that answers from a cache for known users while the store behind it is away. Every change of an
- * account forgets all of that, whether the change succeeded or not; nothing can be changed while the store is away. A
- * store that hangs counts as away after a second, for whoever is remembered. At most 1,000 accounts, sessions and keys
- * each. Thread-safe.
+ * Access store that serves known users, sessions and keys from a cache while the database is out of reach. Every change
+ * of an account forgets all of that, whether the change succeeded or not; nothing can be changed while the store is
+ * away. A store that hangs counts as away after a second, for whoever is remembered. At most 1,000 accounts, sessions
+ * and keys each. Thread-safe.
  */
 public final class CachedAccessStore implements AccessStore {
     private static final Logger LOG = LoggerFactory.getLogger(CachedAccessStore.class);

@@ -7,7 +7,7 @@ import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.UserGroup;
 import org.dronemap.core.organisation.Organisation;
 
-/** Sort orders of organisations, groups, fleets, grants and gifts, the same in every adapter. */
+/** Sort orders of organisations, groups, fleets, grants and gifts, the same in every kind of store. */
 public final class GrantOrdering {
     public static final Comparator<Organisation> ORGANISATIONS = Comparator.comparing(
                     Organisation::name, String.CASE_INSENSITIVE_ORDER)

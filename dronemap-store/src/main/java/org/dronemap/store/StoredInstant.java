@@ -3,7 +3,7 @@ package org.dronemap.store;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 
-/** Times as they are kept: to the microsecond, cut and not rounded, in every adapter alike. */
+/** Cuts times to the microsecond, as every kind of store keeps them. */
 public final class StoredInstant {
     private StoredInstant() {}
 

@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 import org.dronemap.cognitive.cost.AllocationProblem;
 
 /**
- * Allocates waypoints to drones and orders them: ruin and recreate under simulated annealing, from a plan at hand or from
- * none. The best plan so far is there at any time. Safe for several threads: each search has its own state.
+ * Allocates waypoints to drones and orders them by simulated annealing, from an existing plan or from none. The best
+ * plan so far is there at any time. Safe for several threads: each search has its own state.
  */
 public final class Allocator {
     private final SearchContext ground;

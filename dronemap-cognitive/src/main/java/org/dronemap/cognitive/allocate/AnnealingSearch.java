@@ -3,7 +3,7 @@ package org.dronemap.cognitive.allocate;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 
-/** One annealed walk through the plans by ruin and recreate. Owned by the thread that runs it. */
+/** One simulated-annealing search over plans by ruin and recreate. Owned by the thread that runs it. */
 final class AnnealingSearch {
     private static final int BETWEEN_LOOKS = 64;
     /** Smaller gains are told of with the next larger one, or in the end. */

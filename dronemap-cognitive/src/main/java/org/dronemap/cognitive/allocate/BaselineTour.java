@@ -5,7 +5,7 @@ import java.util.List;
 import org.dronemap.cognitive.cost.AllocationProblem;
 import org.jspecify.annotations.Nullable;
 
-/** One drone's tour while a baseline builds it, and what it takes to call at one waypoint more. */
+/** One drone's tour while a baseline method builds it, and what one waypoint more would cost. */
 final class BaselineTour {
     private final AllocationProblem instance;
     private final LegCosts costs;

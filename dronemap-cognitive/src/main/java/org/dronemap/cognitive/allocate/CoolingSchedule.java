@@ -2,7 +2,7 @@ package org.dronemap.cognitive.allocate;
 
 import org.dronemap.cognitive.cost.AllocationProblem;
 
-/** Exponential cooling, in the unit of the search's worth. */
+/** Exponential cooling schedule of the annealing search: its temperature for each share of the budget used. */
 record CoolingSchedule(double hot, double cold) {
     /** In legs of mean length, shared by the drones where only the longest tour matters. */
     private static final double HOT = 5;

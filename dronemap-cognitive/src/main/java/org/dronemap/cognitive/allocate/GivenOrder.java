@@ -3,7 +3,10 @@ package org.dronemap.cognitive.allocate;
 import java.util.List;
 import org.dronemap.cognitive.cost.AllocationProblem;
 
-/** Waypoints as they were entered, cut into as many stretches of one length as there are drones. */
+/**
+ * Baseline allocation: cuts the waypoints, in the order in which they were entered, into one equal stretch for each
+ * drone.
+ */
 public final class GivenOrder implements Baseline {
     @Override
     public Allocation allocate(AllocationProblem instance) {

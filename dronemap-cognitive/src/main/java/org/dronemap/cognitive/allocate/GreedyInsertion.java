@@ -3,9 +3,8 @@ package org.dronemap.cognitive.allocate;
 import java.util.SplittableRandom;
 
 /**
- * Puts absent waypoints where they cost least, one after the other, beside their near neighbours or at an end of a tour, and
- * now and then overlooks a place (Christiaens and Vanden Berghe, Slack Induction by String Removals, Transportation Science
- * 54(2), 2020, section 5.3).
+ * The search's recreate step: inserts removed waypoints where they cost least, now and then overlooking a place
+ * (Christiaens and Vanden Berghe, Slack Induction by String Removals, Transportation Science 54(2), 2020, section 5.3).
  */
 final class GreedyInsertion {
     /** Where there are more drones than this, ends of a few tours by chance are looked at, not of all. */

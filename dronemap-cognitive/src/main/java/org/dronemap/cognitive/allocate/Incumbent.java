@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import java.util.function.ToDoubleFunction;
 import org.jspecify.annotations.Nullable;
 
-/** The best of what several searches find; tells of each plan that is better than all before. Guarded by itself. */
+/** The best plan that several searches have found so far; tells a listener of each better one. Guarded by itself. */
 final class Incumbent {
     private static final double ROUNDING = 1e-9;
 

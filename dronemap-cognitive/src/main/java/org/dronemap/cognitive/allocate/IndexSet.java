@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.allocate;
 
-/** A set of the numbers 0 to n-1 that is quick to change and to walk; its order is that of the changes. */
+/** A set of the integers 0 to n-1 that is quick to change and to iterate, in the order of changes. */
 final class IndexSet {
     private final int[] items;
     private final int[] places;

@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.allocate;
 
-/** The best place so far for one waypoint, among those that were looked at. */
+/** The cheapest position found so far for inserting one waypoint into a tour. */
 final class InsertionChoice {
     private final TourLists tours;
     private final SearchCost worth;

@@ -11,8 +11,8 @@ import org.dronemap.cognitive.cost.Visit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Time, energy and objective of each leg with the service at its end, in tables for small problems. Small problems keep
- * all times in tables. Immutable, safe for several threads.
+ * Time, energy and objective of each leg with the service at its end, as the search reads them. Small problems keep all
+ * times in tables. Immutable, safe for several threads.
  */
 final class LegCosts {
     /** Beyond this many entries a table misses the processor's cache more often than computing anew costs. */

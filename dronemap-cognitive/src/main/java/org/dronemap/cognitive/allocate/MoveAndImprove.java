@@ -9,10 +9,9 @@ import org.dronemap.cognitive.cost.AllocationProblem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A market of drones in four steps: each claims what is near, builds a tour of it, those who claim the same waypoint settle
- * whose it is, and while they fly they sell what others visit more cheaply. After Koubaa et al., Move and Improve: a
- * Market-Based Mechanism for the Multiple Depot Multiple Travelling Salesmen Problem (2017); here every drone is in reach of
- * every other.
+ * Baseline allocation by a market in which drones claim near waypoints, settle rival claims, and trade as they fly.
+ * After Koubaa et al., Move and Improve: a Market-Based Mechanism for the Multiple Depot Multiple Travelling Salesmen
+ * Problem (2017); here every drone is in reach of every other.
  */
 public final class MoveAndImprove implements Baseline {
     /** What a drone offers at each stop: the waypoints that are dearest to it. */

@@ -3,8 +3,9 @@ package org.dronemap.cognitive.allocate;
 import java.util.function.Consumer;
 
 /**
- * Short walks from nothing, and a long one from the best plan that they found, no longer as hot. What a single walk settles
- * early, as which base serves which cluster, it hardly ever undoes, and whether it was right is a matter of luck.
+ * Runs a few short annealing searches from nothing, then a long and cooler one from the best plan that they found. What
+ * a single walk settles early, as which base serves which cluster, it hardly ever undoes, and whether it was right is a
+ * matter of luck.
  */
 final class MultiStartSearch {
     private static final int WALKS = 4;

@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.allocate;
 
-/** The few nearest of those that were offered, nearest first. */
+/** Keeps the nearest few of the items offered to it, nearest first, to find the neighbours of a waypoint. */
 final class NearestItems {
     private final int[] items;
     private final double[] squares;

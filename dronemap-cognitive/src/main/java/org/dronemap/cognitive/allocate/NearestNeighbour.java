@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.dronemap.cognitive.cost.AllocationProblem;
 
-/** A baseline: of all drones the one with the shortest tour flies on to the nearest waypoint that is left. */
+/** Baseline allocation: the drone whose tour is shortest so far flies on to the nearest waypoint left. */
 public final class NearestNeighbour implements Baseline {
     private static final int NONE = -1;
 

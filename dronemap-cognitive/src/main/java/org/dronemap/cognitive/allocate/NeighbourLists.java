@@ -6,9 +6,9 @@ import java.util.stream.IntStream;
 import org.dronemap.cognitive.cost.Legs;
 
 /**
- * Of each waypoint others that lie near: first those that a tour may well call at before or after it, then more. Where
- * waypoints lie in clusters all that are nearest are in the same one; therefore the nearest of each quarter of the compass
- * are among the first. Immutable.
+ * For each waypoint the waypoints near it, likely neighbours in a tour first, so that the search tries few places.
+ * Where waypoints lie in clusters all that are nearest are in the same one; therefore the nearest of each quarter of
+ * the compass are among the first. Immutable.
  */
 final class NeighbourLists {
     /** How many come first. */

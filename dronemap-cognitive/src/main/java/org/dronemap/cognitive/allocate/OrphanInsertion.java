@@ -3,10 +3,7 @@ package org.dronemap.cognitive.allocate;
 import java.util.BitSet;
 import org.dronemap.cognitive.cost.AllocationProblem;
 
-/**
- * Puts what is absent where it costs least of all places, the most important first, then the cheapest: for a few orphans
- * of a plan that is good otherwise.
- */
+/** Inserts a few waypoints that no drone has into a good plan where they cost least, the most important first. */
 final class OrphanInsertion {
     /** In larger plans only places beside near neighbours are looked at, and the ends of tours, as long as there are some. */
     private static final int MOST_WAYPOINTS = 500;

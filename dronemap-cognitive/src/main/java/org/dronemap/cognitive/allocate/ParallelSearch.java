@@ -8,8 +8,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 
 /**
- * Several searches of one problem at the same time, each with a seed of its own and the whole budget; the best plan of all
- * counts. Which one is found in a budget of iterations does not depend on how the searches share processors.
+ * Runs several searches of one problem in parallel, each with its own seed and the whole budget, and takes the best
+ * plan. Which one is found in a budget of iterations does not depend on how the searches share processors.
  */
 public final class ParallelSearch {
     private static final long BETWEEN_SEEDS = 1_000_003;

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
-/** A limit on a search: iterations, time, or until cancelled, as a share used up. */
+/** A limit on a planning search: iterations, time, or until cancelled, as a share used up. */
 @FunctionalInterface
 public interface SearchBudget {
     /** The share that is used up after so many iterations; 1 and more ends the search. */

@@ -3,8 +3,9 @@ package org.dronemap.cognitive.allocate;
 import java.util.SplittableRandom;
 
 /**
- * Takes strings of neighbouring waypoints out of tours that pass near each other (Christiaens and Vanden Berghe 2020,
- * section 5.2). Where tours are long several strings may come out of one: those that pass near are often the same one.
+ * The search's ruin step: removes strings of neighbouring waypoints from nearby tours (Christiaens and Vanden Berghe
+ * 2020, section 5.2). Where tours are long several strings may come out of one: those that pass near are often the same
+ * one.
  */
 final class StringRemoval {
     private static final int LONGEST = 12;

@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.allocate;
 
-/** Evaluates one tour leg by leg: waits for windows to open, and counts those that closed before arrival. */
+/** Evaluates one tour leg by leg: its duration and energy, with waits for time windows and lateness for them. */
 final class TourEvaluation {
     private final LegCosts costs;
     private final int drone;

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.dronemap.cognitive.cost.AllocationProblem;
 
 /**
- * The tours of all drones as linked lists of places, each from its drone's start to its end, and what each of them takes.
- * What was changed since the last {@link #keep()} can be taken back.
+ * The tours of all drones as the search changes them: linked lists of places, with what each tour takes. What was
+ * changed since the last {@link #keep()} can be taken back.
  */
 final class TourLists {
     static final int NONE = -1;

@@ -5,7 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import org.dronemap.cognitive.cost.AllocationProblem;
 
-/** Takes out of tours at hand what they cannot serve any more: as little as need be, the least important first. */
+/**
+ * Removes from existing tours the waypoints that they cannot serve any more: as few as need be, the least important
+ * first.
+ */
 final class TourRepair {
     private final AllocationProblem instance;
     private final LegCosts costs;

@@ -3,9 +3,9 @@ package org.dronemap.cognitive.allocate;
 import java.util.SplittableRandom;
 
 /**
- * Connects two near waypoints directly: within one tour by turning what lies between them round (2-opt), of two tours by
- * exchanging what comes after (2-opt*). Strings are too short to bring long tours into another shape; this is not. Tours
- * in which drones wait for windows are left alone.
+ * A 2-opt move of the search: turns a stretch of one tour round, or exchanges the ends of two tours (2-opt*). Strings
+ * are too short to bring long tours into another shape; this is not. Tours in which drones wait for windows are left
+ * alone.
  */
 final class TwoOptMove {
     private static final int BREADTH = 8;

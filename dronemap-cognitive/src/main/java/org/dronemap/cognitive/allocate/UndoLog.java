@@ -2,7 +2,7 @@ package org.dronemap.cognitive.allocate;
 
 import java.util.Arrays;
 
-/** Old values of what was changed, to be put back in reverse order. */
+/** Log of the old values that the search changed in tours, to put them back in reverse order. */
 final class UndoLog {
     private int[] slots = new int[256];
     private int[] values = new int[256];

@@ -1,7 +1,7 @@
 package org.dronemap.cognitive.cost;
 
 /**
- * The objective in numbers: weighted sum of the longest tour's duration and of a measure over all tours.
+ * The objective as the search sees it: weighted sum of the longest tour's duration and of a measure over all tours.
  *
  * @param longestWeight weight of the duration of the longest tour, in seconds
  * @param measure what is summed

@@ -2,7 +2,9 @@ package org.dronemap.cognitive.cost;
 
 import java.util.List;
 
-/** An allocation problem in numbers: waypoint i is {@code visits.get(i)}, drone r is {@code carriers.get(r)}. */
+/**
+ * A planning problem as the search sees it: waypoint i is {@code visits.get(i)}, drone r is {@code carriers.get(r)}.
+ */
 public record AllocationProblem(
         Legs legs, List<Visit> visits, List<AllocationDrone> carriers, AllocationObjective aim) {
     public AllocationProblem {

@@ -13,7 +13,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The barriers around one group of drones, with one visibility graph for each set that blocks a height. Which of it is
+ * The barriers that bind one group of drones, with a visibility graph for each set that blocks a height. Which of it is
  * in the way depends on how high a leg leads: each such choice has a maze of its own. Safe for several threads.
  */
 final class BarrierMap {

@@ -2,7 +2,7 @@ package org.dronemap.cognitive.cost;
 
 import java.util.List;
 
-/** A barrier on the chart. Never changes. */
+/** A barrier projected onto the planner's plane, with the heights at which it stands. Never changes. */
 abstract class ChartBarrier {
     /** Of the heights above the sea at which it stands, as wide as they may be meant. */
     private final double low;

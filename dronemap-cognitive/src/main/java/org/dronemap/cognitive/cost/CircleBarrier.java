@@ -3,7 +3,7 @@ package org.dronemap.cognitive.cost;
 import java.util.List;
 import org.dronemap.cognitive.problem.Barrier;
 
-/** A disc, seen with its own scales since the chart's are true elsewhere. */
+/** A circular barrier on the planner's plane, with scales of its own since the plane's are true elsewhere. */
 final class CircleBarrier extends ChartBarrier {
     private static final int TURNS = Barrier.CIRCLE_TURNS;
 

@@ -12,7 +12,10 @@ import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 
-/** A problem in numbers, and the way back from an order of waypoints to a plan. Safe for several threads. */
+/**
+ * Converts a planning problem to an allocation problem in numbers, and the orders found for it back to a plan. Safe for
+ * several threads.
+ */
 public final class CostModel {
     private static final String CROWDED_OUT =
             "No drone has time, or charge, to serve it besides what the plan gives it to do.";

@@ -9,7 +9,9 @@ import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** Finds the ways of one group of drones between places. Safe for several threads. */
+/**
+ * Finds the shortest paths between places round the barriers that bind one group of drones. Safe for several threads.
+ */
 final class DetourFinder {
     /** Trees that are kept for the places that come next, by the size of them all. */
     private static final int KEPT_TURNS = 2_000_000;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** Turns that barriers force on legs between places, numbered as in {@link Legs}. */
+/** The turns that lead legs between places round barriers, places numbered as in {@link Legs}. */
 interface Detours {
     Detours NONE = new Detours() {
         @Override

@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.cost;
 
-/** Straight ways with nothing in between, worked out anew each time. Never changes. */
+/** Costs of straight legs between places, where no barriers are in the way; computed anew each time. Never changes. */
 final class DirectLegs implements Legs {
     private final PlaceTable track;
     private final FlightModel[] paces;

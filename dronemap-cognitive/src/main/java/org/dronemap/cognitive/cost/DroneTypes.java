@@ -10,7 +10,9 @@ import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.core.mission.Altitude;
 
-/** Groups drones into types: those of one type have the same performance and the same barriers. Never changes. */
+/**
+ * Groups the drones of a planning problem into types with the same performance and the same barriers. Never changes.
+ */
 final class DroneTypes {
     private final int[] types;
     private final FlightModel[] paces;

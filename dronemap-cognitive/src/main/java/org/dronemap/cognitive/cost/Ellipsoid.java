@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.cost;
 
-/** Lengths on WGS-84. */
+/** Lengths along parallels and meridians of the WGS-84 ellipsoid. */
 final class Ellipsoid {
     private static final double EQUATOR_METERS = 6_378_137.0;
     private static final double ECCENTRICITY_SQUARED = 0.006_694_379_990_14;

@@ -4,8 +4,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 
 /**
- * A picture of the neighbourhood in metres on which straight lines of longitude and latitude stay straight, and the way
- * back to degrees. Lengths on it are true near its origin only; {@link PlaceTable} knows true ones.
+ * Map projection round a planning problem, in metres, that keeps straight lines of longitude and latitude straight.
+ * Lengths on it are true near its origin only; {@link PlaceTable} knows true ones.
  */
 final class EquirectangularPlane {
     private final Geodetic origin;

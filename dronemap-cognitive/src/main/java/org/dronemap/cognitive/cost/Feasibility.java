@@ -8,7 +8,7 @@ import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 
-/** Decides which drones could visit a waypoint as their only one, and says why none can. Never changes. */
+/** Decides which drones could visit a waypoint if it were their only one, and says why none can. Never changes. */
 final class Feasibility {
     private final PlanningProblem problem;
     private final DroneTypes fleet;

@@ -7,8 +7,9 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Ways round barriers, each found when it is first asked for. Of a problem that is not too big all are kept; of a bigger
- * one as many as there is room for. Safe for several threads: two may find the same way at once, and find the same.
+ * Costs of legs that lead round barriers, each found when it is first asked for and then cached. Of a problem that is
+ * not too big all are kept; of a bigger one as many as there is room for. Safe for several threads: two may find the
+ * same way at once, and find the same.
  */
 final class FencedLegs implements Legs, Detours {
     /** So many ways are kept at most, of all groups of drones together; a power of two. */

@@ -7,8 +7,8 @@ import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.cognitive.problem.WindResponse;
 
 /**
- * A model of time and energy that one type of drone takes for a straight piece of flight. It gathers speed, cruises and
- * brakes; it climbs or descends meanwhile, and stays where it is for what is left of that.
+ * The planner's flight model: time and energy that one type of drone takes for a straight piece of flight. It gathers
+ * speed, cruises and brakes; it climbs or descends meanwhile, and stays where it is for what is left of that.
  */
 final class FlightModel {
     /** Below this share of its cruising speed a drone is held not to get anywhere. */

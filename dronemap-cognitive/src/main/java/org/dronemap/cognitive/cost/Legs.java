@@ -1,9 +1,9 @@
 package org.dronemap.cognitive.cost;
 
 /**
- * The way from place to place. Places are numbered: the waypoints 0 to n-1, then of drone r its start n+2r and its end
- * n+2r+1. Drones of one type fly alike, so that a leg costs the same for all of them. Ways may differ there and back (wind,
- * climbs). Safe for several threads.
+ * Flying time, length and energy of the legs between the numbered places of a planning problem. Places are numbered:
+ * the waypoints 0 to n-1, then of drone r its start n+2r and its end n+2r+1. Drones of one type fly alike, so that a
+ * leg costs the same for all of them. Ways may differ there and back (wind, climbs). Safe for several threads.
  */
 public interface Legs {
     /** Waypoints and two places a drone. */

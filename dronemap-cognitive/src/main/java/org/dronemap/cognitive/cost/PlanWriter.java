@@ -13,7 +13,7 @@ import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 
-/** Turns an order of waypoints for each drone into times, heights and energy. Never changes. */
+/** Converts the search's order of waypoints for each drone to a plan with times, heights and energy. Never changes. */
 final class PlanWriter {
     private final PlanningProblem problem;
     private final DroneTypes fleet;

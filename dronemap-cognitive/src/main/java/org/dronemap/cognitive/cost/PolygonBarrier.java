@@ -2,7 +2,7 @@ package org.dronemap.cognitive.cost;
 
 import java.util.List;
 
-/** An area with straight edges on the chart, convex or not. */
+/** A polygonal barrier on the planner's plane, convex or not. */
 final class PolygonBarrier extends ChartBarrier {
     /** How many times the room a turn may be away from its corner. */
     private static final double LONGEST_MITRE = 2.5;

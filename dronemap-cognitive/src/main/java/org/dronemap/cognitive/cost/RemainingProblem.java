@@ -4,10 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/**
- * A problem whose drones have the beginnings of their tours already: what is left to be shared out, numbered anew, each
- * drone setting off where and when its beginning ends. Immutable.
- */
+/** The allocation problem that is left when each drone has the firm beginning of its tour, numbered anew. Immutable. */
 public final class RemainingProblem {
     private final AllocationProblem whole;
     private final AllocationProblem rest;

@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.cost;
 
-/** Straight pieces of a plane as bare numbers. */
+/** Computes squared distances between straight segments on the planner's plane. */
 final class SegmentDistances {
     private SegmentDistances() {}
 

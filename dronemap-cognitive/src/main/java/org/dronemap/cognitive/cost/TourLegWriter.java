@@ -8,7 +8,7 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.core.geo.Geodetic;
 
-/** Writes the way from place to place out, fix by fix. Never changes. */
+/** Writes a leg of a plan fix by fix: take-off, turns round barriers, and landing. Never changes. */
 final class TourLegWriter {
     private final PlanningProblem problem;
     private final PlaceTable track;

@@ -2,7 +2,10 @@ package org.dronemap.cognitive.cost;
 
 import java.util.Arrays;
 
-/** Flies the beginning of one drone's tour, as far as that can be done. Used once, by one thread. */
+/**
+ * Works out the firm beginning of one drone's tour: where, when and with what energy drawn it ends. Used once, by one
+ * thread.
+ */
 final class TourPrefix {
     private static final double ROUNDING = 1e-9;
 

@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Blocks that stand in the way at some heights, and the shortest ways round them: straight from turn to turn, where one
- * can be seen from the other. What is seen from where is found out when it is first asked for. Safe for several threads.
+ * Visibility graph of the barriers that stand at certain heights: finds the shortest paths round them. What is seen
+ * from where is found out when it is first asked for. Safe for several threads.
  */
 final class VisibilityGraph {
     private final List<ChartBarrier> blocks;

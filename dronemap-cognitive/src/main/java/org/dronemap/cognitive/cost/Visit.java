@@ -3,7 +3,7 @@ package org.dronemap.cognitive.cost;
 import java.util.BitSet;
 
 /**
- * The requirements of one waypoint: service, priority, time window and the drones that can serve it.
+ * One waypoint as the search sees it: service, priority, time window and the drones that can serve it.
  *
  * @param serviceSeconds how long a drone stays for its task
  * @param serviceWatts what it draws meanwhile, and while it waits for the window to open

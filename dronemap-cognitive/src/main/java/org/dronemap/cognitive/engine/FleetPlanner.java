@@ -16,7 +16,10 @@ import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.replan.ReplanSituation;
 import org.dronemap.cognitive.replan.Replanner;
 
-/** Plans missions of several drones. Every plan that leaves here was looked at by the independent checker. */
+/**
+ * Plans the tours of several drones: allocates waypoints, and keeps the drones apart in time and height. Every plan
+ * that leaves here was looked at by the independent checker.
+ */
 public final class FleetPlanner {
     /** Work for the bound, in legs looked at: a few hundredths of a second. */
     private static final long BOUND_LEGS = 4_000_000;

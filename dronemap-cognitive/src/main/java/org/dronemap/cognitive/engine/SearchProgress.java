@@ -1,7 +1,8 @@
 package org.dronemap.cognitive.engine;
 
 /**
- * Figures of a search so far: longest tour, sum, unserved waypoints, gap to the bound, iterations.
+ * Figures of the best plan that a search has found so far, such as longest tour, unserved waypoints and gap to the
+ * bound.
  *
  * @param longestSeconds when the last tour ends, on the plan's clock, before drones are kept apart
  * @param sum what the objective sums, in its unit

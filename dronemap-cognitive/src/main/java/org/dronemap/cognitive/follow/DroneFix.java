@@ -7,7 +7,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 
 /**
- * A drone's reported position with its velocity in m/s.
+ * A drone's reported position with its velocity in m/s, estimated from this position and the one before.
  *
  * @param at when it was there
  */

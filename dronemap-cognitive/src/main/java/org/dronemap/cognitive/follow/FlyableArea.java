@@ -9,7 +9,8 @@ import org.dronemap.core.geo.PlanePolygon;
 import org.dronemap.core.geo.PlaneSegment;
 
 /**
- * The area that a drone may be guided in: within all keep-in areas and outside all others, with a margin. Immutable.
+ * The area that a following drone may be guided in: within all keep-in areas, outside all others, with a margin.
+ * Immutable.
  */
 public final class FlyableArea {
     /** Room without an edge. */

@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.follow;
 
-/** The least separation of drones that follow from all others: one of the distances on the ground and in height. */
+/** The least separation of following drones from all other drones: horizontal or vertical, in metres. */
 public record FollowSeparation(double groundMeters, double heightMeters) {
     /** Less cannot be kept over a network that is slow and loses: one in two hundred trials with 5 m fell short by up to 3 m. */
     public static final double LEAST_GROUND_METERS = 8;

@@ -1,7 +1,7 @@
 package org.dronemap.cognitive.follow;
 
 /**
- * Limits of a drone that follows: speed, lowest and highest altitude, delay of its downlink.
+ * Limits for guiding a following drone: speed, lowest and highest altitude, and the delay of its downlink.
  *
  * @param speed over the ground, m/s
  * @param lowestAmslMeters it is never led below, and nowhere before it is that high

@@ -1,8 +1,8 @@
 package org.dronemap.cognitive.follow;
 
 /**
- * One opinion of where the target is and how it moves, with its uncertainty: an extended Kalman filter over east, north, their
- * speeds and the acceleration to its left. Owned by its {@link NoiseHypothesis}.
+ * Extended Kalman filter for one motion model of a followed target: position, velocity and lateral acceleration. Owned
+ * by its {@link NoiseHypothesis}.
  */
 final class MotionKalmanFilter {
     static final int SIZE = 5;

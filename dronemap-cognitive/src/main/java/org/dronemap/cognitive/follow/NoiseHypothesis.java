@@ -5,9 +5,9 @@ import java.util.function.ToDoubleFunction;
 import org.dronemap.core.geo.PlanePoint;
 
 /**
- * An interacting multiple model filter of the target's motion under one assumed noise of its phone. It goes on, bends
- * to its left or right, or changes its speed: an opinion is kept for each, and counts as much as it foretold the fixes
- * (interacting multiple models). Owned by its {@link TargetFilter}.
+ * Interacting multiple model filter of a followed target's motion, under one assumed noise of its phone. It goes on,
+ * bends to its left or right, or changes its speed: an opinion is kept for each, and counts as much as it foretold the
+ * fixes (interacting multiple models). Owned by its {@link TargetFilter}.
  */
 final class NoiseHypothesis {
     private static final double LIKELY_SPEED = 3;

@@ -5,7 +5,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A position that a phone reported, with its accuracy and, if known, its course.
+ * A position that a followed phone reported, with its accuracy and, if known, its speed and course.
  *
  * @param at by the cloud's clock, see {@link PhoneClockOffset}
  * @param accuracyMeters the phone is within so much of the place in two cases of three, by its own word

@@ -1,10 +1,10 @@
 package org.dronemap.cognitive.follow;
 
 /**
- * The greatest distance of the reference point from its drone, and its speed limit at that distance. An autopilot that
- * leans as far as it may no longer turns: a real ArduCopter that was asked for more than it had flew straight on in
- * bends, up to 55 m off. So a carrot that its drone does not keep up with goes slower than the drone does, until that
- * has something left to turn with.
+ * Limits the moving point that a following drone is told to be at: its distance from the drone, and its speed. An
+ * autopilot that leans as far as it may no longer turns: a real ArduCopter that was asked for more than it had flew
+ * straight on in bends, up to 55 m off. So a carrot that its drone does not keep up with goes slower than the drone
+ * does, until that has something left to turn with.
  *
  * @param meters from where the drone is expected
  * @param speed of the carrot, m/s

@@ -1,7 +1,7 @@
 package org.dronemap.cognitive.follow;
 
 /**
- * The position of a drone relative to its target: side, distance on the ground and altitude.
+ * The position that a following drone is to keep to its target: side, distance on the ground and altitude.
  *
  * @param distanceMeters on the ground, 0 to 200
  * @param altitudeAmslMeters its own height

@@ -8,9 +8,10 @@ import org.dronemap.core.geo.PlanePoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Leads one drone beside its target. A carrot runs ahead of the drone as the drone itself could fly: it begins where the drone
- * is, keeps to speeds and fences, and comes up to where the drone has to be when it hears of it; the drone is told to be where
- * the carrot is, and to move with it. Owned by one thread.
+ * Guides one drone to its place beside a target: computes setpoints that keep to limits, zones and other traffic. A
+ * carrot runs ahead of the drone as the drone itself could fly: it begins where the drone is, keeps to speeds and
+ * fences, and comes up to where the drone has to be when it hears of it; the drone is told to be where the carrot is,
+ * and to move with it. Owned by one thread.
  */
 public final class StandOffGuidance {
     /** So long after the newest fix came the drone goes on; then it holds. */

@@ -4,7 +4,10 @@ import java.time.Instant;
 import org.dronemap.core.geo.PlanePoint;
 import org.jspecify.annotations.Nullable;
 
-/** Computes the position and velocity that a drone needs beside a target that moves. Owned by its {@link StandOffGuidance}. */
+/**
+ * Computes the position and velocity that a following drone needs to keep its place beside a moving target. Owned by
+ * its {@link StandOffGuidance}.
+ */
 final class StandOffPosition {
     /** A course that is slower than this is none. */
     private static final double WALKS = 0.6;

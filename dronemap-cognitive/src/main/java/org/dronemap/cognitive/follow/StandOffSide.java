@@ -2,7 +2,7 @@ package org.dronemap.cognitive.follow;
 
 import org.dronemap.core.stored.Stored;
 
-/** On which side of its target a drone stays. */
+/** The side of its target that a following drone stays on: behind, ahead, a fixed bearing or an orbit. */
 public sealed interface StandOffSide {
     /** Behind the target, by its direction of motion. */
     @Stored(as = "Behind")

@@ -9,8 +9,9 @@ import org.dronemap.core.geo.PlanePoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says from a phone's fixes where it is, how it moves and where it will be. What a phone says of its accuracy tells little of how
- * its error changes: each {@link NoiseHypothesis} of that counts as much as it foretold the fixes. Owned by one thread.
+ * Estimates from a followed phone's position fixes where it is, how it moves and where it will be. What a phone says of
+ * its accuracy tells little of how its error changes: each {@link NoiseHypothesis} of that counts as much as it
+ * foretold the fixes. Owned by one thread.
  */
 public final class TargetFilter implements TrackedTarget {
     /** The result of a fix for the filter. */

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.dronemap.core.geo.LocalPlane;
 import org.jspecify.annotations.Nullable;
 
-/** A tracked target: its motion on a local plane at a given time. */
+/** A target that a drone is guided beside: its motion on a local plane at a given time. */
 public interface TrackedTarget {
     /** What its motion is counted in. */
     LocalPlane plane();

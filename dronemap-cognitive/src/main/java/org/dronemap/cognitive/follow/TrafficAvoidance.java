@@ -5,8 +5,9 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 
 /**
- * Drones that one which is led keeps apart from, on the ground or in height, as they are at one moment. The nearer it is, the
- * slower it may come closer; past each other both keep right, and it leaves the way of who gives way to nobody. Immutable.
+ * Changes the velocity of a following drone so that it keeps apart from the other drones in the air. The nearer it is,
+ * the slower it may come closer; past each other both keep right, and it leaves the way of who gives way to nobody.
+ * Immutable.
  */
 public final class TrafficAvoidance {
     public static final TrafficAvoidance NONE = new TrafficAvoidance(List.of(), 0, 0);

@@ -6,7 +6,7 @@ import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Flies a way of a tour so much higher: up where it begins, level with what it was, and down where it ends. */
+/** Raises single legs of a planned tour, to keep drones apart: up at the leg's beginning, down at its end. */
 final class AltitudeLayers {
     private static final double HIGHEST_METERS = 9_000;
     /** How far heights may be off for the command gate. */

@@ -12,7 +12,7 @@ import org.dronemap.core.geo.PlaneSegment;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 
-/** Checks straight pieces of a drone's path against barriers, each on a local plane of its own. */
+/** Checks whether straight pieces of a drone's path enter a forbidden area or leave a required one. */
 public final class BarrierCheck {
     private static final PlanePoint CENTER = new PlanePoint(0, 0);
 

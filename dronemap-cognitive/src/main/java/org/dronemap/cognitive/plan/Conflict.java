@@ -3,7 +3,7 @@ package org.dronemap.cognitive.plan;
 import java.util.Locale;
 import org.dronemap.core.drone.DroneId;
 
-/** Two drones in the air come too near to each other. */
+/** A conflict in a plan: two drones in the air come nearer to each other than the least separation. */
 public record Conflict(DroneId one, DroneId other, double seconds, double horizontalMeters) {
     public String words() {
         return String.format(

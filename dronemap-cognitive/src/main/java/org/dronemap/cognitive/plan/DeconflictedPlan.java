@@ -3,7 +3,7 @@ package org.dronemap.cognitive.plan;
 import java.util.List;
 
 /**
- * A plan whose drones keep apart as far as that could be had.
+ * A plan after deconfliction, with the conflicts between drones that could not be resolved.
  *
  * @param conflicts what is left
  */

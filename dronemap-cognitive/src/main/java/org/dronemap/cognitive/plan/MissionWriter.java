@@ -13,7 +13,7 @@ import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.WaypointTask;
 
-/** Writes a tour as the mission that its drone carries: all heights above sea level, but the take-off's. */
+/** Converts a planned tour to the mission that its drone carries: all heights above sea level, but the take-off's. */
 public final class MissionWriter {
     private static final double HIGHEST_TAKE_OFF_METERS = 500;
     private static final double LONGEST_HOLD_SECONDS = 3_600;

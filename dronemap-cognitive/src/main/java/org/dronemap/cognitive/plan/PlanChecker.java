@@ -13,7 +13,7 @@ import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 
-/** Judges a plan by its problem alone, with arithmetic of its own: nothing here comes from what makes plans. */
+/** Checks a plan against its problem by calculations of its own, independent of the planner's. */
 public final class PlanChecker {
     private PlanChecker() {}
 

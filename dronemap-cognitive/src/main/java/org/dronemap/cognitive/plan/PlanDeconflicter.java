@@ -14,9 +14,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.LocalPlane;
 
 /**
- * Keeps drones apart without changing who visits what in which order: one after the other, the longest tour first, each
- * is led through those before it by leaving later, waiting at stops and flying single ways in a higher layer. Whoever
- * finds no way through comes first next time.
+ * Keeps the drones of a plan apart, one tour after the other, by later departures, waits at stops and higher legs.
+ * Whoever finds no way through comes first next time.
  */
 public final class PlanDeconflicter {
     private static final int MOST_ATTEMPTS = 8;

@@ -8,7 +8,7 @@ import org.dronemap.cognitive.problem.WindResponse;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 
-/** A flight model of its own for checking plans: time and energy of a piece by heading and crab angle. */
+/** A second flight model for checking plans, independent of the search's: time and energy of a straight piece. */
 final class ReferenceFlightModel {
     private static final double STRAIGHT_UP_METERS = 0.05;
 

@@ -13,8 +13,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.LocalPlane;
 
 /**
- * Checks the separation of drones in the air, in time steps so short that no conflict is missed. Drones on the ground
- * count for nothing.
+ * Finds the conflicts between a plan's drones in the air, in time steps so short that none is missed. Drones on the
+ * ground count for nothing.
  */
 public final class SeparationCheck {
     /** Nearer to the limit than this is at it. */

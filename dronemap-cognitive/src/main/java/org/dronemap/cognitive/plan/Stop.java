@@ -3,7 +3,7 @@ package org.dronemap.cognitive.plan;
 import org.dronemap.core.stored.Stored;
 
 /**
- * A visit to a waypoint.
+ * A stop of a planned tour: the visit to one waypoint, with the leg to it, its times and the energy used.
  *
  * @param way how the drone comes there
  * @param beginsSeconds when its task begins: at the arrival, or when its window opens

@@ -2,6 +2,6 @@ package org.dronemap.cognitive.plan;
 
 import org.dronemap.core.stored.Stored;
 
-/** A link from a mission item to the part of a waypoint's task that it does. */
+/** Tells which item of a planned mission does which part of a waypoint's task. */
 @Stored(names = "item waypoint part")
 public record TaskItem(int item, String waypoint, int part) {}

@@ -10,7 +10,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 
-/** Looks at one tour and notes all that is wrong with it. Used once, by one thread. */
+/** Checks one tour of a plan against its problem, and notes all faults. Used once, by one thread. */
 final class TourCheck {
     private static final double SAME_METERS = 0.5;
     private static final double SAME_SECONDS = 1e-3;

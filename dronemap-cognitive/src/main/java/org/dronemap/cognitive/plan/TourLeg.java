@@ -5,8 +5,8 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.stored.Stored;
 
 /**
- * Flown from one stop to the next: straight from fix to fix, standing still for a moment at each. Between two fixes a
- * drone may be at any height between theirs.
+ * A leg of a planned tour from one stop to the next: straight from fix to fix, with a short stand at each. Between two
+ * fixes a drone may be at any height between theirs.
  *
  * @param fixes the first when it sets off, the last when it arrives
  * @param joules drawn on it

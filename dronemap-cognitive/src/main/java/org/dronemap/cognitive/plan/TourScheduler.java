@@ -14,8 +14,8 @@ import org.dronemap.core.geo.LocalPlane;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Leads one drone's tour through others that are settled: way by way with the least delay that is free, and back to the
- * way before when there is none. Used once, by one thread.
+ * Fits one tour of a plan between tours that are settled, by delaying and raising its legs as little as possible. Used
+ * once, by one thread.
  */
 final class TourScheduler {
     private static final double STEP_SECONDS = 2;

@@ -9,9 +9,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.geo.PlaneSegment;
 
-/**
- * The trajectory of one drone in the air as straight pieces, each with its speed and range of heights. Never changes.
- */
+/** The planned trajectory of one drone as straight pieces, each with its speed and range of heights. Never changes. */
 final class TourTrajectory {
     private final Craft craft;
     private final List<Piece> pieces;

@@ -9,7 +9,7 @@ import org.dronemap.core.zone.ShapeValidator;
 import org.dronemap.core.zone.Zone;
 
 /**
- * An area that drones stay in ({@code shape.inside()}), or out of, within its band of altitudes.
+ * An area that planned tours stay in or out of, within its band of altitudes, such as a no-fly zone.
  *
  * @param words what people call it: "the no-fly zone “Airport”"
  * @param drones whom it binds; nobody named: everybody

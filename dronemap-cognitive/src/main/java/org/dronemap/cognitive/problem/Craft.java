@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * A drone that can be planned with.
+ * A drone of a planning problem: its start, end, performance, energy and skills.
  *
  * @param homeAmslMeters what altitudes above its home are counted from
  * @param linkQuality 0 (nothing arrives) to 1 (everything does)

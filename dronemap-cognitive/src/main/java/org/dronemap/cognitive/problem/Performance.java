@@ -4,7 +4,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.stored.Stored;
 
 /**
- * The performance of a vehicle: speeds, power draw and response to wind.
+ * The flight performance that a drone is planned with: speeds, power draw and response to wind.
  *
  * @param assumed nobody measured it: the careful figures of its kind
  */

@@ -4,7 +4,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.stored.Stored;
 
-/** A point in space: WGS-84, metres above mean sea level. */
+/** A point of a planning problem or plan: WGS-84, metres above mean sea level. */
 @Stored(names = "point altitudeAmslMeters")
 public record Place(Geodetic point, double altitudeAmslMeters) {
     public Place {

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.problem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * The power that a vehicle draws hovering, cruising and climbing, in W. An aeroplane hovers by circling.
+ * The power that a vehicle is planned to draw hovering, cruising and climbing, in W. An aeroplane hovers by circling.
  *
  * @param cruise at its cruising speed through still air
  * @param climb straight up at its climbing speed

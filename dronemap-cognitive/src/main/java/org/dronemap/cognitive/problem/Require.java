@@ -2,7 +2,7 @@ package org.dronemap.cognitive.problem;
 
 import java.util.Locale;
 
-/** Refuses what lies outside its range with a sentence that names the field and the range. */
+/** Range checks for values of planning problems; their messages name the field and the range. */
 final class Require {
     private Require() {}
 

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.problem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * Speeds and acceleration of a vehicle, in m/s and m/s²; it stops at each turn and each waypoint.
+ * The speeds and acceleration that a vehicle is planned with, in m/s and m/s²; it stops at each turn and waypoint.
  *
  * @param cruise over ground or through the air, as {@link WindResponse} says
  * @param landing in the last {@link #LANDING_METERS} over the ground

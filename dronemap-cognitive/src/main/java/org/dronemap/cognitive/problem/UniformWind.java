@@ -3,7 +3,7 @@ package org.dronemap.cognitive.problem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * The same wind everywhere.
+ * The wind of a planning problem, the same everywhere.
  *
  * @param fromDegrees where it comes from, clockwise from north
  */

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.problem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * A place that one drone is to visit once.
+ * A waypoint of a planning problem: a place that one drone is to visit once, with its task and time window.
  *
  * @param priority what leaving it out weighs, relative to others
  */

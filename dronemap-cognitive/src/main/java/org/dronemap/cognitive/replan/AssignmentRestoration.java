@@ -7,7 +7,9 @@ import java.util.function.ToDoubleFunction;
 import org.dronemap.cognitive.allocate.Allocation;
 import org.dronemap.cognitive.allocate.Allocator;
 
-/** Gives drones their live orders back where that costs next to nothing, so that fewer have to change. Never changes. */
+/**
+ * In a re-planning, gives drones back the waypoints that they fly now where that costs next to nothing. Never changes.
+ */
 final class AssignmentRestoration {
     /** Which share of the cost a plan may lose for that. */
     private static final double WORTH_LOSING = 0.003;

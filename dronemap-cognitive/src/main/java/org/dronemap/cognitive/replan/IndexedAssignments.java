@@ -11,7 +11,7 @@ import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** Live orders in numbers: waypoints and drones as the problem counts them. Never changes. */
+/** The waypoints that drones are flying, as indexes into a re-planning's problem. Never changes. */
 final class IndexedAssignments {
     private final PlanningProblem problem;
     private final int[][] firm;

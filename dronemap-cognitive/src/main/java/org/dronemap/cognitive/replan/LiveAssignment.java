@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * The assignment that one drone is flying: its open waypoints in order, firm ones first.
+ * The waypoints that one drone of a mission run is flying, in order: first those that stay its own, then the others.
  *
  * @param firm what comes first and stays so, as the waypoint that it is flying to
  * @param next what may be given to others

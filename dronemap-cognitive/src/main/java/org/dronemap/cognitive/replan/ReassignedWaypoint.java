@@ -5,7 +5,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A waypoint that another drone visits than before.
+ * A waypoint that a re-planning gave to another drone than before.
  *
  * @param from nobody, when it is new or was unserved
  * @param to nobody, when it is unserved now

@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * A plan in place of one that is being flown, and what can be said of it.
+ * The result of a re-planning: the new plan, what it changes, its figures and its faults.
  *
  * @param before the live orders as far as they can still be flown, orphans unserved
  * @param iterations how many changes were tried

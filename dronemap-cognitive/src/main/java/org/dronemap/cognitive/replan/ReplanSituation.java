@@ -8,7 +8,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * The input of replanning: the problem as it stands, and the assignments being flown.
+ * The input of a re-planning: the problem as it stands, and the waypoints that drones are flying.
  *
  * @param problem drones where they are when the new plan begins, in flight or on the ground, and the waypoints that may be
  *     given out; what is reserved for a silent vehicle is not among them

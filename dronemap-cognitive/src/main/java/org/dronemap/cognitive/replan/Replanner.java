@@ -15,9 +15,9 @@ import org.dronemap.cognitive.plan.PlanDeconflicter;
 import org.dronemap.cognitive.problem.PlanningProblem;
 
 /**
- * A plan for a situation: one at once, which keeps live orders and puts orphans where they cost least, and one that is
- * better within a budget, for which as few drones as possible change their orders. Both were looked at by the independent
- * checker. Immutable, safe for several threads: the same situation, seed and number of iterations give the same plan.
+ * Plans tours anew while they are flown: at once by keeping most of them, or better within a search budget. Both were
+ * looked at by the independent checker. Immutable, safe for several threads: the same situation, seed and number of
+ * iterations give the same plan.
  */
 public final class Replanner {
     private static final double SEARCH_SHARE = 0.9;

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A key for programs; the secret only as a SHA-256 hash (hexadecimal), since it is 256 random bits.
+ * A key that a program signs in with; only the SHA-256 hash of its secret is kept.
  *
  * @param parent the key that it was made with, and goes with; null: its owner made it
  * @param lastUsedAt to about a minute; null: not used yet

@@ -4,7 +4,9 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 
-/** Keeps users, their sessions and access keys; every write returns only after it is durable. */
+/**
+ * Stores user accounts, browser sessions, access keys and invitations; every write returns only after it is durable.
+ */
 public interface AccessStore {
     List<User> users();
 

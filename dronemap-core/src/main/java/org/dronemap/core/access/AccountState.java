@@ -2,7 +2,7 @@ package org.dronemap.core.access;
 
 import org.dronemap.core.stored.Stored;
 
-/** Sign-in state of a user account. */
+/** State of a user account: waiting for approval, active or disabled. */
 @Stored(names = "WAITING ACTIVE DISABLED")
 public enum AccountState {
     /** Asked for an account; an administrator decides. */

@@ -6,7 +6,7 @@ import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** Effective permissions of a user, evaluated at each call; any thread. Any thread. */
+/** What a user may do with each drone now, by role, organisation and grants; evaluated at each call. Any thread. */
 public interface EffectivePermissions {
     /** All operations. */
     Set<Permission> ALL = Collections.unmodifiableSet(EnumSet.allOf(Permission.class));

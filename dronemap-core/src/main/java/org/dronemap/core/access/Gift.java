@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
 /**
- * A drone that an organisation gave to another one, or that came back.
+ * A transfer of a drone from one organisation to another, which may include its history.
  *
  * @param droneName as it was called then
  * @param at from then on it is the other one's

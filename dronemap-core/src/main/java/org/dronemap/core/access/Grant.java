@@ -8,8 +8,8 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Permissions on certain drones for one user or group, for a time; restricts the role and never extends it. It takes
- * from what a role allows, and never adds to it.
+ * Permissions on certain drones, given to one user or group for a time. It takes from what a role allows, and never
+ * adds to it.
  *
  * @param permissions looking is always among them
  * @param until from then on it is over; null: it does not end by itself

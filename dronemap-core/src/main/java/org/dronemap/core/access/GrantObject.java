@@ -4,8 +4,8 @@ import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 
 /**
- * The drones that a grant covers; a further kind of drone is a further case here. A further kind of drone is a further
- * case here.
+ * The drones that a grant covers: all of the organisation, listed ones, a fleet, or the user's own virtual drones. A
+ * further kind of drone is a further case here.
  */
 public sealed interface GrantObject {
     /** All drones of the organisation, also those to come. */

@@ -13,8 +13,8 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Registry of organisations and grants in force; each change holds at once, for all callers, on any thread. Any thread;
- * who asks never waits.
+ * In-memory registry of organisations and the grants in force; each change takes effect at once for all callers. Any
+ * thread; who asks never waits.
  */
 public final class GrantRegistry {
     /** Drones of recordings that play; only the newest are remembered. */

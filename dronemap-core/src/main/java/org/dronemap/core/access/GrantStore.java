@@ -5,8 +5,8 @@ import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
 
 /**
- * Keeps organisations, groups, fleets and grants; every write returns only after it is durable. Users that are named must
- * be there, and what was granted to them or to a group goes with them.
+ * Stores organisations, groups, fleets, drone owners and grants; every write returns only after it is durable. Users
+ * that are named must be there, and what was granted to them or to a group goes with them.
  */
 public interface GrantStore {
     /** All of it, by name where there is one, else by age; the default organisation is always there. */

@@ -12,7 +12,7 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The past of a drone, which may have been others', as far as it is shown to somebody.
+ * The periods of a drone's history that a user may see, and whether with names of people.
  *
  * @param stretches in any order; they may overlap
  */

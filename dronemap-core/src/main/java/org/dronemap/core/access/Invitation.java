@@ -4,8 +4,7 @@ import java.time.Instant;
 import org.dronemap.core.organisation.OrganisationId;
 
 /**
- * Lets one person make an active account without waiting; the code only as a SHA-256 hash (hexadecimal), since it is
- * 256 random bits.
+ * An invitation code that lets one person create an active account; only the hash of the code is kept.
  *
  * @param label for whom, in the inviting administrator's words
  * @param invitedBy the name that its maker had then

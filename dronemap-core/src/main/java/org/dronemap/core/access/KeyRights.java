@@ -7,8 +7,8 @@ import org.dronemap.core.zone.Bounds;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All rights of an access key; a key made from another one stays within that one's rights. A key made from another one
- * stays within it.
+ * All rights of an access key: role, scope and expiry, compared with those of the key that it was made from. A key made
+ * from another one stays within it.
  *
  * @param expiresAt from then on it allows nothing; null: it does not end by itself
  */

@@ -11,7 +11,7 @@ import org.dronemap.core.zone.Bounds;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Scope of a credential: drones, permissions and bounds; restricts the user's role and never extends it.
+ * Limits of a credential such as an access key: drones, permissions and flight bounds; only restricts the role.
  *
  * @param drones null: all of them, also those to come; others do not exist for it
  * @param permissions looking is always among them

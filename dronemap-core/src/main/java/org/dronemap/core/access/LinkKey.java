@@ -6,8 +6,8 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
 /**
- * The secret of 32 bytes that a vehicle and the cloud share to sign their messages. It never shows itself: what may be
- * told is its fingerprint. Immutable.
+ * The 32-byte secret that two MAVLink peers, such as a vehicle and the cloud, share to sign their messages. It never
+ * shows itself: what may be told is its fingerprint. Immutable.
  */
 public final class LinkKey {
     public static final int BYTES = 32;

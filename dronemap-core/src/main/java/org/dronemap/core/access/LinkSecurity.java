@@ -4,7 +4,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Link security of one drone: policy, signing keys and the last stamp.
+ * MAVLink signing state of one drone: whether it is required, the signing keys and the last signing stamp.
  *
  * @param key null: none was made
  * @param nextKey the key that a change began with and that the vehicle may use already; null: no change is open

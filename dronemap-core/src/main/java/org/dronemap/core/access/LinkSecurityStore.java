@@ -3,7 +3,10 @@ package org.dronemap.core.access;
 import java.util.List;
 import org.dronemap.core.drone.DroneId;
 
-/** Keeps how links are secured; every write returns only after it is durable. Goes with its drone. */
+/**
+ * Stores each drone's MAVLink signing policy, signing keys and last stamp; writes return only once durable. Goes with
+ * its drone.
+ */
 public interface LinkSecurityStore {
     List<LinkSecurity> all();
 

@@ -8,7 +8,7 @@ import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
 
 /**
- * All organisations, groups, fleets, grants and drone owners as stored.
+ * All organisations, groups, fleets, grants and drone owners, as loaded from the GrantStore.
  *
  * @param owners to whom drones belong, also those that are gone; one that is not named belongs to the default organisation
  * @param gifts of drones from one organisation to another

@@ -1,7 +1,7 @@
 package org.dronemap.core.access;
 
 /**
- * Signing key of a user's own ground stations; its secret is never shown.
+ * The key that a user's own ground stations sign MAVLink messages with at the outlet; its secret is never shown.
  *
  * @param stamp the last number that a message signed with it carried; only rises
  */

@@ -3,8 +3,8 @@ package org.dronemap.core.access;
 import java.util.List;
 
 /**
- * Keeps what users attach their own ground stations with. Goes with its user, and a number with its drone as well. Every
- * write returns only after it is durable.
+ * Stores, for the outlet, each user's signing key and the system ids that the user's ground stations see for drones.
+ * Goes with its user, and a number with its drone as well. Every write returns only after it is durable.
  */
 public interface OutletStore {
     List<OutletKey> keys();

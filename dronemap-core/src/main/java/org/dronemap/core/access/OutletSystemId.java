@@ -2,7 +2,7 @@ package org.dronemap.core.access;
 
 import org.dronemap.core.drone.DroneId;
 
-/** The system id, 1 to 255, under which a user's own ground stations know a drone; no two drones of a user share one. */
+/** The MAVLink system id, 1 to 255, by which one user's ground stations at the outlet see a drone; unique per user. */
 public record OutletSystemId(String user, DroneId drone, int systemId) {
     public OutletSystemId {
         if (systemId < 1 || systemId > 255) {

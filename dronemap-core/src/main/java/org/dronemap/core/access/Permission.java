@@ -2,7 +2,7 @@ package org.dronemap.core.access;
 
 import org.dronemap.core.stored.Stored;
 
-/** A permission that keys and grants can leave of a role. */
+/** A permission (view, plan, command, administer) to which an access key or a grant can restrict a role. */
 @Stored(names = "VIEW PLAN COMMAND ADMINISTER")
 public enum Permission {
     VIEW,

@@ -8,8 +8,8 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An authenticated caller; the name is for people, ownership goes by the account. The name is for people; what belongs
- * to whom goes by the account.
+ * An authenticated caller: user name, role, account and, where a key was used, the key's scope. The name is for people;
+ * what belongs to whom goes by the account.
  *
  * @param scope how far the proof reaches
  * @param key the id of the access key that was shown; null: none, or the machine owner's

@@ -4,7 +4,8 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A person; the password only as a salted hash. What a person owns belongs to the id: names are used again.
+ * A user account: name, role, state, organisation and a salted hash of the password. What a person owns belongs to the
+ * id: names are used again.
  *
  * @param mustChangePassword the password is one that somebody else has seen
  * @param organisation where the user belongs, for ever

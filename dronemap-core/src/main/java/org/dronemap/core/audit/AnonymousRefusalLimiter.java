@@ -4,8 +4,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
 /**
- * Limits how many refusals of unauthenticated callers are recorded one by one; the others are counted. The others are
- * counted, so that nobody can fill the disk from outside. Any thread.
+ * Limits how many refused calls of unauthenticated callers get an audit record each; the others are only counted. The
+ * others are counted, so that nobody can fill the disk from outside. Any thread.
  */
 final class AnonymousRefusalLimiter {
     private static final long NANOS_EACH = TimeUnit.SECONDS.toNanos(1);

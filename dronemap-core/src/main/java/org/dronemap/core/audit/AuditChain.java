@@ -5,7 +5,10 @@ import java.security.MessageDigest;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 
-/** Chains audit records by keyed hashes and signs heads; pure but for the key; thread-safe. Thread-safe. */
+/**
+ * Links each audit record to the one before by a keyed hash, and signs chain heads; has no state but its key.
+ * Thread-safe.
+ */
 public final class AuditChain {
     private final KeyedHash seal;
 

@@ -5,7 +5,7 @@ import java.time.temporal.ChronoUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Content of one audit record, of a call or of its ending; never holds a secret.
+ * Content of one audit record: who called what on which drone, and how it ended; never holds a secret.
  *
  * @param at when it was asked for, of an ending: when it ended
  * @param by the user; null: nobody who could prove to be one

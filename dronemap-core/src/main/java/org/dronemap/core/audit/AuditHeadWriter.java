@@ -8,7 +8,10 @@ import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Writes down outside of the database, every few seconds, how long the chain is. A thread of its own; any may call. */
+/**
+ * Signs the current head of the audit chain every ten seconds and stores it outside the database. A thread of its own;
+ * any may call.
+ */
 public final class AuditHeadWriter implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(AuditHeadWriter.class);
     private static final Duration PERIOD = Duration.ofSeconds(10);

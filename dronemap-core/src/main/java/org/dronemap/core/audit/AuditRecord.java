@@ -1,7 +1,7 @@
 package org.dronemap.core.audit;
 
 /**
- * An entry in its place in the chain.
+ * An audit entry with its number and hash in the audit chain.
  *
  * @param sequence from 1, without gaps
  * @param hash over all of this record and the hash of the one before

@@ -6,7 +6,9 @@ import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Opens, ends and records the calls of all faces: each one leaves exactly one record. Any thread. */
+/**
+ * Opens and ends the audit record of each user call (page, REST, SOAP, stream): exactly one record a call. Any thread.
+ */
 public final class AuditRecorder {
     /** So many refusals of strangers are recorded one by one, and one more a second. */
     public static final long ANONYMOUS_REFUSALS = 2_000;

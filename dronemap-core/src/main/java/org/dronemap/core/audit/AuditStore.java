@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Keeps the records in their chain. Where the changes themselves are kept in the same place, they and their records become
- * durable together ({@link AuditedCall}).
+ * Stores the chained audit records. Where the changes themselves are kept in the same place, they and their records
+ * become durable together ({@link AuditedCall}).
  */
 public interface AuditStore {
     /** Returns when it is durable. An ending of a command finds the command's record by itself. */

@@ -3,7 +3,7 @@ package org.dronemap.core.audit;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** Texts as records hold them: of bounded length, on one line, and the same when they are read back from any store. */
+/** Cleans texts for audit records: one line, bounded length, secrets hidden, the same after being read back. */
 public final class AuditText {
     private static final String HIDDEN = "[hidden]";
     /** So many letters and digits in a row that nobody means them as a word; or a password as servers here make them. */

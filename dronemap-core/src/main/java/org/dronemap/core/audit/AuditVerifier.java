@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** Walks the whole chain and compares it with the heads that were kept outside of it. One use each; any thread. */
+/**
+ * Verifies the whole audit chain, also against the signed heads that were stored outside the database. One use each;
+ * any thread.
+ */
 public final class AuditVerifier {
     private static final int AT_ONCE = 1_000;
 

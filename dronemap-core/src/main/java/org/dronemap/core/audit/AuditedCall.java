@@ -9,9 +9,10 @@ import org.dronemap.core.access.Principal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One call from its beginning to its end, and the record that it leaves. The first change that a store makes durable
- * during a call takes the call's record along, so that neither is ever there without the other; a call without one leaves
- * its record at its end. Belongs to the threads that work for the call; guarded by its monitor.
+ * The user call that the current threads work on, from its beginning to its end, and the audit record that it leaves.
+ * The first change that a store makes durable during a call takes the call's record along, so that neither is ever
+ * there without the other; a call without one leaves its record at its end. Belongs to the threads that work for the
+ * call; guarded by its monitor.
  */
 public final class AuditedCall {
     private static final ThreadLocal<@Nullable AuditedCall> CURRENT = new ThreadLocal<>();

@@ -2,7 +2,7 @@ package org.dronemap.core.audit;
 
 import org.jspecify.annotations.Nullable;
 
-/** The record of a call, with its end where that came later; what people look at. */
+/** The audit record of a call joined with the record of its end; as shown to people. */
 public record AuditedCallRecord(
         AuditRecord record, @Nullable AuditRecord ending) {
     private AuditEntry last() {

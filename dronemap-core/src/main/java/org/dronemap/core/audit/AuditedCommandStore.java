@@ -15,7 +15,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** The log of commands, each of which leaves one record with its intent, and that record's ending with its outcome. */
+/** A CommandStore that also writes an audit record of each command's intent and of its outcome. */
 public final class AuditedCommandStore implements CommandStore {
     private final CommandStore store;
     private final AuditStore audit;

@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
-/** Values one after the other as bytes that could come from no other values: each with its length before it. */
+/** Encodes a list of values unambiguously as bytes, each with its length before it, as input of a keyed hash. */
 final class CanonicalEncoder {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.dronemap.core.stored.Stored;
 
 /**
- * A head that this server vouches for: a line of the file beside the database, or a receipt that somebody keeps.
+ * A head of the audit chain signed by this server: a line in the file beside the database, or a user's receipt.
  *
  * @param at to the millisecond
  */

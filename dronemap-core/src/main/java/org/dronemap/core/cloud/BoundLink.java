@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.event.DroneEvent;
 
-/** One session's way up to its drone. */
+/** The DroneLink of one session that is bound to a drone: passes on what arrives while the session is current. */
 final class BoundLink implements DroneLink {
     private final ManagedDrone drone;
     private final LinkSession session;

@@ -5,7 +5,7 @@ import org.dronemap.core.drone.Identification;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Claim of a new session to speak for a vehicle, with the evidence that it shows.
+ * A new session's claim to be a certain vehicle, with its evidence; resolved by IdentityResolver.
  *
  * @param proof null when it shows none
  * @param trusted unknown vehicles of this listener are let in by themselves

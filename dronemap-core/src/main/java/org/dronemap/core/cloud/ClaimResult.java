@@ -1,6 +1,6 @@
 package org.dronemap.core.cloud;
 
-/** Result of a claim: bound to a drone, or not admitted yet. */
+/** Result that a vehicle session gets for its claim: bound to a drone, or not admitted yet. */
 public sealed interface ClaimResult {
     /** It speaks for a drone. */
     record Bound(DroneLink link) implements ClaimResult {}

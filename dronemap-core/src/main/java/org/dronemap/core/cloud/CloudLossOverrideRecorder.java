@@ -14,7 +14,10 @@ import org.dronemap.core.parameter.OverriddenParameter;
 import org.dronemap.core.parameter.ParameterValue;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps what the owner of one drone had set, and what is told of one command that sets it or puts it back. On its lane. */
+/**
+ * Records, for one command that sets or restores a drone's cloud-loss parameters, the owner's values and the result. On
+ * its lane.
+ */
 final class CloudLossOverrideRecorder implements ParameterOverrideRecorder {
     private final DroneState drone;
     private final ParameterOverrideRegistry desk;

@@ -26,8 +26,8 @@ import org.dronemap.core.safety.ReturnEnding;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Has one vehicle come home by itself when it does not hear the cloud any more: before it is armed from here for the first time,
- * and as its owner had it again once nobody has control of it. Both only while it stands disarmed. Owned by the drone's lane.
+ * Before the first arming here, sets a vehicle to return on loss of the cloud; restores the owner's values later. Both
+ * only while it stands disarmed. Owned by the drone's lane.
  */
 final class CloudLossPreparation implements FlightPreparation {
     /** Longer nobody waits for it who wants to fly. */

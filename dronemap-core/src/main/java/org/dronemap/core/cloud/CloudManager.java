@@ -47,7 +47,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The one registry of drones. Links bring vehicles in, faces read states, listeners hear of changes. Any thread. */
+/**
+ * Entry point of the cloud manager: vehicle sessions register here; REST, SOAP and stream read drone states here. Links
+ * bring vehicles in, faces read states, listeners hear of changes. Any thread.
+ */
 public final class CloudManager {
     private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
 

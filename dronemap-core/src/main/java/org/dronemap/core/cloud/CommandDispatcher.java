@@ -24,7 +24,10 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
-/** Carries out what was let through and written, each command to its one outcome. On the drones' lanes. */
+/**
+ * Sends commands that were accepted and stored to their vehicles, each until it has its one outcome. On the drones'
+ * lanes.
+ */
 final class CommandDispatcher {
     private static final Refusal NO_LINK = new Refusal(OutcomeCode.LINK_MISSING, "There is no link to the drone.");
 

@@ -36,8 +36,8 @@ import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The one door for commands, whoever they come from: decides, writes the intent, sends, and sees to it that each one
- * ends in exactly one outcome. Any thread; what is under way belongs to the drone's lane.
+ * The single entry point for all commands: checks, stores the intent, sends, and ensures exactly one outcome. Any
+ * thread; what is under way belongs to the drone's lane.
  */
 public final class CommandGate {
     static final String GATE = "gate";

@@ -13,8 +13,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Writes what is going to be sent before it is. What brings a drone to safety waits for that a moment at most, and what a rule
- * commands not at all: neither is kept back by a store that is in trouble. Any thread.
+ * Stores the intent of a command before it is sent; for commands to safety it waits a moment at most. What brings a
+ * drone to safety waits for that a moment at most, and what a rule commands not at all: neither is kept back by a store
+ * that is in trouble. Any thread.
  */
 final class CommandIntentWriter {
     private static final Logger LOG = LoggerFactory.getLogger(CommandIntentWriter.class);

@@ -12,7 +12,10 @@ import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.ControlState;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** Takes down what becomes of control without a call: by time, by a pilot at the vehicle, by rights that end. Any thread. */
+/**
+ * Writes audit records of control changes that no call caused: expiry, a pilot at the vehicle, rights that end. Any
+ * thread.
+ */
 public final class ControlAuditListener implements CloudListener {
     private static final String FACE = "rule";
     private static final String SERVER = "dronemap";

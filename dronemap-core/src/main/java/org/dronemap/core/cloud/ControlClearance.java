@@ -3,7 +3,7 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.command.Refusal;
 import org.jspecify.annotations.Nullable;
 
-/** Clearance of a command by control of the drone: open under an epoch, or closed with a refusal. */
+/** Result of checking a command against control of its drone: cleared under a control epoch, or refused. */
 sealed interface ControlClearance {
     /** It may, as long as the fence lets it; {@code epoch} is null where nobody has ever had control. */
     record Cleared(@Nullable Long epoch, EpochGuard fence) implements ControlClearance {}

@@ -13,7 +13,7 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
 import org.dronemap.core.time.Time;
 
-/** Gate for changes of control: taking, requesting, handing over and releasing; any thread. Any thread. */
+/** The single entry point for users to take, request, hand over and release control of drones. Any thread. */
 public final class ControlGate {
     private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
 

@@ -31,8 +31,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sees to it that control of one drone has its effects: old commands stop, a lost holder's drone is brought to safety, a
- * pilot at the vehicle goes before everybody. Owned by the drone's lane.
+ * Carries out effects of control changes of one drone: cancels old commands, secures a drone that lost its holder.
+ * Owned by the drone's lane.
  */
 final class ControlWatch implements Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(ControlWatch.class);

@@ -30,8 +30,8 @@ import org.dronemap.core.lease.SavedLease;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The control of one drone: takes one event after the other, keeps what outlives the process, and stands as a fence before
- * the wire. Any thread: decisions and sendings exclude each other by its monitor, under which nobody waits.
+ * Holds who controls one drone: applies lease events, stores leases, and blocks sending by former holders. Any thread:
+ * decisions and sendings exclude each other by its monitor, under which nobody waits.
  */
 final class DroneControl {
     private final DroneId drone;

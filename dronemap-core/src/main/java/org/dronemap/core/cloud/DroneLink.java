@@ -6,8 +6,8 @@ import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.event.DroneEvent;
 
 /**
- * Link of a session up to its drone; call {@code heard} and {@code accept} on the lane only. Call {@code heard} and
- * {@code accept} on the lane only.
+ * A vehicle session's handle on its drone, through which it reports messages, events and link quality. Call {@code
+ * heard} and {@code accept} on the lane only.
  */
 public interface DroneLink {
     DroneId id();

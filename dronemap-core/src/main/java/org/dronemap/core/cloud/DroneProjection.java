@@ -39,7 +39,10 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
 
-/** The facts of one drone as they come in. Owned by the drone's lane; {@link #state()} may be read from anywhere. */
+/**
+ * Builds the current state of one drone from the events of its vehicle. Owned by the drone's lane; {@link #state()} may
+ * be read from anywhere.
+ */
 final class DroneProjection {
     private static final Duration BETWEEN_SIGNS = Duration.ofSeconds(1);
 

@@ -9,7 +9,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.jspecify.annotations.Nullable;
 
-/** All drones, and how to find one. Any thread. */
+/** In-memory registry of all drones, found by id or by hardware id. Any thread. */
 final class DroneRegistry {
     private final ConcurrentHashMap<DroneId, ManagedDrone> drones = new ConcurrentHashMap<>();
 

@@ -1,6 +1,6 @@
 package org.dronemap.core.cloud;
 
-/** Stands before the wire: lets what belongs to a command pass only as long as the command may still act. */
+/** Checked just before each send to a vehicle: drops it once control has passed to somebody else. */
 public interface EpochGuard {
     /** Lets everything pass. */
     EpochGuard NONE = send -> {

@@ -5,7 +5,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.CloudLossState;
 
 /**
- * Prepares a vehicle before the first flight commanded here, and reverts that after the last; on its lane. On its lane.
+ * Prepares a vehicle before its first flight commanded by this cloud, and reverts that after the last one. On its lane.
  */
 interface FlightPreparation extends Lane.Ticker {
     /** Nothing. */

@@ -15,7 +15,10 @@ import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.lease.LeaseRules;
 import org.jspecify.annotations.Nullable;
 
-/** Stops one drone when the control of a user has ended and it does not stand by itself. Owned by the drone's lane. */
+/**
+ * Makes one drone hold its position when its user's control has ended and it would go on moving. Owned by the drone's
+ * lane.
+ */
 final class HoldOnControlLoss {
     private static final double STANDS_METERS_PER_SECOND = 0.1;
     private static final Set<ControlChange.Kind> ENDS = EnumSet.of(

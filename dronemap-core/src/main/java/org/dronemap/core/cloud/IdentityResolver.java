@@ -9,9 +9,9 @@ import org.dronemap.core.drone.IdentityTrust;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Resolves a claim to the drone it speaks for: proof counts at once, hardware id and address only when nobody else
- * does. Proof (a link or signature of its own) is believed at once; a hardware id or an address only when nobody else
- * speaks for that drone, and never for one that has shown proof before. Any thread.
+ * Decides which drone a new session speaks for: proof counts at once, hardware id and address only when unclaimed.
+ * Proof (a link or signature of its own) is believed at once; a hardware id or an address only when nobody else speaks
+ * for that drone, and never for one that has shown proof before. Any thread.
  */
 final class IdentityResolver {
     /** So long must a drone have been silent before another address may be it without proof. */

@@ -3,7 +3,7 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.drone.DroneKey;
 
 /**
- * One vehicle on one link.
+ * One vehicle's session on a link as the cloud manager sees it: address, transport and the channel to send by.
  *
  * @param transport udp, tcp, … or "replay"
  * @param replay the bytes come from a recording: nothing is ever sent down

@@ -23,7 +23,10 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
 import org.jspecify.annotations.Nullable;
 
-/** A drone with its link and liveness. Owned by its lane, except where a method says otherwise. */
+/**
+ * The cloud's live object for one drone: its state, link, liveness and control. Owned by its lane, except where a
+ * method says otherwise.
+ */
 final class ManagedDrone implements Lane.Ticker {
     private static final long JUST_NANOS = 120_000_000_000L;
 

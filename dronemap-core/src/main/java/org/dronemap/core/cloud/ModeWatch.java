@@ -12,8 +12,8 @@ import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Notices that somebody else than this cloud chose the mode of one drone: a pilot with a remote control, or another ground
- * station. Owned by the drone's lane.
+ * Detects that one drone's flight mode was changed from outside this cloud: by a pilot or another ground station. Owned
+ * by the drone's lane.
  */
 final class ModeWatch {
     /** A fail-safe says why it changes the mode about when it does. */

@@ -23,7 +23,10 @@ import org.dronemap.core.safety.ReturnPlanner;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
-/** Tells once a second what becomes of one drone in the air. Owned by the drone's lane. */
+/**
+ * Updates once a second the forecast of what happens to one flying drone when control of it ends. Owned by the drone's
+ * lane.
+ */
 final class OutlookWatch {
     private static final long RHYTHM_NANOS = Duration.ofSeconds(1).toNanos();
 

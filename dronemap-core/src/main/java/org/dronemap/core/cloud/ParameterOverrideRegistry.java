@@ -10,8 +10,8 @@ import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.drone.ParameterOverrides;
 
 /**
- * Registry of the owners' settings that the cloud has overridden, in memory and stored. Any thread; each drone's
- * belongs to its lane.
+ * Owners' vehicle parameters that the cloud has overridden for loss of the cloud; in memory and stored. Any thread;
+ * each drone's belongs to its lane.
  */
 final class ParameterOverrideRegistry {
     private final ParameterOverrideStore store;

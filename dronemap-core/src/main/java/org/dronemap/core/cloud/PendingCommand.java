@@ -5,7 +5,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.rule.CommandTracker;
 import org.dronemap.core.command.CommandRecord;
 
-/** A command on its way, with the promise of its outcome, and what stands between it and the wire. */
+/** A command under way: its tracker, drone and clearance, and the future of its outcome. */
 record PendingCommand(
         CommandTracker open,
         ManagedDrone drone,

@@ -11,7 +11,10 @@ import org.dronemap.core.command.Contention;
 import org.dronemap.core.drone.Capabilities;
 import org.jspecify.annotations.Nullable;
 
-/** The commands whose outcome is not known, or not written yet. Any thread; each one belongs to its drone's lane. */
+/**
+ * All commands under way: those whose outcome is not known or not stored yet. Any thread; each one belongs to its
+ * drone's lane.
+ */
 final class PendingCommands {
     private final ConcurrentHashMap<CommandId, PendingCommand> all = new ConcurrentHashMap<>();
 

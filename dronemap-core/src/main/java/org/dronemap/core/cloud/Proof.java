@@ -4,7 +4,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Evidence;
 import org.jspecify.annotations.Nullable;
 
-/** Evidence that nobody but the vehicle itself can show. */
+/** Proof of a vehicle's identity: an authenticated link, or messages signed with the drone's key. */
 public sealed interface Proof {
     Evidence evidence();
 

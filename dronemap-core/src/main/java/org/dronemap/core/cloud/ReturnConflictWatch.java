@@ -7,8 +7,8 @@ import org.dronemap.core.drone.Severity;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Warns when one drone flies so high above its return height that without the cloud it would come home as high as another near
- * it: heights to return at are chosen on the ground, when nobody knows yet how high it will fly. On the drone's lane.
+ * Warns when one drone flies so high that on loss of the cloud it would fly home at the height of another drone. On the
+ * drone's lane.
  */
 final class ReturnConflictWatch {
     private static final long RHYTHM_NANOS = Duration.ofSeconds(5).toNanos();

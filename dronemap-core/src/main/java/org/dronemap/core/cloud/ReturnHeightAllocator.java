@@ -17,8 +17,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Allocates a return height to each drone in use, so that paths home do not cross at one height; any thread. Any
- * thread: choices exclude each other, so that two drones that are armed at the same moment do not get the same height.
+ * Allocates a return height to each drone in use, so that no two drones' ways home cross at one height. Any thread:
+ * choices exclude each other, so that two drones that are armed at the same moment do not get the same height.
  */
 final class ReturnHeightAllocator {
     private final DroneRegistry registry;

@@ -26,8 +26,8 @@ import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Brings a drone down that nobody has control of and whose time to be taken is over: what does not work is followed by the
- * next best, again and again, until it is on the ground or somebody takes it. Owned by the drone's lane.
+ * Brings a flying drone home or down after control ended and nobody took over; tries the next best way on failure.
+ * Owned by the drone's lane.
  */
 final class ReturnWatch {
     /** What was tried in vain is not tried again for so long. */

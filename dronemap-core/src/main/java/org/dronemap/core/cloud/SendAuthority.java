@@ -4,7 +4,7 @@ import org.dronemap.core.command.CommandId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Authority for one send to a vehicle: command, control epoch, user, and the guard that may stop it.
+ * On whose authority something is sent to a vehicle: command, control epoch, user, and the guard that may stop it.
  *
  * @param command null: the cloud's own housekeeping
  * @param epoch null where nobody has ever had control

@@ -19,9 +19,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The setpoints of one drone: hands the newest on, and sees to it that the vehicle stands still once no more come. Each turn
- * at the helm, from its first setpoint to its last, is one entry of the log of commands. Setpoints come from any thread, of
- * which only the newest waits; everything else belongs to the drone's lane.
+ * Sends the newest setpoint to one drone, and stops the drone once no more setpoints come. Each turn at the helm, from
+ * its first setpoint to its last, is one entry of the log of commands. Setpoints come from any thread, of which only
+ * the newest waits; everything else belongs to the drone's lane.
  */
 final class SetpointForwarder implements Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(SetpointForwarder.class);

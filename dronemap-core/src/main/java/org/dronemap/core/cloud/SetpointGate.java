@@ -14,8 +14,8 @@ import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.CommandRoutes;
 
 /**
- * The one door for setpoints, whoever steers: each one is judged like a command, and then the newest goes to the vehicle as
- * long as its source goes on and keeps control. Any thread; nothing here waits.
+ * The single entry point for setpoints: checks each one like a command, and passes the newest on to the vehicle. Any
+ * thread; nothing here waits.
  */
 public final class SetpointGate {
     private static final String GATE = "gate";

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Filters repeated refusals to steer, so that each is recorded at most every ten seconds. Holds the newest few; owned
- * by the drone's lane.
+ * Limits records of refused setpoints: the same refusal at most every ten seconds. Holds the newest few; owned by the
+ * drone's lane.
  */
 final class SetpointRefusalFilter {
     static final long AGAIN_NANOS = 10_000_000_000L;

@@ -2,7 +2,7 @@ package org.dronemap.core.cloud;
 
 import org.dronemap.core.drone.DroneId;
 
-/** A caller named a drone that is not there. */
+/** Thrown when a caller names a drone that does not exist. */
 public final class UnknownDroneException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

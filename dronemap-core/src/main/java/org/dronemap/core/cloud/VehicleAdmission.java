@@ -8,7 +8,7 @@ import org.dronemap.core.drone.Severity;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Receives claims: whom they speak for, and who has to wait outside. Thread-safe. */
+/** Admits new vehicle sessions: binds each to its drone, or keeps it waiting for a user's decision. Thread-safe. */
 final class VehicleAdmission {
     private static final Logger LOG = LoggerFactory.getLogger(VehicleAdmission.class);
 

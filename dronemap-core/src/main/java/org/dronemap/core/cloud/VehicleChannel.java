@@ -5,7 +5,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
 
-/** The way down to one vehicle; every call comes on the drone's lane, returns at once, and is answered there. */
+/** Sends commands and setpoints to one vehicle; implemented by each protocol's session, called on the drone's lane. */
 public interface VehicleChannel {
     /**
      * Starts to carry a command out; {@code report} hears of it until it ended, exactly once. All that is sent for it

@@ -7,7 +7,7 @@ import org.dronemap.core.drone.Identification;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A vehicle that nobody has let in: nothing is sent to it but the question who it is.
+ * A connected vehicle that is not admitted yet; it is sent nothing but a request for its identity.
  *
  * @param claims the drone that it says it is, without showing it; null for one that nobody knows
  */

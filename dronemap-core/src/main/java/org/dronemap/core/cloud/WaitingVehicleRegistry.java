@@ -13,8 +13,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.dronemap.core.drone.DroneKey;
 
 /**
- * Vehicles that wait to be let in. Bounded in all and for each address, so that a flood of one cannot keep others out;
- * who falls silent loses the place. Thread-safe.
+ * In-memory registry of vehicles that are connected and wait to be admitted. Bounded in all and for each address, so
+ * that a flood of one cannot keep others out; who falls silent loses the place. Thread-safe.
  */
 final class WaitingVehicleRegistry {
     private static final int PLACES = 500;

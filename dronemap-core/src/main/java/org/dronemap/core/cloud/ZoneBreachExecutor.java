@@ -24,8 +24,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Carries out what a breach of a zone asks for, through the gate like everybody; on a thread of its own, since no lane
- * waits for a disk. Tried again while it fails, a few times.
+ * Commands the action of a breached zone (hold, return, land), on a thread of its own. Tried again while it fails, a
+ * few times.
  */
 final class ZoneBreachExecutor {
     /** The way in that commands of the zones come by. */

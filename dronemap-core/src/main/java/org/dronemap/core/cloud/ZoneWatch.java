@@ -19,7 +19,10 @@ import org.dronemap.core.zone.ZoneBreachDetector;
 import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.core.zone.ZoneRules;
 
-/** Watches drones in flight against the zones: warns before a breach and acts on one. Each drone on its own lane. */
+/**
+ * Watches flying drones against the zones: warns before a breach, and has the zone's action commanded on one. Each
+ * drone on its own lane.
+ */
 final class ZoneWatch implements CloudListener {
     private static final long RHYTHM_NANOS = 100_000_000L;
     private final ZoneRegistry book;

@@ -15,7 +15,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A discrete command to a drone; each one ends in exactly one {@link Outcome}. Discrete: each one ends in exactly one
+ * A discrete command to a drone, such as to arm, take off or upload a mission. Discrete: each one ends in exactly one
  * {@link Outcome}.
  */
 public sealed interface Command {

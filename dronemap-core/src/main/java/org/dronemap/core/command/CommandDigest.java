@@ -10,8 +10,8 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A digest of who asks for a command and all that it says, by which the same one is told from another under the same id: SHA-256 of its components
- * in their order. What it is made of is read from the records themselves, so that no component is forgotten.
+ * SHA-256 digest of a command and its user, by which a retry under the same id is told from a different command. What
+ * it is made of is read from the records themselves, so that no component is forgotten.
  */
 public final class CommandDigest {
     private CommandDigest() {}

@@ -3,7 +3,7 @@ package org.dronemap.core.command;
 import java.util.regex.Pattern;
 import org.dronemap.core.stored.Stored;
 
-/** Names one command for ever; the same id twice acts once. */
+/** Unique id of a command, chosen by whoever gives it; the same id given twice acts once. */
 @Stored(names = "value")
 public record CommandId(String value) {
     private static final Pattern FORM = Pattern.compile("[A-Za-z0-9_-]{8,64}");

@@ -5,8 +5,8 @@ import java.util.stream.Stream;
 import org.dronemap.core.drone.Capability;
 
 /**
- * Kinds of commands with their properties, on which all judges of commands switch without a default. Vehicles alone
- * have one: they cannot do what they do not say that they can.
+ * Kinds of commands, each with the capability it needs, its purpose, its effects and what it competes with. Vehicles
+ * alone have one: they cannot do what they do not say that they can.
  */
 public enum CommandKind {
     ARM("Arm", Capability.ARM, Contention.ARMING, Purpose.FLY, Movement.NONE, DeferredEffect.NOTHING),

@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A command with who asked, and how far it is; immutable, a newer one replaces it.
+ * Record of a command: who gave it, what it asks for, and its progress and outcome; immutable.
  *
  * @param face the way in: page, rest, soap, stream
  * @param summary the phrase for people

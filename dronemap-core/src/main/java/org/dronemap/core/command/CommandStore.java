@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
 
-/** The log of commands: intent before anything is sent, outcome after; every write returns only after it is durable. */
+/** Stores the log of commands: intent before sending, outcome after; every write returns only after it is durable. */
 public interface CommandStore {
     /** Writes the intent (or an already refused command); false when the id is taken, and then nothing is written. */
     boolean begin(CommandRecord command);

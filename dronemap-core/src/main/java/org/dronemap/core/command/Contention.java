@@ -1,6 +1,6 @@
 package org.dronemap.core.command;
 
-/** Classes of commands that compete with each other on one vehicle. */
+/** Classes of commands that cannot be under way on one vehicle at the same time, such as two mission transfers. */
 public enum Contention {
     /** Motors on or off; the newer one wins. */
     ARMING,

@@ -1,6 +1,6 @@
 package org.dronemap.core.command;
 
-/** Effect of a command on where its drone flies by itself later; bounds are checked against it. */
+/** Effect of a command on where its drone would fly later by itself, such as home; checked against flight bounds. */
 public enum DeferredEffect {
     NOTHING,
     /** Parameters that say so: nobody knows which way, beforehand. */

@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** Stand still at once, and give up whatever it was driving to. */
+/** Command to a vehicle: stop at once and drop its current goal. */
 @Stored(as = "EmergencyStop")
 public record EmergencyStop() implements Command.Standalone {
     @Override

@@ -5,7 +5,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Go to a place in the vehicle's own frame, such as the map of a building: metres, each at most 100 km.
+ * Command to a robot: go to a point in its own frame, such as a building map; metres, each at most 100 km.
  *
  * @param zMeters null for what stays on the ground
  */

@@ -3,7 +3,7 @@ package org.dronemap.core.command;
 import java.util.BitSet;
 
 /**
- * Receives the pieces of a vehicle's log in any order; returns at once; called on the drone's lane. Returns at once;
+ * Receives a vehicle's on-board log piece by piece while it is downloaded; called on the drone's lane. Returns at once;
  * called on the drone's lane.
  */
 public interface LogSink {

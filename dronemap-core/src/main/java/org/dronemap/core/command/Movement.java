@@ -1,8 +1,8 @@
 package org.dronemap.core.command;
 
 /**
- * Immediate effect of a command on where its drone is and goes; rules switch on it without a default. Zones, the state
- * of the drone and whoever watches modes judge a command by this, without a default.
+ * Immediate effect of a command on its drone's motion, such as climb, turn or go to a point; used by safety rules.
+ * Zones, the state of the drone and whoever watches modes judge a command by this, without a default.
  */
 public enum Movement {
     /** It goes on with what it is at, in the mode that it is in. */

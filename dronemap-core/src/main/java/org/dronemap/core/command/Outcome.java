@@ -3,7 +3,7 @@ package org.dronemap.core.command;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** Outcome of a command; each command ends in exactly one. */
+/** The outcome of a command: succeeded, refused, failed, timed out, superseded or unknown. */
 public sealed interface Outcome {
     /** What there is of outcomes; switched over without a default, so that a forgotten one does not compile. */
     enum Kind {

@@ -6,8 +6,8 @@ import org.dronemap.core.stored.Stored;
 import org.dronemap.core.stored.StoredNames;
 
 /**
- * Stable code for programs why a command did not succeed; the sentence beside it is for people. What a word is stored
- * as is what programs read.
+ * Stable code for why a command did not succeed, for programs; a sentence for people comes with it. What a word is
+ * stored as is what programs read.
  */
 @Stored(
         names = "drone-not-of-key role-may-not-command key-may-not-command command-not-granted "

@@ -8,8 +8,8 @@ import org.dronemap.core.parameter.ParameterValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Records the owner's settings before the cloud overrides them; on the drone's lane, returns at once. Called on the
- * drone's lane; returns at once.
+ * Is told the owner's parameter values before a vehicle adapter overrides them, so that they can be restored. Called on
+ * the drone's lane; returns at once.
  */
 public interface ParameterOverrideRecorder {
     /**

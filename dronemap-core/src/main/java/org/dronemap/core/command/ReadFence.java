@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** Read the fence that the vehicle keeps. */
+/** Command to a vehicle: report the fence that it keeps on board. */
 @Stored(as = "ReadFence")
 public record ReadFence() implements Command.Standalone {
     @Override

@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** Ask the vehicle where its home is. */
+/** Command to a vehicle: report its home position. */
 @Stored(as = "ReadHome")
 public record ReadHome() implements Command.Standalone {
     @Override

@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** List the logs that the vehicle keeps. */
+/** Command to a vehicle: list the flight logs that it keeps on board. */
 @Stored(as = "ReadLogs")
 public record ReadLogs() implements Command.Standalone {
     @Override

@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** Ask the vehicle for the map that it goes by. */
+/** Command to a robot: send the map that it navigates by. */
 @Stored(as = "ReadMap")
 public record ReadMap() implements Command.Standalone {
     @Override

@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** Read the rally points that the vehicle keeps. */
+/** Command to a vehicle: report the rally points that it keeps on board. */
 @Stored(as = "ReadRallyPoints")
 public record ReadRallyPoints() implements Command.Standalone {
     @Override

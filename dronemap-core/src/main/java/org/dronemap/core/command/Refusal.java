@@ -1,4 +1,4 @@
 package org.dronemap.core.command;
 
-/** Refusal of a request: a code for programs and a sentence for people. */
+/** Why a command or setpoint was refused: a code for programs and a sentence for people. */
 public record Refusal(OutcomeCode code, String sentence) {}

@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronemap.core.parameter.OverriddenParameter;
 import org.dronemap.core.stored.Stored;
 
-/** Set what the cloud had changed as the vehicle's owner had it; what somebody else has changed since stays. */
+/** Command to a vehicle: restore the owner's values of parameters that the cloud has overridden. */
 @Stored(as = "PutBack", names = "values keeper")
 public record RestoreParameters(List<OverriddenParameter> values, ParameterOverrideRecorder keeper)
         implements Command.Standalone {

@@ -5,8 +5,8 @@ import org.dronemap.core.parameter.OverriddenParameter;
 import org.dronemap.core.stored.Stored;
 
 /**
- * Have the vehicle come home or down by itself when it does not hear the cloud any more, as far as its owner has not set
- * something like it; loosens nothing. What the owner had set is kept before anything is written.
+ * Command to a vehicle: set its fail-safe so that it returns or lands by itself on loss of the cloud. What the owner
+ * had set is kept before anything is written.
  *
  * @param afterSeconds so long it shall wait, where that concerns nothing but the cloud
  * @param kept from earlier: where the vehicle shows what the cloud had written, the owner's value is still that of then

@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.dronemap.core.stored.Stored;
 
 /**
- * Sets the height over home at which a vehicle returns, whoever or whatever makes it return.
+ * Command to a vehicle: set the height above home at which it returns.
  *
  * @param atLeast what is set higher stays: there may be something to fly over
  */

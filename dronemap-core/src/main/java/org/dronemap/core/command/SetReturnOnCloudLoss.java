@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** Come home by itself when the cloud falls silent while it waits for what it is led by; what its owner set for that stays. */
+/** Command to a following drone: return home by itself if the cloud is lost while it waits for guidance. */
 @Stored(as = "ReturnOnLoss")
 public record SetReturnOnCloudLoss() implements Command.Standalone {
     @Override

@@ -8,8 +8,8 @@ import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A motion setpoint, repeated by whoever steers: the newest counts, and none for longer than half a second. No {@link
- * Command}: a single one has no outcome, and one that is lost is replaced by the next.
+ * A target velocity, stick position or moving point that steers a drone; the newest counts, for half a second. No
+ * {@link Command}: a single one has no outcome, and one that is lost is replaced by the next.
  */
 public sealed interface Setpoint {
     double WHOLE_TURN = 360;

@@ -15,7 +15,9 @@ import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.core.virtual.VirtualRunStage;
 import org.jspecify.annotations.Nullable;
 
-/** Takes down which drone serves which virtual one, and what became of it. Owned by the conductor's thread. */
+/**
+ * Writes audit records of which real drone serves a virtual drone, and how that ended. Owned by the conductor's thread.
+ */
 public final class BindingAuditListener implements VirtualDroneListener {
     private static final String SERVER = "dronemap";
 

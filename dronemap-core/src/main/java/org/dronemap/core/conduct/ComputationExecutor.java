@@ -8,7 +8,7 @@ import org.dronemap.core.time.Time;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Executes long computations of operations on a few threads with a bounded queue; any thread. Any thread. */
+/** Runs long computations of operations, such as planning, on a few threads with a bounded queue. Any thread. */
 final class ComputationExecutor implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ComputationExecutor.class);
 

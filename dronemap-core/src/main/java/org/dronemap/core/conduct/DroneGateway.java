@@ -21,7 +21,10 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseHolder;
 import org.jspecify.annotations.Nullable;
 
-/** Takes control of drones for what is conducted, commands them through the gate, and gives control back. Any thread. */
+/**
+ * Takes and releases control of drones for operations and virtual drones, and sends their commands and setpoints. Any
+ * thread.
+ */
 final class DroneGateway {
     private final CloudManager cloud;
     private final String face;

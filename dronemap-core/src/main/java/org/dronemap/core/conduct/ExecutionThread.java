@@ -12,7 +12,7 @@ import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The one thread that owns what is conducted: all changes happen on it, one after the other. */
+/** The single thread on which all changes of operations (or of virtual drones) are made, in order. */
 final class ExecutionThread implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ExecutionThread.class);
     private static final int LONGEST_WAIT_SECONDS = 15;

@@ -23,9 +23,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Operations that nobody conducts any more though they have not ended, as that fails, or may be why the server did. Their
- * states are not read. Each of their drones that is heard goes home unless somebody else has it; when all have gone, or at
- * the latest after {@link #LONGEST}, the operation is over. Owned by the conductor's thread, but for what is asked.
+ * Operations set aside as running them failed, or may have crashed the server; sends their drones home. Their states
+ * are not read. Each of their drones that is heard goes home unless somebody else has it; when all have gone, or at the
+ * latest after {@link #LONGEST}, the operation is over. Owned by the conductor's thread, but for what is asked.
  */
 final class FaultedOperations {
     private static final Logger LOG = LoggerFactory.getLogger(FaultedOperations.class);

@@ -19,7 +19,10 @@ import org.dronemap.core.operation.ReporterState;
 import org.dronemap.core.operation.TargetReport;
 import org.jspecify.annotations.Nullable;
 
-/** Hands what the guide of one operation says to the gate for setpoints. Owned by the conductor's thread, but for {@link #sighted} and {@link #newest}. */
+/**
+ * Feeds target reports to one operation's guidance (a follow), and sends the setpoints it returns to the drones. Owned
+ * by the conductor's thread, but for {@link #sighted} and {@link #newest}.
+ */
 final class GuidanceExecutor<S> {
     /** Between two turns of the conductor some few come, or what a phone kept while it was cut off. */
     private static final int MOST_WAITING = 128;

@@ -8,7 +8,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 
-/** Measures for how long drones have been lost; owned by the conductor's thread. Owned by the conductor's thread. */
+/**
+ * Measures for how long the links of drones have been lost, for operations and virtual drones. Owned by the conductor's
+ * thread.
+ */
 final class LinkLossTimer {
     private final LongSupplier nanoTime;
     private final Map<DroneId, Long> since = new HashMap<>();

@@ -7,8 +7,8 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.virtual.VirtualDrone;
 
 /**
- * Calls drones home that fell silent while they served, once they are heard again: others may fly their waypoints by now.
- * Owned by the conductor's thread.
+ * Sends drones home that lost contact while serving a virtual drone, once they are heard again. Owned by the
+ * conductor's thread.
  */
 final class LostDroneRecall {
     private final CloudManager cloud;

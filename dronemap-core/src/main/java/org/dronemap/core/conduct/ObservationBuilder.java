@@ -17,9 +17,7 @@ import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.zone.Zone;
 
-/**
- * Builds observations of the drones of an operation; owned by the conductor's thread. Owned by the conductor's thread.
- */
+/** Builds the observations of its drones that an operation decides on. Owned by the conductor's thread. */
 final class ObservationBuilder {
     /** Zones that begin so soon are heeded already. */
     private static final Duration SOON = Duration.ofHours(1);

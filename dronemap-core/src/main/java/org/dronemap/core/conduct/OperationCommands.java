@@ -18,7 +18,7 @@ import org.dronemap.core.time.TransientFailure;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Gives the commands of one operation, and finds out how they ended. Owned by the conductor's thread. */
+/** Sends the commands of one operation and collects their outcomes. Owned by the conductor's thread. */
 final class OperationCommands {
     private static final Logger LOG = LoggerFactory.getLogger(OperationCommands.class);
     /** The gate, which hears of more, gives up after 90 s without a sign; a transfer that goes on may take as long as it does. */

@@ -29,8 +29,8 @@ import org.dronemap.core.operation.TargetReport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One operation as it is conducted: each decision is durable before anything of it happens. When it cannot be told whether
- * one is, the operation is taken up again from what is stored. Owned by the conductor's thread, but for {@link #now}.
+ * Runs one operation: stores each decision before its actions are carried out. When it cannot be told whether one is,
+ * the operation is taken up again from what is stored. Owned by the conductor's thread, but for {@link #now}.
  */
 final class OperationExecution<S, I> {
     private final OperationKind<S, I> kind;

@@ -9,8 +9,8 @@ import org.dronemap.core.lease.LeaseHolder;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The drones that one operation wanted control of so far. Control is asked for once, when a drone comes: whoever takes it
- * afterwards keeps it. Owned by the conductor's thread.
+ * Takes and releases control of the drones of one operation; asks once for each drone. Control is asked for once, when
+ * a drone comes: whoever takes it afterwards keeps it. Owned by the conductor's thread.
  */
 final class OperationLeases {
     private final DroneGateway crew;

@@ -23,7 +23,10 @@ import org.dronemap.core.operation.SavedOperation;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** All operations that are under way. Read by any thread, changed by the conductor's. */
+/**
+ * In-memory registry of the operations under way (mission runs and follows). Read by any thread, changed by the
+ * conductor's.
+ */
 final class OperationRegistry {
     private static final Logger LOG = LoggerFactory.getLogger(OperationRegistry.class);
 

@@ -32,8 +32,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The operations that are under way and the one thread that conducts them all. Looked at by any thread; changes wait for the
- * conductor, which writes each decision down before anything of it happens.
+ * Starts, runs and ends operations (mission runs and follows), all on one thread. Looked at by any thread; changes wait
+ * for the conductor, which writes each decision down before anything of it happens.
  */
 public final class Operations implements CloudListener, AutoCloseable {
     /** The way in that commands of operations come by. */

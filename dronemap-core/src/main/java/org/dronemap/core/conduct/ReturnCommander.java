@@ -11,7 +11,10 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.time.Time;
 
-/** Sends drones home that nobody conducts any more, again and again until they are on their way. Owned by one thread. */
+/**
+ * Sends drones home that an operation or a virtual drone has left, again until they are on their way. Owned by one
+ * thread.
+ */
 final class ReturnCommander {
     private static final long BETWEEN_CALLS_NANOS = 5_000_000_000L;
 

@@ -13,7 +13,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Measures for how long drones have stayed at one place; owned by the conductor's thread. Owned by the conductor's
+ * Measures for how long drones have stayed at one place, for operations and virtual drones. Owned by the conductor's
  * thread.
  */
 final class StationaryTimer {

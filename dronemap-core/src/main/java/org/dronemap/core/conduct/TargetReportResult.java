@@ -1,6 +1,6 @@
 package org.dronemap.core.conduct;
 
-/** Result of delivering a target report to an operation. */
+/** Whether an operation took a target report, or why not: known already, too many waiting, or not following. */
 public enum TargetReportResult {
     TAKEN,
     /** This one or a newer one was told before. */

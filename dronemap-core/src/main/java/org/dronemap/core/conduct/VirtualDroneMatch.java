@@ -5,7 +5,7 @@ import org.dronemap.core.virtual.Against;
 import org.dronemap.core.virtual.VirtualDrone;
 
 /**
- * A virtual drone that waits, as seen from a drone that might serve it.
+ * A virtual drone that waits for a drone, with whether a certain real drone could serve it.
  *
  * @param whyNot why it could not; empty: it would be sent to fly it
  */

@@ -12,7 +12,10 @@ import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.virtual.VirtualRun;
 
-/** All virtual drones as they are now: what is written here is durable first. Read by any thread, written by one. */
+/**
+ * In-memory registry of all virtual drones and of the drones that may serve them; stores each change first. Read by any
+ * thread, written by one.
+ */
 final class VirtualDroneRegistry {
     private static final Comparator<VirtualDrone> OLDEST_FIRST = Comparator.comparing(VirtualDrone::createdAt)
             .thenComparing(drone -> drone.id().value());

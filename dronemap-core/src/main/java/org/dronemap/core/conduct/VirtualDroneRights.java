@@ -3,10 +3,7 @@ package org.dronemap.core.conduct;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
-/**
- * Says whether virtual drones of an account may fly, and which drones may serve an organisation; any thread. Any
- * thread.
- */
+/** Tells whether an account's virtual drones may fly, and which real drones may serve an organisation's. Any thread. */
 public interface VirtualDroneRights {
     /** Whether that account's virtual drones may fly now. */
     boolean mayFly(String account);

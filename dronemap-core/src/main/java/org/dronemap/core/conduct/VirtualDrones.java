@@ -29,7 +29,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The virtual drones and the one thread that conducts them. Looked at by any thread; changes wait for the conductor,
+ * Creates, changes and runs virtual drones, all on one thread. Looked at by any thread; changes wait for the conductor,
  * which writes them down before anything is commanded.
  */
 public final class VirtualDrones implements CloudListener, AutoCloseable {

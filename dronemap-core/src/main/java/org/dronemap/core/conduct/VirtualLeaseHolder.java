@@ -3,7 +3,7 @@ package org.dronemap.core.conduct;
 import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.virtual.VirtualDrone;
 
-/** A virtual drone as the holder of the drone that serves it. */
+/** Makes the lease holder by which a virtual drone controls the real drone that serves it; takes no lease itself. */
 final class VirtualLeaseHolder {
     private VirtualLeaseHolder() {}
 

@@ -32,7 +32,10 @@ import org.dronemap.core.virtual.VirtualRunStep;
 import org.dronemap.core.virtual.VirtualTourSection;
 import org.jspecify.annotations.Nullable;
 
-/** Drives all runs a step at a time: bound ones go on, waiting ones are bound in turn. Owned by the conductor's thread. */
+/**
+ * Runs the missions of all virtual drones step by step, and assigns real drones to those that wait. Owned by the
+ * conductor's thread.
+ */
 final class VirtualRunExecutor {
     private static final int MOST_STEPS = 8;
 

@@ -1,7 +1,7 @@
 package org.dronemap.core.drone;
 
 /**
- * A vehicle's map of where it is, drawn from above with x to the right and y upwards, in metres of its own frame.
+ * Top-view map image of a robot's surroundings, placed in metres in the robot's own frame.
  *
  * @param leftMeters x of its left edge
  * @param bottomMeters y of its lower edge

@@ -2,7 +2,7 @@ package org.dronemap.core.drone;
 
 import org.dronemap.core.stored.Stored;
 
-/** A capability of a vehicle; each command and each setpoint needs exactly one. */
+/** Something that a vehicle may be able to do; each command and each setpoint needs exactly one. */
 @Stored(
         names = "ARM DISARM SET_MODE TAKE_OFF LAND RETURN_TO_LAUNCH HOLD GO_TO UPLOAD_MISSION "
                 + "START_MISSION PAUSE_MISSION CLEAR_MISSION TURN TAKE_PICTURE SET_RELAY READ_PARAMETERS "

@@ -1,6 +1,6 @@
 package org.dronemap.core.drone;
 
-/** The key of a link session: IP:port:sysid of the vehicle (seed system Dronemap Planner, section IV). */
+/** Network address and system id (IP:port:sysid) by which a vehicle's session is identified; not a secret. */
 public record DroneKey(String address, int port, int systemId) {
     @Override
     public String toString() {

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Stored record of a drone, kept while it is away.
+ * A drone as stored, so that it is known again after a restart: identity, last address, last heard.
  *
  * @param key the last link session it was heard on
  * @param groundAmslMeters of the ground that it left last; null: not known

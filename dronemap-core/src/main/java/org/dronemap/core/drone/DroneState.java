@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Immutable picture of a drone at one moment; a fact that was not heard is null, never a default.
+ * Immutable snapshot of all that is known of a drone; what was not reported is null, never a default.
  *
  * @param replay it comes from a recording: shown, never commanded
  * @param local where it is in a frame of its own; null where it has none

@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import java.util.List;
 import java.util.Optional;
 
-/** Keeps drones and the mission last known to be on each; every write returns only after it is durable. */
+/** Stores drones and the mission last known on board each; every write returns only after it is durable. */
 public interface DroneStore {
     List<DroneRecord> drones();
 

@@ -2,7 +2,7 @@ package org.dronemap.core.drone;
 
 import org.dronemap.core.stored.Stored;
 
-/** Kinds of evidence that a session speaks for a vehicle, weakest first. */
+/** Kinds of evidence of a vehicle's identity: address, hardware id, signature, authenticated link; weakest first. */
 @Stored(names = "ADDRESS HARDWARE SIGNATURE LINK")
 public enum Evidence {
     /** The address and system id that it had before. */

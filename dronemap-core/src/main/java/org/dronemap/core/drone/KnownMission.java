@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/** Mission last known to be on a vehicle, with its current item; {@code hash} null: items not known exactly. */
+/** The mission last known on board a vehicle and its current item, as stored over restarts. */
 public record KnownMission(
         List<MissionItem> items,
         @Nullable String hash,

@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Quality of a link: losses and round-trip time, each null while it is not known.
+ * Measured quality of a vehicle's link: message loss and round-trip time, each null while unknown.
  *
  * @param lossShort share of the vehicle's messages that did not arrive, 0 to 1, over some 5 s
  * @param lossLong the same over some 60 s

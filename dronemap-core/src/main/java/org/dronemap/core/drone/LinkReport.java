@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import java.util.List;
 
 /**
- * Report of the links that a vehicle is reached by now.
+ * Report from a vehicle session of the links that reach its vehicle now, the best one first.
  *
  * @param key where commands go: the better link when there are several
  * @param others further links that the same vehicle is heard on

@@ -2,7 +2,7 @@ package org.dronemap.core.drone;
 
 import org.dronemap.core.stored.Stored;
 
-/** State of a drone's link as the watchdog judges it. */
+/** State of a drone's link by its silence: live, suspect or lost; or ended for a replay. */
 @Stored(names = "LIVE SUSPECT LOST ENDED")
 public enum LinkState {
     /** Heard within its link's normal silence. */

@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The link that a drone is reached by; {@code lastHeard} is null until something was heard since the start.
+ * The link that reaches a drone now: address, transport, state, last heard and quality; part of DroneState.
  *
  * @param quality unknown while the drone is lost
  * @param others further links that the same vehicle is heard on

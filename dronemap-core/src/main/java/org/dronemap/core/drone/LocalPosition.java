@@ -2,10 +2,7 @@ package org.dronemap.core.drone;
 
 import org.jspecify.annotations.Nullable;
 
-/**
- * Position in the vehicle's own frame, such as a building's map: metres and degrees; null where not reported. What it
- * does not say is null.
- */
+/** A robot's position in its own frame, such as a building map: metres and degrees. What it does not say is null. */
 public record LocalPosition(
         double xMeters,
         double yMeters,

@@ -5,7 +5,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The mission that is on the vehicle and how far it is.
+ * The mission on board a vehicle, as read back, and how far the vehicle has flown it.
  *
  * @param items what was read back from the vehicle; null as long as it was not read
  * @param hash stands for all that the vehicle keeps of it, finer settings included; null when it is not known

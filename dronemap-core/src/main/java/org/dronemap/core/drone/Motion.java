@@ -2,7 +2,7 @@ package org.dronemap.core.drone;
 
 import org.jspecify.annotations.Nullable;
 
-/** Speeds in m/s (climb positive upwards), heading in degrees clockwise from true north. */
+/** A vehicle's speeds in m/s (climb positive upwards) and heading in degrees clockwise from true north. */
 public record Motion(
         @Nullable Double groundSpeed,
         @Nullable Double airSpeed,

@@ -6,7 +6,10 @@ import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
 
-/** Parameters, logs, fence and rally points on board of a vehicle; null where never read; immutable. Immutable. */
+/**
+ * What was read from a vehicle's memory: parameters, log list, fence and rally points; null where never read.
+ * Immutable.
+ */
 public record OnboardStorage(
         ParameterSet parameters,
         @Nullable List<VehicleLog> logs,

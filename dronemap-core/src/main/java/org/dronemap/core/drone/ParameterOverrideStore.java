@@ -3,8 +3,8 @@ package org.dronemap.core.drone;
 import java.util.List;
 
 /**
- * Keeps what owners had set on their drones until it is put back; every write returns only after it is durable. What is kept
- * outlives the drone.
+ * Stores the owners' parameter values that the cloud has overridden; every write returns only after it is durable. What
+ * is kept outlives the drone.
  */
 public interface ParameterOverrideStore {
     /** In the order of the drones' ids. */

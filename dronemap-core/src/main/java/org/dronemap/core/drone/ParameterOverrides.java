@@ -6,7 +6,7 @@ import org.dronemap.core.parameter.OverriddenParameter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Settings of a drone's owner that the cloud has overridden, until they are restored.
+ * The owner's parameter values that the cloud has overridden on one drone, until they are restored.
  *
  * @param droneName as it was called then: this outlives the drone
  * @param returnMeters how high it flies home meanwhile; null: not known

@@ -8,7 +8,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Last reported payload state of a vehicle (photo, outputs, readings), and the wind that it measured.
+ * Last reported state of a vehicle's payload: photo, servo outputs and sensor readings; also the measured wind.
  *
  * @param photo the last one; null: it told of none
  * @param outputs pulses of its outputs from 1 on in microseconds, 0: none; empty: not told

@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** A picture as a vehicle's camera or its map made it: JPEG or PNG by its own first bytes, never opened here. Immutable. */
+/** A JPEG or PNG image from a vehicle's camera or of its map; the bytes are never decoded here. Immutable. */
 public final class Picture {
     /** Larger ones are not kept. */
     public static final int MOST_BYTES = 400_000;

@@ -6,7 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One sweep of a range finder: metres along rays, counter-clockwise from the vehicle's nose. Immutable.
+ * One sweep of a robot's range finder: distances in metres along rays, counter-clockwise from its nose. Immutable.
  *
  * @param firstAngleRadians of the first ray
  * @param stepRadians from each ray to the next

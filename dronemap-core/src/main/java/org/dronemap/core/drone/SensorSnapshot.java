@@ -3,7 +3,10 @@ package org.dronemap.core.drone;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
-/** The newest that a vehicle's sensors brought; null where there was none yet. Older ones are not kept. Immutable. */
+/**
+ * The newest range scan, camera image and map of a robot; null where there was none yet. Older ones are not kept.
+ * Immutable.
+ */
 public record SensorSnapshot(
         @Nullable Sample<RangeScan> scan,
         @Nullable Sample<Picture> picture,

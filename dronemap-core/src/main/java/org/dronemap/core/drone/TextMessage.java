@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A sentence that the vehicle (or the cloud about it) said.
+ * A text message about a drone, from the vehicle itself or from the cloud, for users.
  *
  * @param about a user whom it names; null: it names nobody
  */

@@ -2,7 +2,7 @@ package org.dronemap.core.drone;
 
 import org.dronemap.core.stored.Stored;
 
-/** Kind of vehicle. */
+/** Kind of vehicle, such as multicopter, fixed wing or rover. */
 @Stored(names = "MULTICOPTER HELICOPTER FIXED_WING VTOL ROVER BOAT SUBMARINE AIRSHIP UNKNOWN")
 public enum VehicleKind {
     MULTICOPTER,

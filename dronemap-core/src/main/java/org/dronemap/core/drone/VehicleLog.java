@@ -5,7 +5,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A log that a vehicle keeps on board.
+ * An entry of the list of flight logs on board a vehicle.
  *
  * @param number the vehicle's own number for it
  * @param at when it was written; null when the vehicle did not know the time

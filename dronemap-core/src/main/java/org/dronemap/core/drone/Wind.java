@@ -10,7 +10,7 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
 
-/** The wind that a vehicle felt in flight, by its own estimate: where it comes from, clockwise from true north, and when. */
+/** Wind that a vehicle estimated in flight: speed, the direction it comes from, and when. */
 @Stored(names = "fromDegrees metersPerSecond heard")
 public record Wind(double fromDegrees, double metersPerSecond, Instant heard) {
     /** Farther away, and longer ago, it may well be another one. */

@@ -25,7 +25,7 @@ import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.Parameter;
 import org.jspecify.annotations.Nullable;
 
-/** One thing heard from a vehicle. */
+/** A vehicle's report translated from its protocol, such as a position or mode; changes the state of its drone. */
 public sealed interface DroneEvent {
     /** What there is of events; switched over without a default, so that a forgotten one does not compile. */
     enum Kind {

@@ -3,7 +3,7 @@ package org.dronemap.core.geo;
 import java.util.List;
 
 /**
- * A flat picture of the neighbourhood of a place, in metres. Straight lines of longitude and latitude stay straight, so
+ * Projects positions around an origin to a plane in metres. Straight lines of longitude and latitude stay straight, so
  * that what crosses on the map crosses here; lengths are true near the origin's latitude (WGS-84).
  */
 public final class LocalPlane {

@@ -3,7 +3,7 @@ package org.dronemap.core.geo;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The edge of an area of a plane, closed by itself: from the last corner back to the first. */
+/** A closed polygon on a LocalPlane. */
 public record PlanePolygon(List<PlanePoint> corners) {
     public PlanePolygon {
         corners = List.copyOf(corners);

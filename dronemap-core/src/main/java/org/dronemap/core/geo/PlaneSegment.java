@@ -1,6 +1,6 @@
 package org.dronemap.core.geo;
 
-/** A straight line between two spots of a plane; both may be the same one. */
+/** A line segment on a LocalPlane; both ends may be the same point. */
 public record PlaneSegment(PlanePoint from, PlanePoint to) {
     public double lengthMeters() {
         return from.distanceMeters(to);

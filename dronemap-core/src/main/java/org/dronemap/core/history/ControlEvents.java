@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.LeaseHolder;
 
-/** Makes history events of changes of control. */
+/** Makes the history events of changes of control of a drone. */
 final class ControlEvents {
     private ControlEvents() {}
 

@@ -15,8 +15,8 @@ import org.dronemap.core.lease.ControlState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Looks at each state of one drone as it comes, keeps some of them, and tells what has happened since the one before.
- * States come on the drone's lane, commands and control on other threads too: every method holds the object's lock.
+ * Records the history of one drone: samples its states and derives events from changes between them. States come on the
+ * drone's lane, commands and control on other threads too: every method holds the object's lock.
  */
 final class DroneHistoryRecorder {
     private final TelemetrySink sink;

@@ -8,7 +8,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One flight: from arming to disarming, or until the drone was heard no more.
+ * A flight in the history: from arming to disarming, or until contact was lost.
  *
  * @param droneName as it was called when the flight began
  * @param end null while it goes on; of one that was lost, when it was last heard

@@ -11,8 +11,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * All flights as they are now: those under way, newer than what is stored, before those that are. One thread of its own
- * writes what changed, the newest state of each flight alone, until the store takes it.
+ * All flights, those under way and the stored ones; writes changes to the FlightStore on its own thread. One thread of
+ * its own writes what changed, the newest state of each flight alone, until the store takes it.
  */
 public final class FlightRegistry implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(FlightRegistry.class);

@@ -5,7 +5,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Totals of a flight: distance, heights, speed, battery; each null while it is not known.
+ * Totals of a flight: distance, heights, speed and battery; each null while unknown.
  *
  * @param distanceMeters along the ground
  * @param highestMeters above home

@@ -4,7 +4,7 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** Adds up what a flight comes to, point by point. Owned by whoever made it. */
+/** Computes the totals of a flight from its states one by one. Owned by whoever made it. */
 final class FlightStatisticsBuilder {
     /** Shorter ways are the noise of a satellite receiver on the ground. */
     private static final double STEP_METERS = 1;

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps flights; every write returns only after it is durable. Any thread. */
+/** Stores flights; every write returns only after it is durable. Any thread. */
 public interface FlightStore {
     /** Newest start first, those after {@code after} in that order (null: from the newest), at most {@code limit}. */
     List<Flight> flights(FlightQuery query, @Nullable Flight after, int limit);

@@ -13,7 +13,10 @@ import org.dronemap.core.lease.ControlState;
 import org.dronemap.core.lease.LeaseHolder;
 import org.jspecify.annotations.Nullable;
 
-/** Makes flights of what one drone shows. Owned by the drone's {@link DroneHistoryRecorder}. */
+/**
+ * Detects beginnings and ends of one drone's flights from its states. Owned by the drone's {@link
+ * DroneHistoryRecorder}.
+ */
 final class FlightTracker {
     /** A drone that was silent for longer has begun another flight, if it flies. */
     private static final Duration SAME_FLIGHT = Duration.ofHours(1);

@@ -7,7 +7,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Something that happened to a drone at one moment.
+ * An event in a drone's history, such as a command, a change of mode or control, or a message.
  *
  * @param text what people read: the vehicle's own sentence, the summary of a command, the name of a mode
  * @param severity of a message; null: it is none

@@ -3,7 +3,7 @@ package org.dronemap.core.history;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Current state of the history writers: trouble, points written, dropped and waiting.
+ * Health of history recording: current trouble, and points and events written, dropped and waiting.
  *
  * @param trouble a sentence; null: all is written down as it comes
  * @param written points and events since the start

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Has the store make room for the days to come and take away old ones, on a thread of its own. */
+/** Prepares the telemetry store for coming days and thins or deletes old ones, on its own thread. */
 public final class HistoryMaintenance implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(HistoryMaintenance.class);
 

@@ -17,7 +17,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Hears of all that drones do and hands it on to be remembered. Recordings that play are not remembered again. */
+/**
+ * Records states, events and flights of all drones to the history; replays are left out. Recordings that play are not
+ * remembered again.
+ */
 public final class HistoryRecorder implements CloudListener {
     private static final Logger LOG = LoggerFactory.getLogger(HistoryRecorder.class);
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Reduces points to a series, for stores that cannot do it themselves. One thread. */
+/** Reduces telemetry points to a time series for drawing, for stores that cannot do it themselves. One thread. */
 public final class SeriesBuilder {
     private final SeriesQuery query;
     private final long slotNanos;

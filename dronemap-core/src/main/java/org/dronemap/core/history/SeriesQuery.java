@@ -5,7 +5,7 @@ import java.util.List;
 import org.dronemap.core.drone.DroneId;
 
 /**
- * Query for a time series: some fields over a span, in slots of equal length.
+ * Query for a drone's telemetry over time, for drawing: fields, time range and number of slots.
  *
  * @param slots in how many the span is cut; a drawing needs no more than it is wide
  */

@@ -7,7 +7,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Extents of the fields of a series within one slot; empty slots are left out.
+ * One slot of a time series of telemetry: least and greatest value of each field.
  *
  * @param at of the first point in it
  * @param extents one for each field that was asked for, null where it was never known

@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.jspecify.annotations.Nullable;
 
-/** Says which states of one drone are kept. Owned by the drone's {@link DroneHistoryRecorder}. */
+/** Chooses which states of one drone are kept in the history. Owned by the drone's {@link DroneHistoryRecorder}. */
 final class StateSampler {
     private final HistoryPolicy policy;
     private @Nullable DroneState kept;

@@ -7,7 +7,7 @@ import org.dronemap.core.stored.Stored;
 import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
-/** A column of telemetry where it is a table: in the database, in the archive and in files, by the same name in this order. */
+/** Columns of telemetry tables, the same in the database, the archive and exported files. */
 @Stored(
         names = "drone_id at latitude longitude altitude_amsl altitude_above_home ground_speed "
                 + "air_speed climb_rate heading roll pitch yaw battery_percent battery_volts "

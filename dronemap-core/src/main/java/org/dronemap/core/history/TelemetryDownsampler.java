@@ -9,8 +9,8 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps of each stretch of time the first point of a drone and those with the least and the greatest of what matters most
- * later, so that no peak is lost. Points come drone by drone, each in the order of time. One thread.
+ * Thins old telemetry of a drone: of each interval keeps the first point and those with peak values. Points come drone
+ * by drone, each in the order of time. One thread.
  */
 public final class TelemetryDownsampler {
     private static final List<TelemetryField> PEAKS = List.of(

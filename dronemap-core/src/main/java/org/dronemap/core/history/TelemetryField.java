@@ -10,7 +10,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** A number of a {@link TelemetryPoint} that can be drawn over time, with its unit. */
+/** A numeric field of a TelemetryPoint that can be drawn over time, with its unit. */
 @Stored(
         names = "latitude longitude altitude_amsl altitude_above_home ground_speed air_speed "
                 + "climb_rate heading roll pitch yaw battery_percent battery_volts battery_amps "

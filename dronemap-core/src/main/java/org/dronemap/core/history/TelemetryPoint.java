@@ -14,7 +14,7 @@ import org.dronemap.core.drone.Position;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The state of one drone at one moment, as it is kept for later; a fact that was not known is null.
+ * One stored state of a drone at one moment; unknown values are null.
  *
  * @param missionItem index of the item that it heads for
  */

@@ -1,6 +1,6 @@
 package org.dronemap.core.history;
 
-/** Receives telemetry points and events; returns at once. */
+/** Receives telemetry points and history events to be stored; returns at once. */
 interface TelemetrySink {
     void point(TelemetryPoint point);
 

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import org.dronemap.core.drone.DroneId;
 
 /**
- * Keeps states of drones over time, and what happened to them. Times are kept to the microsecond, places as they are, other
+ * Stores telemetry points and history events of drones. Times are kept to the microsecond, places as they are, other
  * numbers to seven digits. Any thread; blocks for the store, and throws when it cannot be reached.
  */
 public interface TelemetryStore {

@@ -14,8 +14,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Writes points and events to the store in batches, on one thread of its own. Both queues are bounded: what finds no room,
- * because the store is away, slow or full, is dropped and counted, and whoever brings it never waits.
+ * Writes telemetry points and history events to the store in batches, on a thread of its own. Both queues are bounded:
+ * what finds no room, because the store is away, slow or full, is dropped and counted, and whoever brings it never
+ * waits.
  */
 public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(TelemetryWriter.class);

@@ -3,7 +3,7 @@ package org.dronemap.core.history;
 import java.time.Duration;
 import java.time.Instant;
 
-/** A stretch of time: {@code from} is in it, {@code until} is not. */
+/** A half-open time range: includes from, excludes until. */
 public record TimeRange(Instant from, Instant until) {
     public TimeRange {
         if (until.isBefore(from)) {

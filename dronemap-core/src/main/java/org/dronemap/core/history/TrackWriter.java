@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
 
-/** Makes a file of points that is the same wherever they were kept. Any thread. */
+/** Writes telemetry points of a drone to an export file, such as Parquet. Any thread. */
 @FunctionalInterface
 public interface TrackWriter {
     /** All points, in the order that they come in; {@code out} stays open. */

@@ -3,7 +3,7 @@ package org.dronemap.core.lease;
 import java.time.Instant;
 
 /**
- * A point in time.
+ * A time read from both clocks: time of day and monotonic nanoseconds; input of the lease machine.
  *
  * @param at for people
  * @param nanos monotonic, for durations

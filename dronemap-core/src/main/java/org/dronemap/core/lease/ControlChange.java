@@ -3,7 +3,7 @@ package org.dronemap.core.lease;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Something happened to the control of a drone.
+ * A change of who controls a drone, such as taken, requested, released or expired.
  *
  * @param by who did it, or whom it befell
  * @param other who had it before, or who gets it; null where there is nobody else

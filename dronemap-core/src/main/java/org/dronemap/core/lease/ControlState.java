@@ -9,7 +9,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Control of one drone at one moment: tenure, requests and lapse; immutable.
+ * Control of one drone at one moment: the lease in force, open requests, and lapsed control; immutable.
  *
  * @param epoch of the last tenure; rises with each new one, and a command of an older one is not sent any more
  * @param tenure null: nobody

@@ -3,8 +3,8 @@ package org.dronemap.core.lease;
 import java.util.function.Consumer;
 
 /**
- * Hands out epochs that rise for ever, also over restarts: only such as the store has set aside. Shared by all drones.
- * Any thread; the store is asked ahead of need, in the background.
+ * Hands out control epochs, numbers that only rise, also over restarts; each new holder of a drone gets one. Shared by
+ * all drones. Any thread; the store is asked ahead of need, in the background.
  */
 public final class Epochs {
     private static final int AT_ONCE = 100_000;

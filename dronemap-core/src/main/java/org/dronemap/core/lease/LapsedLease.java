@@ -3,7 +3,7 @@ package org.dronemap.core.lease;
 import java.time.Instant;
 
 /**
- * Control of a user ended and nobody has taken it since.
+ * The record that a user's control of a drone has ended and nobody has taken it since.
  *
  * @param at when that was seen
  * @param sinceNanos the same, monotonic

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The time for which one holder commands a drone.
+ * A holder's control of a drone: explicit and kept by heartbeats, or implied by a command and ended when idle.
  *
  * @param explicit asked for, and kept by heartbeats; else it came with a command and lasts until the holder is idle
  * @param heardNanos when the holder last gave a sign, monotonic

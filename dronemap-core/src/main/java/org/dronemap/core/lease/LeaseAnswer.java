@@ -1,6 +1,6 @@
 package org.dronemap.core.lease;
 
-/** Answer to a {@link LeaseEvent} for whoever caused it. */
+/** Answer of the lease machine to an event: granted, waiting for the holder, or denied. */
 public sealed interface LeaseAnswer {
     /** Done; for a command: it may go with the epoch that is current now. */
     record Granted() implements LeaseAnswer {}

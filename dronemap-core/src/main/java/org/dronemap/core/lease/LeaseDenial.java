@@ -1,6 +1,6 @@
 package org.dronemap.core.lease;
 
-/** Reasons why control of a drone does not change as somebody asked. */
+/** Reasons why a user's request to take, release or hand over control of a drone is denied. */
 public enum LeaseDenial {
     /** Somebody else has control. */
     HELD,

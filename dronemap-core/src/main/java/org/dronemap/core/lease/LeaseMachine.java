@@ -9,8 +9,8 @@ import org.dronemap.core.lease.ControlChange.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Pure state machine of the control of a drone; only the supply of epochs is shared; any thread. It touches nothing but
- * the supply of epochs, which must rise. Any thread.
+ * State machine of who controls a drone: from a control state and an event to the next control state. It touches
+ * nothing but the supply of epochs, which must rise. Any thread.
  */
 public final class LeaseMachine {
     private static final int MOST_REQUESTS = 20;

@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A user asks the holder for control.
+ * A user's open request that the current holder hand over control of a drone.
  *
  * @param nanos when, monotonic
  */

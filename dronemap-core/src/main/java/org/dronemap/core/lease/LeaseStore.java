@@ -3,7 +3,7 @@ package org.dronemap.core.lease;
 import java.util.List;
 import org.dronemap.core.drone.DroneId;
 
-/** Keeps who has control, and which epochs were ever handed out; every write returns only after it is durable. */
+/** Stores who controls each drone and which control epochs were handed out; writes return only once durable. */
 public interface LeaseStore {
     List<SavedLease> leases();
 

@@ -5,8 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Explicit control by a user, as it outlives the process; or that it lapsed, and the drone has to be called back: so does
- * control that came with a command, which nobody keeps by a sign.
+ * A user's control of a drone as stored over restarts, or that it lapsed and the drone has to be called back.
  *
  * @param since when it began, or lapsed
  * @param epoch that the user knows it by

@@ -2,7 +2,7 @@ package org.dronemap.core.link;
 
 import java.util.HexFormat;
 
-/** Host key for connection limits: an IPv4 address, or the 64-bit network of an IPv6 subscriber. */
+/** Key for connection limits per client host: an IPv4 address, or the /64 network of an IPv6 address. */
 public record ClientHost(String key) {
     private static final int IPV4_BYTES = 4;
     private static final int NETWORK_BYTES = 8;

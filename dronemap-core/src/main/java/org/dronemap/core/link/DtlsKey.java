@@ -3,7 +3,7 @@ package org.dronemap.core.link;
 import java.time.Instant;
 
 /**
- * The key of one vehicle for authenticated links.
+ * The DTLS pre-shared key of one vehicle; the secret only in encrypted form.
  *
  * @param identity what the vehicle calls itself, unique
  * @param label what people call it

@@ -3,7 +3,9 @@ package org.dronemap.core.link;
 import java.util.List;
 import org.dronemap.core.drone.DroneId;
 
-/** Keeps the links that were added, and the keys of vehicles; every write returns only after it is durable. */
+/**
+ * Stores endpoints that administrators added, DTLS keys and robot keys; every write returns only after it is durable.
+ */
 public interface LinkStore {
     /** In the order in which they were added. */
     List<SavedLink> links();

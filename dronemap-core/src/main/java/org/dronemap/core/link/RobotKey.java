@@ -5,8 +5,8 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Key that authenticates each message of a robot; it binds the robot to one drone from its first use. Who shows it is
- * that drone, from the first time on.
+ * Key by which a robot authenticates each ROSLink message; binds the robot to one drone. Who shows it is that drone,
+ * from the first time on.
  *
  * @param drone the drone that it makes of its robot, which may never have called in yet
  * @param label what people call it

@@ -2,5 +2,5 @@ package org.dronemap.core.link;
 
 import java.time.Instant;
 
-/** An endpoint that somebody added while the server ran; {@code url} is what the links understand. */
+/** An endpoint for vehicles that an administrator added while the server ran, as stored. */
 public record SavedLink(String id, String url, String addedBy, Instant addedAt) {}

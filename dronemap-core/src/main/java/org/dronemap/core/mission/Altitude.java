@@ -2,7 +2,7 @@ package org.dronemap.core.mission;
 
 import org.dronemap.core.stored.Stored;
 
-/** An altitude in metres that carries what it is measured from, so that no home is needed to plan. */
+/** An altitude in metres with its reference: above home or above mean sea level. */
 @Stored(names = "meters reference")
 public record Altitude(double meters, Reference reference) {
     /** What zero is. */

@@ -1,6 +1,6 @@
 package org.dronemap.core.mission;
 
-/** Counts as people say them. */
+/** Writes a count with its noun for people: "1 item", "4 items". */
 public final class CountText {
     private CountText() {}
 

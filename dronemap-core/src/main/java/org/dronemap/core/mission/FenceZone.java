@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
 
-/** A part of the fence that a vehicle keeps on board: it stays in it ({@code inside}), or out of it. */
+/** An area, polygon or circle, to stay in or out of: in a vehicle's own fence, or as the shape of a zone. */
 public sealed interface FenceZone {
     boolean inside();
 

@@ -3,7 +3,7 @@ package org.dronemap.core.mission;
 import java.util.List;
 import org.dronemap.core.stored.Stored;
 
-/** An ordered, flyable list of 1 to 500 items. */
+/** An ordered list of 1 to 500 items that one vehicle flies by itself. */
 @Stored(names = "items")
 public record Mission(List<MissionItem> items) {
     /** Most items of one mission; real autopilots hold some seven hundred. */

@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 
-/** Compares two missions as they are on the wire, where positions are rounded to 1e-7 degrees. */
+/** Compares a mission with the one read back from a vehicle, allowing for rounding on the wire. */
 public final class MissionComparison {
     private static final double SAME_POINT_METERS = 0.1;
     private static final double SAME_ALTITUDE_METERS = 0.05;

@@ -5,7 +5,7 @@ import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
 
-/** One step of a mission. */
+/** One item of a mission, such as a take-off, a waypoint or a photo. */
 public sealed interface MissionItem {
     /** What there is of items; switched over without a default, so that a forgotten one does not compile. */
     enum Kind {

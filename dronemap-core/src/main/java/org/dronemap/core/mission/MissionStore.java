@@ -3,7 +3,7 @@ package org.dronemap.core.mission;
 import java.util.List;
 import java.util.Optional;
 
-/** Keeps the mission library; every write returns only after it is durable. */
+/** Stores the organisations' mission libraries; every write returns only after it is durable. */
 public interface MissionStore {
     /** All saved missions by name. */
     List<SavedMission> missions();

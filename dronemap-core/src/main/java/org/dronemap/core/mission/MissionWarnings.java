@@ -10,8 +10,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Warns of likely slips in a planned mission: one sentence each, nothing is forbidden. Nothing of it is forbidden: a
- * sentence each, for people to look at. Items are numbered from 1 as on the vehicle; {@code from} is where the drone
+ * Warns of likely mistakes in a planned mission, such as a very long leg; forbids nothing. Nothing of it is forbidden:
+ * a sentence each, for people to look at. Items are numbered from 1 as on the vehicle; {@code from} is where the drone
  * is, null when that is not known.
  */
 public final class MissionWarnings {

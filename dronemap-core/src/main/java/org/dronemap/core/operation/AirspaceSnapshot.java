@@ -8,7 +8,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.zone.Zone;
 
 /**
- * Zones and other drones in the air around the drones of an operation, for whoever steers them.
+ * Zones and other flying drones around an operation's drones, for guidance to keep clear of.
  *
  * @param zones that bind each drone now or soon
  * @param aloft all others that are in the air, or were when they were heard last

@@ -4,7 +4,7 @@ import java.time.InstantSource;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.time.Time;
 
-/** Work that takes long: all that it needs is in it, written down with the decision that asks for it. */
+/** A long computation that an operation asks for, such as planning; contains all its input. */
 public interface Computation<I> {
     /** Runs on a thread of its own; ends early when cancelled. */
     I run(Time time, BooleanSupplier cancelled);

@@ -3,7 +3,7 @@ package org.dronemap.core.operation;
 import java.time.Instant;
 
 /**
- * Journal entry of an operation: an input and the decision on it, as texts of its kind's codec.
+ * One journal entry of an operation: an input and the decision on it, as text.
  *
  * @param number counts from 0; the input of the first one is the state that it began with, and its decision is empty
  */

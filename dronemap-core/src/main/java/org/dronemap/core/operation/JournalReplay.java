@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decides once more on what befell an operation, and compares each decision with what was written down. Takes a journal in
- * parts, in order. One thread.
+ * Replays an operation's journal and compares each decision with the stored one; finds non-determinism. Takes a journal
+ * in parts, in order. One thread.
  */
 public final class JournalReplay<S, I> {
     private final OperationKind<S, I> kind;

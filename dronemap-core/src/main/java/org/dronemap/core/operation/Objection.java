@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Reason why a user's request to an operation is refused: a code for programs and a sentence for people.
+ * Why an operation refuses a user's request: a code for programs and a sentence for people.
  *
  * @param about exactly what the code declares, in its order
  */

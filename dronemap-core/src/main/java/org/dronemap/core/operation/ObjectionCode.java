@@ -1,6 +1,9 @@
 package org.dronemap.core.operation;
 
-/** A reason why a wish is not taken, as programs know it. Each kind of what is conducted has an enum of its own. */
+/**
+ * A stable code for why an operation or a virtual drone refuses a user's request; one enum for each kind. Each kind of
+ * what is conducted has an enum of its own.
+ */
 public interface ObjectionCode {
     ObjectionEntry entry();
 }

@@ -3,7 +3,7 @@ package org.dronemap.core.operation;
 import java.util.List;
 
 /**
- * A reason why a wish is not taken, as it stands in the catalogue of problems.
+ * Documentation of one ObjectionCode in the catalogue of problems: word, meaning and example.
  *
  * @param word small letters with hyphens, such as {@code operation-over}; it never changes
  * @param meaning one line

@@ -9,9 +9,9 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 
 /**
- * Something that the cloud conducts with drones over time, as a pure state machine: the same state and input give the same
- * decision, and it touches nothing itself. Who conducts it takes control of its drones, writes each decision down before
- * anything of it happens, carries it out, and goes on after a restart.
+ * A long-running task that the cloud carries out with drones (a mission run, a follow), as a pure state machine. Who
+ * conducts it takes control of its drones, writes each decision down before anything of it happens, carries it out, and
+ * goes on after a restart.
  *
  * @param <S> what it remembers; immutable, written down
  * @param <I> what befalls it, reduced to what matters to it; immutable, written down

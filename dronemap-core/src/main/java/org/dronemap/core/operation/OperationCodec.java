@@ -1,9 +1,6 @@
 package org.dronemap.core.operation;
 
-/**
- * Writes what an operation works with as text, and reads it again: the same value gives the same text, also after it was
- * read, and what cannot be read is an IllegalArgumentException.
- */
+/** Writes state, inputs and decisions of one kind of operation as text for its journal, and reads them again. */
 public interface OperationCodec<S, I> {
     String state(S state);
 

@@ -5,8 +5,8 @@ import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 
 /**
- * Steers the drones of one operation between its decisions, by what changes too fast to be written down. It is forgotten with
- * the process: nothing is steered then until it knows enough again. Owned by the conductor's thread.
+ * Computes setpoints for an operation's drones between its decisions, such as while following a phone. It is forgotten
+ * with the process: nothing is steered then until it knows enough again. Owned by the conductor's thread.
  *
  * @param <S> what the operation remembers
  */

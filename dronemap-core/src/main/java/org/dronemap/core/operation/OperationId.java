@@ -3,7 +3,7 @@ package org.dronemap.core.operation;
 import java.util.regex.Pattern;
 import org.dronemap.core.stored.Stored;
 
-/** Names one operation for ever: 1 to 64 letters, digits, dots, dashes and underscores. */
+/** Permanent id of an operation: 1 to 64 letters, digits, dots, dashes and underscores. */
 @Stored(names = "value")
 public record OperationId(String value) {
     private static final Pattern FORM = Pattern.compile("[A-Za-z0-9._-]{1,64}");

@@ -1,7 +1,7 @@
 package org.dronemap.core.operation;
 
 /**
- * Operations of one machine.
+ * A kind of operation, such as mission run or follow: its name, state machine and codec.
  *
  * @param name for ever: what is stored goes by it
  */

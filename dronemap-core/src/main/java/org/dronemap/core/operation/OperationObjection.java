@@ -2,7 +2,7 @@ package org.dronemap.core.operation;
 
 import org.dronemap.core.operation.Objection.Subject;
 
-/** Reasons why no operation, of whichever kind, takes a wish. */
+/** Objection codes common to all kinds of operations, such as that the operation has ended. */
 public enum OperationObjection implements ObjectionCode {
     OVER("operation-over", "The mission run or follow has ended.", "This mission run is over."),
     NOT_CONDUCTED(

@@ -10,7 +10,7 @@ import org.dronemap.core.drone.DroneState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Observation of an operation's drones at one moment; drones that were removed are left out.
+ * What an operation sees of its drones at one moment; input of its decisions.
  *
  * @param sighted when the newest {@link TargetReport} came that was fresh; null: none came since the process began
  * @param reach of who tells of them; null: not known, as when they come one by one

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** Keeps operations and their journals; every write returns only after it is durable. */
+/** Stores operations and their journals; every write returns only after it is durable. */
 public interface OperationStore {
     /** Those that have not ended, the oldest first. */
     List<SavedOperation> underWay();

@@ -2,7 +2,7 @@ package org.dronemap.core.operation;
 
 import org.dronemap.core.stored.Stored;
 
-/** Connection state of whoever reports {@link TargetReport}s. */
+/** Connection state of the phone that reports the followed target's position. */
 @Stored(names = "SPEAKS VAGUE ASLEEP CUT GONE")
 public enum ReporterState {
     /** It said something lately, if only that it is there. */

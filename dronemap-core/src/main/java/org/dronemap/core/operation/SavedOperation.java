@@ -8,7 +8,7 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An operation as it outlives the process.
+ * An operation as stored over restarts: kind, owner, state as text and commands under way.
  *
  * @param kind names who knows what its state means
  * @param owner the name of the user whom it is conducted for, as it was then

@@ -6,7 +6,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Position report of a followed target that is no drone, sent once or more a second and not journaled. Told once or
+ * A position report of a follow's target, such as from a phone, sent about once a second; not journaled. Told once or
  * more a second, and not written down.
  *
  * @param number rises from one to the next, so that what is said twice counts once

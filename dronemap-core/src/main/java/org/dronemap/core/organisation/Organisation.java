@@ -2,5 +2,5 @@ package org.dronemap.core.organisation;
 
 import java.time.Instant;
 
-/** People and drones that belong together; those of other organisations do not exist for them. */
+/** A group of users and drones that is invisible to other organisations. */
 public record Organisation(OrganisationId id, String name, Instant madeAt) {}

@@ -2,7 +2,7 @@ package org.dronemap.core.organisation;
 
 import java.util.regex.Pattern;
 
-/** Names an organisation; letters a to z, digits and hyphens, at most 40. */
+/** Unique id of an organisation: letters a to z, digits and hyphens, at most 40. */
 public record OrganisationId(String value) {
     private static final int LONGEST = 40;
     private static final Pattern FORM = Pattern.compile("[a-z0-9-]+");

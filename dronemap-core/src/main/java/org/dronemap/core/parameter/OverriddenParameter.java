@@ -3,7 +3,7 @@ package org.dronemap.core.parameter;
 import org.dronemap.core.stored.Stored;
 
 /**
- * A parameter that the cloud changes while it uses a vehicle, with what its owner had set.
+ * One vehicle parameter that the cloud has overridden, with the owner's value and the cloud's.
  *
  * @param ours what the cloud wrote
  * @param bits that the cloud may change, also in flight: of such a one only these are put back, and all others stay as they

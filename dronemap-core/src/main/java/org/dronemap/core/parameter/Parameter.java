@@ -1,6 +1,6 @@
 package org.dronemap.core.parameter;
 
-/** One setting of a vehicle, as the vehicle tells it. */
+/** One parameter of a vehicle as the vehicle reports it: name, type and value. */
 public record Parameter(String name, ParameterType type, double value) {
     public Parameter withValue(double newValue) {
         return new Parameter(name, type, newValue);

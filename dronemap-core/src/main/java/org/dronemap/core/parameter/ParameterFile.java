@@ -7,8 +7,9 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Parameters in a file. Reads what QGroundControl, Mission Planner and MAVProxy write: name and value in a line, apart by
- * a comma or blanks, or in the third and fourth of five columns apart by tabs; the rest of a line after # is a remark.
+ * Reads and writes parameter files of QGroundControl, Mission Planner and MAVProxy. Reads what QGroundControl, Mission
+ * Planner and MAVProxy write: name and value in a line, apart by a comma or blanks, or in the third and fourth of five
+ * columns apart by tabs; the rest of a line after # is a remark.
  */
 public final class ParameterFile {
     /** How a file is written. */

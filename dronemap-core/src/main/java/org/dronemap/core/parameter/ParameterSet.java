@@ -10,7 +10,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
-/** The parameters of one vehicle as last heard; immutable, in order of their names. */
+/** All parameters last read from one vehicle, in order of their names; immutable. */
 public final class ParameterSet {
     /** Nothing was read yet. */
     public static final ParameterSet NONE = new ParameterSet(new TreeMap<>(), null);

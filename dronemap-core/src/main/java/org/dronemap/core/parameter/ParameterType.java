@@ -1,6 +1,6 @@
 package org.dronemap.core.parameter;
 
-/** Numeric type of a parameter. */
+/** Numeric type of a vehicle parameter, as in MAVLink. */
 public enum ParameterType {
     UINT8(1, false, 0, 255),
     INT8(2, false, -128, 127),

@@ -3,7 +3,7 @@ package org.dronemap.core.parameter;
 import java.util.regex.Pattern;
 import org.dronemap.core.stored.Stored;
 
-/** A value that a parameter shall get. */
+/** A name and the value that a vehicle parameter is to be set to. */
 @Stored(names = "name value")
 public record ParameterValue(String name, double value) {
     /** What the name of a parameter looks like, as a regular expression. */

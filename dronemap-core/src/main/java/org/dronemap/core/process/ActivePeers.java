@@ -1,6 +1,6 @@
 package org.dronemap.core.process;
 
-/** Knows whose bytes each thread works on now, so that it can be said when the process ends there. */
+/** Tracks which peer's bytes each thread is processing, so that a crash of the server can be blamed on it. */
 public interface ActivePeers {
     /** Nobody wants to know. */
     ActivePeers UNKNOWN = new ActivePeers() {

@@ -1,7 +1,7 @@
 package org.dronemap.core.process;
 
 /**
- * Goes with whoever takes bytes of peers.
+ * Guards code that processes bytes of peers: tracks the peer at work, and knows which peers safe mode refuses.
  *
  * @param atWork is told whose bytes are worked on
  * @param precautions says from whom nothing is taken

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Somebody who sends bytes, or whole groups of them.
+ * A peer that sends bytes (host, port, system id), or a group of peers where parts are left open.
  *
  * @param host an address or a device
  * @param port {@value #ANY}: any

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The end of an earlier process of this server that nobody had stopped.
+ * Record of a crash of an earlier process of this server: when, why and while processing whose bytes.
  *
  * @param at its last sign of life
  * @param part what could not go on, such as the name of a thread

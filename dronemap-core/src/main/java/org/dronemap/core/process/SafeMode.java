@@ -11,9 +11,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * A start that does without what may have ended the processes before. After {@value #MOST_ENDS} ends within two minutes
- * it goes on with no operation, and takes nothing from whose bytes were being worked on at two of them: one of these may be
- * why they ended, and links, hold, land and return must be there.
+ * Precautions of a start after repeated crashes: no operations, and no bytes from suspected peers. After {@value
+ * #MOST_ENDS} ends within two minutes it goes on with no operation, and takes nothing from whose bytes were being
+ * worked on at two of them: one of these may be why they ended, and links, hold, land and return must be there.
  *
  * @param ends that it goes by, the oldest first; none: there is no need for care
  * @param refused whom nothing is taken from

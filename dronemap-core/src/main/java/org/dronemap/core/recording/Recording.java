@@ -6,7 +6,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One recording of one drone, both directions.
+ * Metadata of a recording of the messages to and from one drone, usually of one flight.
  *
  * @param droneName as it was called when the recording began
  * @param start time of the first message; some seconds before arming

@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** The recordings of this server with their bytes. Any thread; blocks for the disk and the store. */
+/** Access to the recordings of this server, metadata and files. Any thread; blocks for the disk and the store. */
 public interface RecordingArchive {
     /** All of them, newest start first; those that go on with their counts of now. */
     List<Recording> recordings();

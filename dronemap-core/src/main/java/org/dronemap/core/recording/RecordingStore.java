@@ -3,7 +3,7 @@ package org.dronemap.core.recording;
 import java.util.List;
 import java.util.Optional;
 
-/** Keeps what is known of recordings, not their bytes; every write returns only after it is durable. */
+/** Stores the metadata of recordings, not their bytes; every write returns only after it is durable. */
 public interface RecordingStore {
     /** All of them, newest start first. */
     List<Recording> recordings();

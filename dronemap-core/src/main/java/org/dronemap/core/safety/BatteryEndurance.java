@@ -9,8 +9,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Estimates how long the battery of one drone lasts in the air, from its use in this flight; on its lane. Owned by the
- * drone's lane.
+ * Estimates how long the battery of one flying drone lasts, from its consumption in this flight. Owned by the drone's
+ * lane.
  */
 public final class BatteryEndurance {
     /** Assumed of a drone of which nothing is known yet: 20 minutes from full to empty. */

@@ -3,7 +3,7 @@ package org.dronemap.core.safety;
 import org.dronemap.core.geo.Geodetic;
 
 /**
- * A place that is known to be fit for a landing.
+ * A place known to be fit for landing, such as home or a rally point, with words for it.
  *
  * @param words what people call it: "a rally point"
  */

@@ -1,6 +1,6 @@
 package org.dronemap.core.safety;
 
-/** A way to bring down a drone that nobody looks after, the best first. */
+/** A way to bring down a drone that nobody controls: return home, another landing site, or land; best first. */
 public enum ReturnOption {
     /** Back to where it set off, by its own way. */
     RETURN,

@@ -20,10 +20,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Chooses how a drone in the air that nobody looks after comes down: home, to the nearest proved landing place, down where it
- * is, or not at all by itself, and then why. Pure.
- */
+/** Chooses how a flying drone that nobody controls comes down: home, to a landing site, or where it is. Pure. */
 public final class ReturnPlanner {
     /** Autopilots come with 15 to 60 m. */
     private static final double USUAL_RETURN_METERS = 30;

@@ -3,8 +3,8 @@ package org.dronemap.core.safety;
 import java.time.Duration;
 
 /**
- * The times that have to fit each other when somebody falls silent: docs/times.md has all of them in one table, with what was
- * measured. The next one begins only after the one before is over, or nobody would know who acts.
+ * Timeouts that must fit each other when vehicle, user or cloud falls silent; see docs/times.md. The next one begins
+ * only after the one before is over, or nobody would know who acts.
  */
 public final class SafetyTimes {
     /** Since a vehicle heard the cloud last, until it comes home by itself: longer than the server takes to be back. */

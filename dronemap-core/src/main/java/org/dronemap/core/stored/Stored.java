@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * The words that a record or an enum is called by where it is stored. The code may be renamed; these words stay for ever, or what earlier
- * versions have stored cannot be read any more.
+ * Fixes the names under which a record or an enum is stored, whatever its name in the code. The code may be renamed;
+ * these words stay for ever, or what earlier versions have stored cannot be read any more.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

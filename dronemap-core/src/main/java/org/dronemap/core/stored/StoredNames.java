@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** Finds what {@link Stored} says; who has it not, or not of all parts, is refused as a fault of the code. Any thread. */
+/** Looks up the names that {@link Stored} fixes; a type without complete names is a programming error. Any thread. */
 public final class StoredNames {
     private static final ClassValue<List<String>> NAMES = new ClassValue<>() {
         @Override

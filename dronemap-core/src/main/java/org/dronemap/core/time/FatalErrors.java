@@ -3,8 +3,8 @@ package org.dronemap.core.time;
 import java.util.Optional;
 
 /**
- * Errors after which nobody knows what still works, however far up they are caught. What a thread fails with in the end goes
- * to its uncaught exception handler; libraries and executors keep some of it to themselves.
+ * Recognises fatal errors such as out of memory, and passes them to the handler that ends the process. What a thread
+ * fails with in the end goes to its uncaught exception handler; libraries and executors keep some of it to themselves.
  */
 public final class FatalErrors {
     private static final int DEEPEST = 20;

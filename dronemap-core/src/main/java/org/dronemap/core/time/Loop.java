@@ -2,7 +2,9 @@ package org.dronemap.core.time;
 
 import java.time.Duration;
 
-/** A thread that takes one turn after the other, until it is closed. Any thread may wake it. */
+/**
+ * A thread that runs one function again and again until it is closed, and can be woken early. Any thread may wake it.
+ */
 public interface Loop extends AutoCloseable {
     /** One turn. */
     @FunctionalInterface

@@ -3,7 +3,9 @@ package org.dronemap.core.time;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 
-/** Does what is handed to it on a few threads. What throws is logged. Any thread. */
+/**
+ * An executor with a few threads and a bounded queue, in real or in stepped time. What throws is logged. Any thread.
+ */
 public interface Pool extends Executor, AutoCloseable {
     /**
      * @throws RejectedExecutionException when too much waits, or it is closed

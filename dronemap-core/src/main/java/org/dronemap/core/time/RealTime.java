@@ -11,7 +11,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 
-/** The machine's own time, and threads of this process. */
+/** The {@link Time} of a running server: the machine's clocks and real threads. */
 public final class RealTime implements Time {
     private final SecureRandom random = new SecureRandom();
     private final Clock clock;

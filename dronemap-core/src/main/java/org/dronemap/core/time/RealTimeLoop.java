@@ -5,7 +5,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** On one thread of its own, which is woken at once while that is rare. */
+/** A {@link Loop} on a real thread of its own. */
 final class RealTimeLoop implements Loop {
     private static final Logger LOG = LoggerFactory.getLogger(RealTimeLoop.class);
 

@@ -9,7 +9,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** On a few threads, numbered after the pool. */
+/** A {@link Pool} of a few real threads. */
 final class RealTimePool implements Pool {
     private static final Logger LOG = LoggerFactory.getLogger(RealTimePool.class);
 

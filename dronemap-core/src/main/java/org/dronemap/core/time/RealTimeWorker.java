@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** On one thread of its own. */
+/** A {@link Worker} on a real thread of its own. */
 final class RealTimeWorker implements Worker {
     private static final Logger LOG = LoggerFactory.getLogger(RealTimeWorker.class);
 

@@ -1,6 +1,6 @@
 package org.dronemap.core.time;
 
-/** Something that is going to happen, once or again and again, until it is called off. */
+/** A handle on a task scheduled once or repeatedly, by which it can be cancelled. */
 @FunctionalInterface
 public interface ScheduledTask {
     /** Does not stop what is being done already. */

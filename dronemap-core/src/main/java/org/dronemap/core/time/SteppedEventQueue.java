@@ -9,9 +9,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Event queue of stepped time, ordered by due time and arrival; a busy owner gets no further event. Whoever is in the
- * middle of something is not given the next thing, even when what it does waits for others. Owned by the one thread
- * that steps.
+ * Event queue of stepped (simulated) time, ordered by due time and arrival. Whoever is in the middle of something is
+ * not given the next thing, even when what it does waits for others. Owned by the one thread that steps.
  */
 final class SteppedEventQueue {
     private static final Logger LOG = LoggerFactory.getLogger(SteppedEventQueue.class);

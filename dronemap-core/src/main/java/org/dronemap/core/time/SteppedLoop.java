@@ -3,7 +3,7 @@ package org.dronemap.core.time;
 import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
-/** In stepped time. */
+/** A {@link Loop} in stepped (simulated) time. */
 final class SteppedLoop implements Loop {
     private final SteppedProcess time;
     private final SteppedEventQueue agenda;

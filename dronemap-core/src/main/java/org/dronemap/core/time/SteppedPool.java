@@ -3,7 +3,7 @@ package org.dronemap.core.time;
 import java.util.HashSet;
 import java.util.Set;
 
-/** In stepped time: one thing after the other. */
+/** A {@link Pool} in stepped (simulated) time; runs its tasks one after the other. */
 final class SteppedPool implements Pool {
     private final Worker worker;
     private final Set<Runnable> waiting = new HashSet<>();

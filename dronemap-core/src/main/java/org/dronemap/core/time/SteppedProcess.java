@@ -9,7 +9,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 
-/** A part of a laboratory that shares its stepped time and can die without the others. */
+/** A process simulated in stepped time for tests, such as one server, which can be killed without the others. */
 final class SteppedProcess implements SteppedTime.Killable {
     /** The price of one look at {@link #effort}. */
     private static final long LOOK_NANOS = 4_000_000;

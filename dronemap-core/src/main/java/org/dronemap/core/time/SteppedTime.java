@@ -16,8 +16,8 @@ import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 
 /**
- * Time that goes on only when it is told to, from one thing that is due to the next, without waiting. All that would be done
- * on threads is done on the one that steps, in the same order each time. That thread alone may use it.
+ * Simulated time for tests: jumps from one due event to the next without waiting, deterministically. All that would be
+ * done on threads is done on the one that steps, in the same order each time. That thread alone may use it.
  */
 public final class SteppedTime implements Time {
     private static final long MOST_AT_ONE_MOMENT = 1_000_000;

@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.RejectedExecutionException;
 
-/** In stepped time. */
+/** A {@link Worker} in stepped (simulated) time. */
 final class SteppedWorker implements Worker {
     private final SteppedProcess time;
     private final SteppedEventQueue agenda;

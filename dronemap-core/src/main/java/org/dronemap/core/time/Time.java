@@ -12,8 +12,9 @@ import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 
 /**
- * The time that a server goes by and the threads that it works on. Made once, where the server is built, and handed to all
- * that waits, repeats or measures, so that the same code runs in real time and in stepped time. Any thread.
+ * Source of clocks, timers and threads for a whole server, so that the same code runs in real or simulated time. Made
+ * once, where the server is built, and handed to all that waits, repeats or measures, so that the same code runs in
+ * real time and in stepped time. Any thread.
  */
 public interface Time {
     /** The time of day, in UTC; it may jump when somebody sets it. */

@@ -1,6 +1,6 @@
 package org.dronemap.core.time;
 
-/** A failure that may be one of the moment, such as of a store that is away or full. */
+/** A failure that may be only temporary, such as of a store that is out of reach. */
 public interface TransientFailure {
     /** Nothing is wrong with what was asked, only with the moment. */
     boolean isPassing();

@@ -3,8 +3,8 @@ package org.dronemap.core.time;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Wait strategy of a thread: blocks while work is rare, and polls each millisecond while it is frequent. Owned by that
- * thread.
+ * Chooses how a thread waits for work: blocks while work is rare, polls each millisecond while it is frequent. Owned by
+ * that thread.
  */
 public final class WaitStrategy {
     /** Who is woken so soon is in a hurry. */

@@ -8,7 +8,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 
 /**
- * Does one thing after the other, in the order in which they came or became due. What throws is logged, and the next one is
+ * Runs tasks one at a time, in the order in which they arrive or become due. What throws is logged, and the next one is
  * done all the same. Any thread may hand work in.
  */
 public interface Worker extends Executor, AutoCloseable {

@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A drone that serves a run.
+ * The real drone assigned to a virtual drone's run, why it was chosen, and its command under way.
  *
  * @param choice why this one
  * @param first the tour's waypoint that it begins with, counted from 0

@@ -5,8 +5,9 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A drone that could serve now. Its quantities are measured as coarsely as they are known: positions, assumed speeds and
- * short measurements of links bear no finer comparison.
+ * A drone that could serve a virtual drone or a follow, with the quantities by which it is compared. Its quantities are
+ * measured as coarsely as they are known: positions, assumed speeds and short measurements of links bear no finer
+ * comparison.
  *
  * @param distanceMeters in steps of 50
  * @param batteryLeftPercent in steps of 5

@@ -9,7 +9,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Choice of the drone that serves a run, with the reason; a pure function of the candidates.
+ * The drone chosen to serve a virtual drone or a follow, with the reason and the runner-up.
  *
  * @param runnerUp null: there was no other one
  * @param deciding what the two were told apart by; null without a runner-up

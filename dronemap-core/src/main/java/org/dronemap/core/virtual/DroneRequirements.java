@@ -6,7 +6,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Requirements that a drone must meet to serve a virtual one.
+ * Requirements that a real drone must meet to serve a virtual drone or a follow.
  *
  * @param kind null: any
  * @param capabilities beside what a mission takes anyway

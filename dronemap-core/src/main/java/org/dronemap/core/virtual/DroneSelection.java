@@ -19,8 +19,8 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Selection of the drones that can serve a demand, and of the one that shall; a pure function. Same input, same answer;
- * touches nothing.
+ * Selects, for a virtual drone or a follow, the drones that can serve and the best of them; a pure function. Same
+ * input, same answer; touches nothing.
  *
  * @param candidates those that can
  * @param choice empty when there are none

@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 
-/** A circle in which a drone has to stand. */
+/** A circle in which a drone must stand to serve a virtual drone. */
 public record RequiredArea(Geodetic center, double radiusMeters) {
     public RequiredArea {
         if (!(radiusMeters >= 1 && radiusMeters <= 100_000)) {

@@ -3,7 +3,7 @@ package org.dronemap.core.virtual;
 import java.util.Locale;
 import org.dronemap.core.stored.Stored;
 
-/** Criteria by which candidate drones are compared, in this order; each counts only where those before tie. */
+/** Criteria by which candidate drones are compared, in order: distance, battery left, link loss, id. */
 @Stored(names = "DISTANCE BATTERY_LEFT LINK_LOSS ORDER")
 public enum SelectionCriterion {
     /** Metres from where it stands to the first waypoint, in steps of 50. */

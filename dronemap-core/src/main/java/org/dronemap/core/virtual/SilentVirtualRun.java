@@ -14,7 +14,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 
-/** Decides what follows while nothing is heard of the drone of a run: it may still fly what was given to it. */
+/** Decides the next step of a virtual drone's run while its real drone is out of contact. */
 final class SilentVirtualRun {
     /** On the ground a drone that is not heard is soon replaced. */
     private static final Duration PATIENCE_ON_THE_GROUND = Duration.ofSeconds(15);

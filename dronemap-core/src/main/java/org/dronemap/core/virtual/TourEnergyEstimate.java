@@ -14,9 +14,8 @@ import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Estimate of the battery energy that a tour takes: length, climb and waiting at assumed speeds and draws. Both figures
- * are assumed by kind, on the careful side, and stated wherever they count. Where the wind is known it counts on each
- * leg.
+ * Estimates time and battery that a drone needs for a tour, from its length, climbs, waits and wind. Both figures are
+ * assumed by kind, on the careful side, and stated wherever they count. Where the wind is known it counts on each leg.
  *
  * @param minutes infinite: it makes no headway on one of its legs
  * @param wind null: not known

@@ -3,8 +3,8 @@ package org.dronemap.core.virtual;
 import org.dronemap.core.command.Refusal;
 
 /**
- * Codes for programs of why a drone cannot serve; they never change. What the gate says, and who has control, is told
- * by its own code ({@link Refusal#code}). What stands in the way of a request, too, has the same word there.
+ * Stable codes for why a drone cannot serve a virtual drone or a follow. What the gate says, and who has control, is
+ * told by its own code ({@link Refusal#code}). What stands in the way of a request, too, has the same word there.
  */
 public enum UnfitCode {
     CONTACT_NOT_GOOD(

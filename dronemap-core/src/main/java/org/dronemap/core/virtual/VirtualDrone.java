@@ -9,7 +9,7 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A virtual drone: a user's handle that a drone of the warehouse serves; immutable.
+ * A virtual drone: what a user owns and plans with; a real drone of the warehouse serves it when it flies.
  *
  * @param owner the name of the user it belongs to, as it was then
  * @param account of that user

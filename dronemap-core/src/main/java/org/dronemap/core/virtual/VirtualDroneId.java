@@ -2,7 +2,7 @@ package org.dronemap.core.virtual;
 
 import java.util.regex.Pattern;
 
-/** Names a virtual drone for ever; tells nothing of the drone that serves it. */
+/** Permanent id of a virtual drone; reveals nothing of the real drone that serves it. */
 public record VirtualDroneId(String value) {
     private static final Pattern FORM = Pattern.compile("[a-z0-9-]{1,40}");
 

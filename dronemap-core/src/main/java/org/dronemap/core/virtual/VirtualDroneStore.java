@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 
-/** Keeps virtual drones with their runs, and the drones that may serve them; every write returns only after it is durable. */
+/** Stores virtual drones with their runs, and the warehouse of drones that may serve them; writes are durable. */
 public interface VirtualDroneStore {
     /** All of them, the oldest first. */
     List<VirtualDrone> virtualDrones();

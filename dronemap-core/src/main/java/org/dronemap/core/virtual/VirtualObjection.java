@@ -4,7 +4,7 @@ import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.ObjectionCode;
 import org.dronemap.core.operation.ObjectionEntry;
 
-/** Reasons why a virtual drone cannot be changed now as a user wants. */
+/** Objection codes for why a virtual drone refuses a user's request, such as to start it without a mission. */
 public enum VirtualObjection implements ObjectionCode {
     NO_MISSION("virtual-drone-without-mission", "The virtual drone has no mission yet.", "Plan its mission first."),
     UNDER_WAY(

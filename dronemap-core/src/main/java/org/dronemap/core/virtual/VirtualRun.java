@@ -10,8 +10,8 @@ import org.dronemap.core.mission.Mission;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A virtual drone's mission on its way from being asked for to its end; immutable, a newer one replaces it. Each waypoint
- * below {@code flown} is behind it; all others are the one assignment's, or nobody's.
+ * The flight of a virtual drone's mission, from the user's request to its end; immutable. Each waypoint below {@code
+ * flown} is behind it; all others are the one assignment's, or nobody's.
  *
  * @param ticket who asked first has the lower one, and goes first
  * @param mission as it was planned when it was asked for; a {@link VirtualTour}

@@ -27,8 +27,8 @@ import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Pure state machine of a run: from its state and what is seen of its drone to the next step. It touches nothing. What
- * is already so is never commanded, so that a run goes on after a restart wherever it was.
+ * State machine of a virtual drone's run: from its state and an observation of its real drone to the next step. It
+ * touches nothing. What is already so is never commanded, so that a run goes on after a restart wherever it was.
  */
 public final class VirtualRunMachine {
     /** A silent drone counts as flying for so long, beside what its mission still takes. */

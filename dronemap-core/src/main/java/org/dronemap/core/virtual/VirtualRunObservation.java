@@ -7,7 +7,7 @@ import org.dronemap.core.drone.DroneState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Observation of the drone that serves a run.
+ * What a virtual drone's run sees of its real drone; input of VirtualRunMachine.
  *
  * @param drone null: it was removed
  * @param takenBy why the run has no control of it, as a sentence; null: it has

@@ -2,7 +2,7 @@ package org.dronemap.core.virtual;
 
 import org.dronemap.core.stored.Stored;
 
-/** Stage of a run. */
+/** Stage of a virtual drone's run, such as queued, uploading, flying or returning. */
 @Stored(
         names = "QUEUED UPLOADING ARMING STARTING FLYING RETURNING GIVING_UP STOPPING SUSPENDED DONE "
                 + "FAILED STOPPED")

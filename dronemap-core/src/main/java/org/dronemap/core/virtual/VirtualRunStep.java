@@ -4,7 +4,7 @@ import org.dronemap.core.command.Command;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Step of the run machine: next run, command to send, and release of the drone.
+ * Output of VirtualRunMachine: the next state of the run, a command to send, and what becomes of control.
  *
  * @param send null: nothing
  */

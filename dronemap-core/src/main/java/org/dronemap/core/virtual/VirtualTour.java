@@ -12,8 +12,8 @@ import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A mission as virtual drones fly it: perhaps a take-off, then waypoints, then home or down. Its waypoints are what one
- * drone may leave to the next.
+ * A mission of a virtual drone split into take-off, waypoints and ending, so that drones can share it. Its waypoints
+ * are what one drone may leave to the next.
  *
  * @param takeOffMeters as planned; null: to the height of the first waypoint
  * @param landsThere it lands at its last waypoint instead of returning

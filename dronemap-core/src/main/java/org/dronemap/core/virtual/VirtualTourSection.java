@@ -7,7 +7,7 @@ import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionComparison;
 
 /**
- * The part of a tour that one drone is given.
+ * The part of a virtual drone's tour that one real drone is given to fly.
  *
  * @param first the tour's waypoint that it begins with, counted from 0
  * @param lead items before that one

@@ -5,7 +5,7 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** From a floor to a ceiling in metres, both measured from the same reference; null: no bound on that side. */
+/** Altitudes of a zone or of flight bounds: floor and ceiling in metres from one reference; null for no bound. */
 @Stored(names = "floorMeters ceilingMeters reference")
 public record AltitudeBand(
         @Nullable Double floorMeters, @Nullable Double ceilingMeters, Altitude.Reference reference) {

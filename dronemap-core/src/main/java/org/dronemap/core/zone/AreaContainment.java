@@ -9,7 +9,7 @@ import org.dronemap.core.geo.PlanePolygon;
 import org.dronemap.core.geo.PlaneSegment;
 import org.dronemap.core.mission.FenceZone;
 
-/** Checks whether one area lies within another one; shared edges count as inside. */
+/** Checks whether one area lies within another, for access keys made from other keys; shared edges count as inside. */
 final class AreaContainment {
     /** What rounding may do to a corner that lies on an edge. */
     private static final double SAME_METERS = 0.001;

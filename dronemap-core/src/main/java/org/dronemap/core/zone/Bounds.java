@@ -5,7 +5,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Flight bounds besides all zones: an area and an altitude band.
+ * Area and altitude band that an access key's flights must stay within, besides all zones.
  *
  * @param area null: anywhere
  */

@@ -9,7 +9,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.mission.MissionItem;
 
-/** Derives the route that a command sends a drone along. */
+/** Predicts the route along which a command would send a drone, so that it can be checked against zones. */
 public final class CommandRoutes {
     private CommandRoutes() {}
 

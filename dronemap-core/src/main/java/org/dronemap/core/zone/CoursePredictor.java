@@ -9,7 +9,7 @@ import org.dronemap.core.geo.PlanePoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Course of a drone from its last fixes, since its heading ignores wind and pilot; owned by one thread. Owned by one
+ * Predicts a drone's position a few seconds ahead from its last positions, to warn of zone breaches. Owned by one
  * thread.
  */
 final class CoursePredictor {

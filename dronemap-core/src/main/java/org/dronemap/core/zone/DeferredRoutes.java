@@ -12,7 +12,7 @@ import org.dronemap.core.mission.RallyPoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Checks how a command changes where its drone flies by itself later, such as home or to a rally point.
+ * Where a command would make its drone fly later by itself, such as to a new home; checked against flight bounds.
  *
  * @param why what speaks against it as such; null: it depends on the refuges
  * @param refuges where it would go once it is called home

@@ -7,7 +7,7 @@ import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Height references in metres above sea level: home for commanded heights, ground for bounds above home.
+ * Elevations above sea level of a drone's home and ground, which heights of commands and bounds are measured from.
  *
  * @param homeAmslMeters null: not known
  * @param groundAmslMeters null: not known; then bounds are measured from home, too

@@ -4,8 +4,7 @@ import java.util.List;
 import org.dronemap.core.mission.Altitude;
 
 /**
- * All heights that a vehicle may be at on a stretch: between the lowest and the highest that are named, since vehicles
- * climb at the beginning of a leg, at its end or all along it; and all the way down where it stands or lands.
+ * The range of heights that a vehicle may fly at on one leg of a predicted route.
  *
  * @param named nothing when it is not known how high it is
  */

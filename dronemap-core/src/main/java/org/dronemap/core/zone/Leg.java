@@ -3,7 +3,7 @@ package org.dronemap.core.zone;
 import org.dronemap.core.geo.Geodetic;
 
 /**
- * A straight piece of a way, or a column over one place.
+ * A straight leg of a predicted route, or a vertical column over one place.
  *
  * @param words what it is, as the beginning of a sentence: "The way from item 2 to item 3"
  */

@@ -12,7 +12,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Checks a leg against a zone, with a margin that grows with the leg's length; refuses in doubt. Nobody knows to the
+ * Checks a leg of a predicted route against a zone, with a margin for inaccuracy; refuses in doubt. Nobody knows to the
  * decimetre how a vehicle flies a straight line, and the longer the line the less; a leg must stay away from an edge by
  * what is not known.
  */

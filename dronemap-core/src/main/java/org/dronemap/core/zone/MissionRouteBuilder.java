@@ -11,7 +11,7 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/** Walks through a mission from where the drone is, and notes each leg. Used once, by one thread. */
+/** Builds the predicted route of a mission, leg by leg, from the drone's present position. Used once, by one thread. */
 final class MissionRouteBuilder {
     /** How high a vehicle goes before it returns, unless it is higher already: the highest that autopilots come with. */
     static final double RETURN_HEIGHT_METERS = 60;

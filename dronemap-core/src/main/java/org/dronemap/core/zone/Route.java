@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Route that a command may send a drone along.
+ * The legs that a drone will fly if it is given a command, as far as they can be predicted; checked against zones.
  *
  * @param doubt why a part of it cannot be said, as a sentence; null when all of it is known
  */

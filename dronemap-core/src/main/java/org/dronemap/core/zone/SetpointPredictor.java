@@ -13,7 +13,7 @@ import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
-/** Predicts where a setpoint leads one drone, from its position and motion; immutable. Immutable. */
+/** Predicts where a setpoint leads one drone within seconds, so that it can be checked against zones. Immutable. */
 final class SetpointPredictor {
     /** For so long it goes on, and then stands, whatever is said later: reaction and braking of fast copters. */
     private static final double AHEAD_SECONDS = 3;

@@ -9,7 +9,7 @@ import org.dronemap.core.geo.PlanePolygon;
 import org.dronemap.core.geo.PlaneSegment;
 import org.dronemap.core.mission.FenceZone;
 
-/** Validates the shape of an area: only a shape with one clear inside can be guarded. */
+/** Validates the shape of a zone or of flight bounds: large enough, not too large, and with one clear inside. */
 public final class ShapeValidator {
     private static final double LEAST_AREA_SQUARE_METERS = 1;
     private static final double MOST_METERS = 200_000;

@@ -3,7 +3,7 @@ package org.dronemap.core.zone;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
-/** Validity period of a zone; null: unbounded on that side. */
+/** Period in which a zone is in force; null: unbounded on that side. */
 public record Validity(@Nullable Instant from, @Nullable Instant until) {
     public static final Validity ALWAYS = new Validity(null, null);
 

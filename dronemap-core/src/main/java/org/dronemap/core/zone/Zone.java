@@ -5,8 +5,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.organisation.OrganisationId;
 
 /**
- * An area that drones stay in ({@code shape.inside()}), or out of; kept and enforced by the cloud, whatever the vehicle
- * itself keeps as its fence.
+ * An area that drones must stay in or out of; enforced by the cloud, whatever fence the vehicle has.
  *
  * @param name what people call it
  * @param changedBy who changed it last

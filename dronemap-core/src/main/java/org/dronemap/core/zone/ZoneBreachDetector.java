@@ -13,9 +13,8 @@ import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches one drone in the air: says once that a zone will be breached if it goes on like this, once that it is, and now and
- * then that it still is.
- * Owned by one thread; times in ns of a monotonic clock.
+ * Detects breaches of zones by one flying drone: warns ahead of one, reports it, and repeats while it lasts. Owned by
+ * one thread; times in ns of a monotonic clock.
  */
 public final class ZoneBreachDetector {
     /** How far it looks ahead. */

@@ -10,7 +10,7 @@ import java.util.function.Function;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** The zones that are in force here and now: each change holds from the moment on that it is made. Any thread. */
+/** In-memory registry of the zones in force; each change takes effect at once. Any thread. */
 public final class ZoneRegistry {
     private final CopyOnWriteArrayList<Consumer<Change>> listeners = new CopyOnWriteArrayList<>();
     private volatile List<Zone> zones = List.of();

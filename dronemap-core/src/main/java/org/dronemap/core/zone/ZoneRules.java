@@ -8,7 +8,7 @@ import java.util.function.Function;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
 
-/** Rules by which zones forbid commands that lead a drone into a breach, or where nobody can tell. */
+/** Rules by which zones forbid commands and setpoints that lead a drone into a breach, or cannot be checked. */
 public final class ZoneRules {
     /** What comes into force while it flies counts already when it is sent off. */
     private static final Duration AHEAD = Duration.ofHours(1);

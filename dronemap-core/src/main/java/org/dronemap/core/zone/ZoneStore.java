@@ -2,7 +2,7 @@ package org.dronemap.core.zone;
 
 import java.util.List;
 
-/** Keeps the zones; every write returns only after it is durable. */
+/** Stores zones; every write returns only after it is durable. */
 public interface ZoneStore {
     /** All of them by name. */
     List<Zone> zones();

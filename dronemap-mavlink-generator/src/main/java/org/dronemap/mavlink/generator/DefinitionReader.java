@@ -11,7 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** Reads a file of definitions; its head says how they are written. */
+/** Reads the file that defines MAVLink messages, for the code generator. */
 public final class DefinitionReader {
     private static final int LONGEST_PAYLOAD = 255;
     private static final Pattern MESSAGE = Pattern.compile("(\\d{1,8}) ([A-Z][A-Z0-9_]*)");

@@ -1,7 +1,7 @@
 package org.dronemap.mavlink.generator;
 
 /**
- * A field of a MAVLink message, as defined.
+ * A field of a MAVLink message, as the definition file describes it.
  *
  * @param name as MAVLink writes it, in lower case with underscores
  * @param elements of an array or text; 0: one value alone

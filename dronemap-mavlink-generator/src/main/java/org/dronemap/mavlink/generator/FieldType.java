@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** A type of MAVLink's fields: its size on the wire, and how Java says and reaches it. */
+/** A type of MAVLink message fields: its size on the wire, its Java type and accessor in generated code. */
 public enum FieldType {
     CHAR("char", 1, "String", "text"),
     INT8("int8_t", 1, "int", "i8"),

@@ -9,8 +9,8 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * Writes a record for each message of a file of definitions. What is up to date is not touched, so that nothing is compiled
- * again because of it; what is defined no longer goes.
+ * The code generator run by the build: writes a Java record for each MAVLink message of the definition file. What is up
+ * to date is not touched, so that nothing is compiled again because of it; what is defined no longer goes.
  */
 public final class MessageGenerator {
     private static final String FOLDER = "org/dronemap/mavlink/message";

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
-/** The Java record of one message, laid out as the formatter of the house does it. */
+/** Builds the Java source of the record of one MAVLink message. */
 final class RecordSource {
     private static final int WIDTH = 120;
     private static final String IMPLEMENTS = " implements Message {";

@@ -2,7 +2,7 @@ package org.dronemap.mavlink.generator;
 
 import java.util.Locale;
 
-/** Names that are words with underscores between them, written as Java writes names. */
+/** Turns MAVLink names with underscores into Java names, for the code generator. */
 final class Words {
     private Words() {}
 

@@ -5,8 +5,8 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.PayloadWriter;
 
 /**
- * MAVLink message 512 of the development dialect, which dronefleet's definitions lack: who is in control of a vehicle. Raw
- * fields as on the wire; the ten other ground stations that it could name are none, as control is one user's.
+ * MAVLink message 512 (CONTROL_STATUS, development dialect): which ground station controls a vehicle. Raw fields as on
+ * the wire; the ten other ground stations that it could name are none, as control is one user's.
  *
  * @param gcsMain system id of the ground station in control; 0: none
  */

@@ -4,8 +4,8 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameSigner;
 
 /**
- * Signs the frames that one sender puts on one link. Timestamps rise strictly from frame to frame, also over several
- * signers of one clock. Not thread-safe.
+ * Signs the MAVLink frames that one sender puts on one link. Timestamps rise strictly from frame to frame, also over
+ * several signers of one clock. Not thread-safe.
  */
 public final class OutgoingSigner implements FrameSigner {
     private final SigningKey key;

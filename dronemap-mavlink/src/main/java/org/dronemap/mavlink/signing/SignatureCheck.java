@@ -6,9 +6,9 @@ import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Judges received frames by one key (MAVLink guide, "Message Signing"). The last timestamp of each stream (system,
- * component, link id) is remembered, for a bounded number of streams. Only a frame that is judged valid changes
- * anything. Not thread-safe.
+ * Verifies the signatures of received MAVLink frames with one key, and refuses replayed ones. The last timestamp of
+ * each stream (system, component, link id) is remembered, for a bounded number of streams. Only a frame that is judged
+ * valid changes anything. Not thread-safe.
  */
 public final class SignatureCheck {
     static final int MOST_STREAMS = 64;

@@ -1,6 +1,6 @@
 package org.dronemap.mavlink.signing;
 
-/** The verdict of a signature check on one received frame. */
+/** The verdict of a MAVLink signature check on one received frame. */
 public enum SignatureVerdict {
     /** Signed with the key, and newer than everything before in its stream. */
     VALID,

@@ -4,9 +4,9 @@ import java.time.Instant;
 import java.time.InstantSource;
 
 /**
- * The time of signatures: 10 µs steps since 2015-01-01 UTC in 48 bits. Never goes back, whatever the clock of the machine
- * does: it starts at the later of clock and stored time and follows the validly signed frames that are ahead. Not
- * thread-safe.
+ * The timestamp clock of MAVLink signing: 10 µs steps since 2015-01-01 UTC; it never goes back. Never goes back,
+ * whatever the clock of the machine does: it starts at the later of clock and stored time and follows the validly
+ * signed frames that are ahead. Not thread-safe.
  */
 public final class SigningClock {
     public static final long TICKS_PER_SECOND = 100_000;

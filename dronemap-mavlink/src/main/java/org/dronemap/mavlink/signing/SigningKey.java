@@ -5,7 +5,10 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import org.dronemap.mavlink.Frame;
 
-/** A secret of 32 bytes that vehicle and ground share. It never shows itself: its text is always the same. Immutable. */
+/**
+ * A MAVLink signing key: 32 secret bytes that a vehicle and its ground station share. It never shows itself: its text
+ * is always the same. Immutable.
+ */
 public final class SigningKey {
     public static final int BYTES = 32;
     static final int DIGEST_BYTES = 6;

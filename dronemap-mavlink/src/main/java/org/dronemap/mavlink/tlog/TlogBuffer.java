@@ -8,9 +8,9 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.SignatureStripper;
 
 /**
- * Records of a tlog that wait to be written: 8 bytes big-endian microseconds since 1970 and one frame. Frames are kept
- * byte for byte, but for what would help to guess a signing key: signatures are taken off, and SETUP_SIGNING, which
- * carries the key itself, is left out. Grows up to a bound. Not thread-safe.
+ * A buffer of tlog records (8 bytes big-endian microseconds since 1970 and one frame) to be written to a recording.
+ * Frames are kept byte for byte, but for what would help to guess a signing key: signatures are taken off, and
+ * SETUP_SIGNING, which carries the key itself, is left out. Grows up to a bound. Not thread-safe.
  */
 public final class TlogBuffer {
     private static final int TIME = Long.BYTES;

@@ -9,8 +9,9 @@ import org.dronemap.mavlink.FrameReader;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads a tlog: records of 8 bytes big-endian microseconds since 1970 and one raw frame. Where bytes are broken it finds
- * the next good frame by itself; the time is then the one that stands before that frame. Not thread-safe.
+ * Reads a tlog, the usual recording format of MAVLink: records of 8 bytes big-endian microseconds and a raw frame.
+ * Where bytes are broken it finds the next good frame by itself; the time is then the one that stands before that
+ * frame. Not thread-safe.
  */
 public final class TlogReader {
     private static final int CHUNK = 8192;

@@ -6,7 +6,7 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 
 /**
- * A summary of a recording of our own, found by walking from record to record.
+ * The frame count, times and usable length of a recording, found by walking over its records.
  *
  * @param wholeBytes up to the end of the last whole record; what follows was cut off while it was written
  */

@@ -14,9 +14,9 @@ import org.java_websocket.framing.Framedata;
 import org.java_websocket.protocols.Protocol;
 
 /**
- * WebSockets by RFC 6455 whose messages have a bound while they grow, whatever they come in: the library looks at the first
- * and at the last frame of one only. Whoever is not known yet has a tighter bound. Two things that peers could pile up
- * without it: pieces that hold nothing, and answers to pings that they do not read.
+ * WebSocket protocol (RFC 6455) of the Java-WebSocket library with a size limit on messages while they are received.
+ * Whoever is not known yet has a tighter bound. Two things that peers could pile up without it: pieces that hold
+ * nothing, and answers to pings that they do not read.
  */
 public final class BoundedWebSocketDraft extends Draft_6455 {
     /** Bytes of one message of somebody unknown: more than any proof of who they are has. */

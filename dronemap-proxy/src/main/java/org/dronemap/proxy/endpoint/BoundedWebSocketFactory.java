@@ -31,11 +31,8 @@ import org.java_websocket.server.DefaultSSLWebSocketServerFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes the connections of a WebSocket server, with or without TLS, and bounds what the library does not: how many one
- * host may have, how many may be there without having shaken hands, how long that may take and how much may be said in it,
- * and how much after a farewell. Who comes from a host of which some were cut for saying too much is not listened to for a
- * while.
- * Any thread.
+ * Creates WebSocket connections for vehicle endpoints and the state stream, with limits per host and until a handshake.
+ * Who comes from a host of which some were cut for saying too much is not listened to for a while. Any thread.
  */
 public final class BoundedWebSocketFactory implements WebSocketServerFactory {
     private static final int MOST_BYTES_AFTER_FAREWELL = 1_048_576;

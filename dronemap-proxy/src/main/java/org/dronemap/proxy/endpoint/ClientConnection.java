@@ -3,7 +3,10 @@ package org.dronemap.proxy.endpoint;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 
-/** One open connection or device with exactly one peer, which this end dialled. Read by one thread; sending by any. */
+/**
+ * One open connection or serial line that the server opened to a single vehicle or router. Read by one thread; sending
+ * by any.
+ */
 interface ClientConnection extends FrameSender, AutoCloseable {
     PeerAddress address();
 

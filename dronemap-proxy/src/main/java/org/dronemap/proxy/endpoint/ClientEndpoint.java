@@ -14,8 +14,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A line that this end makes, and makes again when it breaks, ever more slowly. While nobody speaks on it, it greets once a
- * second: a vehicle that only answers would stay silent for ever. Its thread reads; sending comes from any.
+ * An endpoint that the server opens to one address or serial device, and reopens with growing pauses when it breaks.
+ * While nobody speaks on it, it greets once a second: a vehicle that only answers would stay silent for ever. Its
+ * thread reads; sending comes from any.
  */
 final class ClientEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(ClientEndpoint.class);

@@ -8,8 +8,8 @@ import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The peers at one door for datagrams: whoever sends one has a place as long as there is room. Datagrams come in on one
- * thread; the rest any thread.
+ * The peers of one UDP or DTLS endpoint, one for each sending address, as long as there is room. Datagrams come in on
+ * one thread; the rest any thread.
  */
 final class DatagramPeers<K> {
     private static final PeerRegistry.Limits LIMITS = new PeerRegistry.Limits(10_000, 2_500);

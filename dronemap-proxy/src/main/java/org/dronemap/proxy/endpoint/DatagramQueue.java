@@ -8,9 +8,9 @@ import java.nio.channels.DatagramChannel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Datagrams off a socket that wait for work, in order: the socket is emptied between any two pieces of work, so that neither
- * a burst nor work that is slow at first overflows it. Bounded in bytes and number: what finds no room is left to the kernel,
- * which counts what it drops. Owned by the endpoint's thread.
+ * A bounded queue of datagrams read off a socket and not yet processed, so that bursts do not overflow the socket.
+ * Bounded in bytes and number: what finds no room is left to the kernel, which counts what it drops. Owned by the
+ * endpoint's thread.
  */
 final class DatagramQueue {
     /** A jumbo frame's worth; what is longer is cut, and counted as broken. */

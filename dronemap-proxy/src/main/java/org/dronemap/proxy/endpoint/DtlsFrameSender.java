@@ -9,7 +9,7 @@ import org.eclipse.californium.scandium.dtls.DTLSContext;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Sends frames into one DTLS connection, wherever its vehicle is now; the connector bounds the queue. */
+/** Sends frames to one vehicle over its DTLS connection, also after the vehicle's address has changed. */
 final class DtlsFrameSender implements FrameSender {
     private static final Logger LOG = LoggerFactory.getLogger(DtlsFrameSender.class);
 

@@ -2,7 +2,10 @@ package org.dronemap.proxy.endpoint;
 
 import java.util.Optional;
 
-/** The secrets that vehicles prove themselves with on an authenticated link. Any thread; answers at once. */
+/**
+ * Looks up the pre-shared key by which a vehicle (or an outlet's ground station) authenticates on DTLS endpoints. Any
+ * thread; answers at once.
+ */
 @FunctionalInterface
 public interface DtlsKeys {
     /** The secret of that identity; empty when there is none, or it was revoked. */

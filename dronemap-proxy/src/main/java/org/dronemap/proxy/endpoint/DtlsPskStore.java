@@ -12,7 +12,7 @@ import org.eclipse.californium.scandium.util.SecretUtil;
 import org.eclipse.californium.scandium.util.ServerNames;
 import org.jspecify.annotations.Nullable;
 
-/** Tells the DTLS library the key of a vehicle; an identity that is not known fails its handshake. */
+/** Gives the DTLS library the pre-shared key of an identity; the handshake of an unknown one fails. */
 final class DtlsPskStore implements AdvancedPskStore {
     private final DtlsKeys keys;
 

@@ -25,8 +25,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One UDP port for vehicles that prove who they are with a key of their own (DTLS 1.2, pre-shared keys). Vehicles that use a
- * connection id keep their place when their address changes. Sessions are never resumed: a revoked key is of no use at once.
+ * A UDP port for peers that authenticate with pre-shared keys of their own (DTLS 1.2). Vehicles that use a connection
+ * id keep their place when their address changes. Sessions are never resumed: a revoked key is of no use at once.
  */
 final class DtlsServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(DtlsServerEndpoint.class);

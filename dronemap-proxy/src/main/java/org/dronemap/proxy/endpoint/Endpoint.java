@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.OptionalLong;
 import org.dronemap.core.time.Time;
 
-/** A door for vehicles: one socket or line and the one thread that reads it. */
+/** A transport that vehicles are met on (a UDP, TCP, DTLS or WebSocket port, or a serial line), with its thread. */
 public interface Endpoint extends AutoCloseable {
     /**
      * Opens the door that the URL names; one that dials fails later, and tries again. The failure's message says what to do.

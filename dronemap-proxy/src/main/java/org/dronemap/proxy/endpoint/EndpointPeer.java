@@ -5,8 +5,9 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * One peer at an endpoint: its way out, who takes its bytes, what it may still cost. A stranger, who never sent a good frame,
- * may cost little, and all strangers of one host share a purse. Bytes come in on the endpoint's thread; the rest any thread.
+ * The implementation of Peer: sends to one address, passes on what it sends, and limits the work that it causes. A
+ * stranger, who never sent a good frame, may cost little, and all strangers of one host share a purse. Bytes come in on
+ * the endpoint's thread; the rest any thread.
  */
 final class EndpointPeer implements Peer {
     /** About 10,000 messages a second: more than a radio, or a router of a hundred vehicles, ever sends. */

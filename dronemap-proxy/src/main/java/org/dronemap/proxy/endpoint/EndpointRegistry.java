@@ -14,7 +14,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The endpoints that there shall be; one that cannot open is kept with the reason and tried again. Any thread. */
+/**
+ * The configured and added endpoints of one proxy or the outlet; one that cannot open keeps the reason and is retried.
+ * Any thread.
+ */
 public final class EndpointRegistry implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(EndpointRegistry.class);
     private static final int MOST = 64;

@@ -6,7 +6,7 @@ import org.dronemap.core.process.PeerCrashGuard;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The keys, certificates and limits that endpoints for vehicles are secured with.
+ * The DTLS keys, TLS certificate, WebSocket limits and crash guard that endpoints are opened with.
  *
  * @param keys what vehicles prove themselves with on DTLS links
  * @param tls the server's certificate for {@code wssserver://}, asked for each new connection; null: it has none

@@ -2,7 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import org.jspecify.annotations.Nullable;
 
-/** The state of an endpoint; {@code reason} is a sentence for people when it is not open. */
+/** Whether an endpoint is open, and if not, the reason as a sentence for people. */
 public record EndpointState(Phase phase, @Nullable String reason) {
     static final EndpointState OPEN = new EndpointState(Phase.OPEN, null);
 

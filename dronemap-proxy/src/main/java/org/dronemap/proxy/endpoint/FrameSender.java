@@ -1,6 +1,8 @@
 package org.dronemap.proxy.endpoint;
 
-/** The way out to one peer. Any thread; never waits for the other side. */
+/**
+ * Sends frames (or texts) to one peer of an endpoint without ever blocking. Any thread; never waits for the other side.
+ */
 @FunctionalInterface
 interface FrameSender {
     /** Puts one whole frame on its way; false when there was no room and it was dropped. */

@@ -6,10 +6,10 @@ import java.util.Map;
 import org.dronemap.core.link.ClientHost;
 
 /**
- * The backoff of hosts whose peers were cut for exceeding limits: each new attempt waits longer. Whoever comes from
- * there next waits, longer each time: coming anew costs a stranger nothing, and the server a handshake and all that is
- * said until the next cut. Who made a mistake, or has a neighbour behind the same address, waits, but is not turned
- * away. Not thread-safe.
+ * Makes hosts whose WebSockets were cut for exceeding limits wait before they are read again, longer each time. Whoever
+ * comes from there next waits, longer each time: coming anew costs a stranger nothing, and the server a handshake and
+ * all that is said until the next cut. Who made a mistake, or has a neighbour behind the same address, waits, but is
+ * not turned away. Not thread-safe.
  */
 final class HostBackoff {
     /** So many are a mistake. */

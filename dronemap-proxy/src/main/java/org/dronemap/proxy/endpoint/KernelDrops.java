@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Datagrams that the kernel threw away because a socket's receive buffer was full, where the system tells (Linux). */
+/** Reads from Linux how many datagrams the kernel dropped because the receive buffer of a port was full. */
 final class KernelDrops {
     private static final Logger LOG = LoggerFactory.getLogger(KernelDrops.class);
     private static final Path PROC = Path.of("/proc/net");

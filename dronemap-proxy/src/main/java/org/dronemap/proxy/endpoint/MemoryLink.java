@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import org.dronemap.core.time.Time;
 
 /**
- * One peer without a socket, treated as at a door for datagrams of its own: for what plays vehicles, robots or clients in
- * this process, in stepped time too. Its datagrams come in on one thread at a time; the rest any thread.
+ * An in-process peer without a socket, for simulated vehicles, robots and ground stations in tests and stepped time.
+ * Its datagrams come in on one thread at a time; the rest any thread.
  */
 public final class MemoryLink implements AutoCloseable {
     private final PeerAddress address;

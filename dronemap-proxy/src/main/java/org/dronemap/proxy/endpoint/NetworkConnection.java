@@ -2,7 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import java.net.InetSocketAddress;
 
-/** A line to an address of the network, which is what its peer is called by. */
+/** A connection that the server opened to a network address, by which its peer is named. */
 interface NetworkConnection extends ClientConnection {
     InetSocketAddress remote();
 

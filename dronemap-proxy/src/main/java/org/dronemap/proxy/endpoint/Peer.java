@@ -2,7 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import java.util.Optional;
 
-/** The other side of an endpoint: one address that bytes come from and can be sent to. Any thread. */
+/** The other side of an endpoint: one address that bytes are received from and can be sent to. Any thread. */
 public interface Peer {
     /** Where it is now; a peer on an authenticated link may move. */
     PeerAddress address();

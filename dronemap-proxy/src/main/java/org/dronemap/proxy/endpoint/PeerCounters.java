@@ -2,7 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import java.util.concurrent.atomic.LongAdder;
 
-/** Counters of the traffic between one peer and its endpoint, added to the endpoint's as well. Any thread. */
+/** Counters of the traffic between one peer and its endpoint; they add to the endpoint's own. Any thread. */
 public final class PeerCounters {
     private final EndpointCounters endpoint;
     private final LongAdder framesOut = new LongAdder();

@@ -2,7 +2,10 @@ package org.dronemap.proxy.endpoint;
 
 import java.nio.ByteBuffer;
 
-/** Takes what one peer sends. Always called on one thread at a time. */
+/**
+ * Receives the bytes of one peer of an endpoint; implemented for vehicles, robots and outlet clients. Always called on
+ * one thread at a time.
+ */
 public interface PeerHandler {
     /** The buffer is reused: take all of it before returning. */
     void received(ByteBuffer bytes);

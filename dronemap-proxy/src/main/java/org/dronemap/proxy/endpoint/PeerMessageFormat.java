@@ -1,7 +1,7 @@
 package org.dronemap.proxy.endpoint;
 
 /**
- * The message format of an endpoint's peers: text or binary, and the longest message.
+ * The format that an endpoint's peers speak: binary frames or text messages, and how long they may be.
  *
  * @param text WebSocket messages are texts, not frames of bytes
  * @param longestDatagram bytes; what is longer is cut, and so counted as broken

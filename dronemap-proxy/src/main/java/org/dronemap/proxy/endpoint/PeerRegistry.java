@@ -10,8 +10,8 @@ import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The peers of one endpoint, longest silent first: bounded in all and per host, so that one address cannot take every place.
- * Strangers, who never sent a good frame, lose their place sooner. Times are monotonic ns. Thread-safe.
+ * The peers of one endpoint, limited in all and per host, so that one address cannot take every place. Strangers, who
+ * never sent a good frame, lose their place sooner. Times are monotonic ns. Thread-safe.
  */
 final class PeerRegistry<K> {
     private static final long IDLE_NANOS = 60_000_000_000L;

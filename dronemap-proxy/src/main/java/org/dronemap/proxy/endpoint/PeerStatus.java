@@ -3,7 +3,7 @@ package org.dronemap.proxy.endpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One peer and what went between it and its endpoint.
+ * A snapshot of one peer of an endpoint: address, identity, traffic counters and how long it has been silent.
  *
  * @param identity null on links that prove nothing
  * @param queue frames that wait to be sent

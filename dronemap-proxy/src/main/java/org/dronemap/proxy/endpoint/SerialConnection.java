@@ -13,9 +13,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A serial device: a radio, or a flight controller on a cable. Its peer is called after the device, since there is no
- * address. A device takes bytes as slowly as its rate, so frames wait in a queue of 64 for a thread that writes; a frame
- * that finds no room is dropped.
+ * An open serial device, such as a telemetry radio or a flight controller on a cable. Its peer is called after the
+ * device, since there is no address. A device takes bytes as slowly as its rate, so frames wait in a queue of 64 for a
+ * thread that writes; a frame that finds no room is dropped.
  */
 final class SerialConnection implements ClientConnection {
     private static final Logger LOG = LoggerFactory.getLogger(SerialConnection.class);

@@ -5,7 +5,7 @@ import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 
-/** Resolves and describes socket addresses for endpoints of all kinds. */
+/** Resolves the socket addresses of endpoint URLs, and tells local ones. */
 final class SocketAddresses {
     private SocketAddresses() {}
 

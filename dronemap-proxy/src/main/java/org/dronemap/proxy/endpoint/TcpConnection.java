@@ -9,7 +9,7 @@ import java.nio.channels.SocketChannel;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** A TCP connection to a vehicle, modem or router that listens. */
+/** A TCP connection that the server opened to a vehicle, modem or router that listens. */
 final class TcpConnection implements NetworkConnection {
     private static final Logger LOG = LoggerFactory.getLogger(TcpConnection.class);
     private static final int PATIENCE_MILLIS = 5_000;

@@ -7,9 +7,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sends frames into a non-blocking TCP connection, and drops those that find no room. The rest of a frame that went
- * half waits for the next one, so that the stream never breaks; frames that find no room are dropped. That the
- * connection failed is noticed by its reader.
+ * Sends frames to one peer over a non-blocking TCP connection, and drops those that find no room. The rest of a frame
+ * that went half waits for the next one, so that the stream never breaks; frames that find no room are dropped. That
+ * the connection failed is noticed by its reader.
  */
 final class TcpFrameSender implements FrameSender {
     private static final Logger LOG = LoggerFactory.getLogger(TcpFrameSender.class);

@@ -17,8 +17,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One TCP port for a bounded number of vehicles, all read by one selector thread, one buffer a turn each; silent
- * connections are closed. A peer that makes too much work is read later, which holds it back and loses nothing.
+ * A TCP port that accepts a bounded number of vehicles, all read by one thread; silent connections are closed. A peer
+ * that makes too much work is read later, which holds it back and loses nothing.
  */
 final class TcpServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(TcpServerEndpoint.class);

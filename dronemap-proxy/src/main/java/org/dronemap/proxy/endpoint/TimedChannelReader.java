@@ -8,7 +8,7 @@ import java.nio.channels.SelectableChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 
-/** Reads a channel that does not block, and waits no longer than it is told. One thread reads. */
+/** Reads bytes from a non-blocking channel of an outbound connection with a timeout. One thread reads. */
 final class TimedChannelReader implements Closeable {
     private final ReadableByteChannel channel;
     private final Selector selector;

@@ -1,8 +1,8 @@
 package org.dronemap.proxy.endpoint;
 
 /**
- * A token bucket for the work that one peer may cause, in units of about one good byte. One unit is about the work of
- * one good byte. Times are monotonic ns. Not thread-safe.
+ * Limits the work that one peer of an endpoint may cause: a token bucket, in units of about one good byte. One unit is
+ * about the work of one good byte. Times are monotonic ns. Not thread-safe.
  */
 final class TokenBucket {
     private static final int PER_FRAME = 256;

@@ -9,7 +9,7 @@ import java.nio.channels.DatagramChannel;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** A UDP socket that hears one address only, the one that it sends to. */
+/** A UDP socket connected to one configured address, which it sends to and receives from. */
 final class UdpConnection implements NetworkConnection {
     private static final Logger LOG = LoggerFactory.getLogger(UdpConnection.class);
     private static final int RECEIVE_BUFFER_BYTES = 4 * 1024 * 1024;

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One UDP socket for many vehicles; answers leave from the socket that heard. */
+/** A UDP port that any number of vehicles send to; replies leave from the same port. */
 final class UdpServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(UdpServerEndpoint.class);
     private static final int RECEIVE_BUFFER_BYTES = 4 * 1024 * 1024;

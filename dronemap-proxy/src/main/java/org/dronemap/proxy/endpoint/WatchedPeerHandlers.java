@@ -6,7 +6,10 @@ import org.dronemap.core.process.PeerPattern;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Says whose bytes are being worked on, and takes nothing from peers that the process is careful with. Any thread. */
+/**
+ * Wraps peer handlers to record whose bytes are processed, and ignores peers whose bytes crashed the server before. Any
+ * thread.
+ */
 final class WatchedPeerHandlers implements PeerHandler.Factory {
     private static final Logger LOG = LoggerFactory.getLogger(WatchedPeerHandlers.class);
 

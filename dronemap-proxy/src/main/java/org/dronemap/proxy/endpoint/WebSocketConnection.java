@@ -14,8 +14,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A WebSocket that this end opened. Messages wait in a queue of 64 for the endpoint's thread; while it is full the library
- * does not read on, which holds the other side back.
+ * A WebSocket that the server opened to a vehicle or router. Messages wait in a queue of 64 for the endpoint's thread;
+ * while it is full the library does not read on, which holds the other side back.
  */
 final class WebSocketConnection implements NetworkConnection {
     private static final Logger LOG = LoggerFactory.getLogger(WebSocketConnection.class);

@@ -6,7 +6,7 @@ import org.java_websocket.WebSocketImpl;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
 import org.java_websocket.framing.CloseFrame;
 
-/** Sends frames into a WebSocket and drops new ones while 256 wait, since its own queue has no bound. */
+/** Sends frames to one peer over a WebSocket, and drops new ones while 256 are waiting. */
 record WebSocketFrameSender(WebSocket socket, boolean text) implements FrameSender {
     private static final int MOST_WAITING = 256;
 

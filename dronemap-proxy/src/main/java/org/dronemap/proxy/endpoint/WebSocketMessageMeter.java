@@ -2,7 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import java.nio.ByteBuffer;
 
-/** Follows the frames of one WebSocket (RFC 6455, section 5.2) and tells how long the message in hand is by what they announce. */
+/** Measures from frame headers (RFC 6455, section 5.2) how long an incoming WebSocket message is, to limit it. */
 final class WebSocketMessageMeter {
     /** Of one message. Clients send whole messages, or pieces of some kB. */
     static final int MOST_PIECES = 1_024;

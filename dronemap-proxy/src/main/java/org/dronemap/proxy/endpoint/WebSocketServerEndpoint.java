@@ -24,7 +24,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One WebSocket port for a bounded number of vehicles, which speak in frames of bytes or in texts. Browsers are turned
+ * A WebSocket port for a bounded number of vehicles or robots, which send binary frames or texts. Browsers are turned
  * away, so that no web page can play a vehicle to a server on its visitor's machine.
  */
 final class WebSocketServerEndpoint implements Endpoint {

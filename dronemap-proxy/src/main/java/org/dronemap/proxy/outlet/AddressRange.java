@@ -6,7 +6,10 @@ import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** One IP address, or a small network of them, such as {@code 192.0.2.0/24}; names are not looked up. Immutable. */
+/**
+ * An IP address or a small network, such as {@code 192.0.2.0/24}, from which a personal outlet port may be used.
+ * Immutable.
+ */
 public final class AddressRange {
     /** How it is written. */
     public static final String FORM =

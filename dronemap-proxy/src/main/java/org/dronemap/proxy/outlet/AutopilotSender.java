@@ -4,7 +4,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Statustext;
 
-/** Sends messages and texts to a client in the name of a drone's autopilot. Owned by the outlet's thread. */
+/**
+ * Sends messages and texts to a ground station at the outlet in the name of a drone's autopilot. Owned by the outlet's
+ * thread.
+ */
 record AutopilotSender(OutletClient client, DroneId drone, VehicleTap vehicle) {
     private static final int WARNING = 4;
     private static final int CHUNK = 50;

@@ -25,8 +25,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Gives the commands of clients at the cloud's gate, in their users' names and in order, on a thread of its own that may wait
- * for the store. Any thread.
+ * Executes the commands of ground stations at the outlet through the command gate, as their users, in order. Any
+ * thread.
  */
 final class ClientCommandExecutor implements CloudListener, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ClientCommandExecutor.class);

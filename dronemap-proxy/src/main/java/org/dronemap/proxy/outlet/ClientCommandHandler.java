@@ -22,8 +22,8 @@ import org.dronemap.mavlink.message.SetMode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes commands of clients: gives those that pass at the gate, and answers each with a result and, when it is not done, with
- * a sentence that says why. A command that is sent again while it waits acts once. Owned by the outlet's thread.
+ * Handles MAVLink commands of ground stations at the outlet: executes those allowed and acknowledges each. A command
+ * that is sent again while it waits acts once. Owned by the outlet's thread.
  */
 final class ClientCommandHandler {
     private static final long LATE_NANOS = 3_000_000_000L;

@@ -15,7 +15,9 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 import org.jspecify.annotations.Nullable;
 
-/** The MAVLink commands that pass, and what they come to; all others do not. Stateless. */
+/**
+ * Reads a ground station's MAVLink command at the outlet as a command of the cloud; most kinds are refused. Stateless.
+ */
 final class ClientCommandReader {
     static final int SET_MODE = 176;
     static final int OPERATOR_CONTROL = 32_100;

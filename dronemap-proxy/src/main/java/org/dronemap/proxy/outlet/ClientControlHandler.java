@@ -18,7 +18,7 @@ import org.dronemap.mavlink.message.CommandAck;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes what clients want with the control of drones (MAV_CMD_REQUEST_OPERATOR_CONTROL of MAVLink's development dialect). A
+ * Handles requests of ground stations at the outlet to take or release control (MAV_CMD_REQUEST_OPERATOR_CONTROL). A
  * client that took control keeps it for its user for as long as its heartbeats come. Owned by the outlet's thread.
  */
 final class ClientControlHandler {

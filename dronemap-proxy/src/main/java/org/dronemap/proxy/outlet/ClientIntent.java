@@ -2,7 +2,9 @@ package org.dronemap.proxy.outlet;
 
 import org.dronemap.core.command.Command;
 
-/** The intent of a client's MAVLink command. */
+/**
+ * What a MAVLink command of a ground station at the outlet asks for: a command, a message, control, or nothing allowed.
+ */
 sealed interface ClientIntent {
     /** A command of the cloud, through its gate. */
     record Order(Command command) implements ClientIntent {}

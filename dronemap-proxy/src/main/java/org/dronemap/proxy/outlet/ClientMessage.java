@@ -4,7 +4,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 
-/** A message for one client, numbered, addressed and signed only when it is sent. */
+/** A message queued for one ground station at the outlet; numbered, addressed and signed when it is sent. */
 sealed interface ClientMessage {
     /** A frame that a vehicle sent. */
     record OfVehicle(DroneId drone, Frame frame) implements ClientMessage {}

@@ -37,8 +37,8 @@ import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.Timesync;
 
 /**
- * Dispatches the messages of clients by kind; a kind that is not named here has no effect. No frame goes on to a
- * vehicle. Owned by the outlet's thread.
+ * Dispatches the messages of ground stations at the outlet to their handlers; unknown kinds are ignored. No frame goes
+ * on to a vehicle. Owned by the outlet's thread.
  */
 final class ClientMessageDispatcher implements AutoCloseable {
     /** Heard, and nothing more: signs of life, and what is as wanted already. */

@@ -4,7 +4,7 @@ import java.util.Set;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.MessageTable;
 
-/** Filters the vehicle messages for clients: all pass but those of exchanges between vehicle and cloud. */
+/** Decides which vehicle messages ground stations at the outlet get: all but exchanges between vehicle and cloud. */
 final class ClientMessageFilter {
     /** Missions, parameters, logs, files, keys, time, control, acknowledgements: the cloud itself talks about those. */
     static final Set<Integer> ENDS_IN_THE_CLOUD = Set.of(

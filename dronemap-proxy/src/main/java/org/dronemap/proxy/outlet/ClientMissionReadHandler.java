@@ -29,7 +29,10 @@ import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 import org.dronemap.proxy.mavlink.translate.FenceCodec;
 import org.jspecify.annotations.Nullable;
 
-/** Serves missions, fences and rally points that the cloud knows to any number of clients. Owned by the outlet's thread. */
+/**
+ * Serves the cloud's copy of missions, fences and rally points to ground stations at the outlet. Owned by the outlet's
+ * thread.
+ */
 final class ClientMissionReadHandler {
     static final int ACK_ACCEPTED = 0;
     static final int ACK_ERROR = 1;

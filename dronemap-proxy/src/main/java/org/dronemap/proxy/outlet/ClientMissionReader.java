@@ -11,7 +11,9 @@ import org.dronemap.proxy.mavlink.procedure.MavMissionType;
 import org.dronemap.proxy.mavlink.translate.FenceCodec;
 import org.dronemap.proxy.mavlink.translate.MissionCodec;
 
-/** Reads the mission items of a client as one command of the cloud, completely or not at all. Stateless. */
+/**
+ * Reads mission items that a ground station uploads to the outlet as one command, completely or not at all. Stateless.
+ */
 final class ClientMissionReader {
     private ClientMissionReader() {}
 

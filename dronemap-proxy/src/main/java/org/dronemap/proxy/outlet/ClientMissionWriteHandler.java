@@ -31,8 +31,8 @@ import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes missions, fences and rally points of clients in, item by item, and puts them on vehicles by commands of the cloud.
- * What the cloud cannot keep as it came is refused, never shortened. Owned by the outlet's thread.
+ * Receives missions, fences and rally points from ground stations at the outlet, and uploads them to the drone. What
+ * the cloud cannot keep as it came is refused, never shortened. Owned by the outlet's thread.
  */
 final class ClientMissionWriteHandler {
     private static final int MOST_ITEMS = Mission.MAX_ITEMS + 1;

@@ -23,8 +23,8 @@ import org.dronemap.proxy.mavlink.procedure.ParameterCodec;
 import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 
 /**
- * Serves the parameters that the cloud knows to any number of clients, and changes them by commands of the cloud; the vehicle
- * is read once for all who ask, when it never was. Owned by the outlet's thread.
+ * Serves the cloud's copy of a drone's parameters to ground stations at the outlet, and writes their changes. Owned by
+ * the outlet's thread.
  */
 final class ClientParameterHandler {
     private static final int AT_ONCE = 32;

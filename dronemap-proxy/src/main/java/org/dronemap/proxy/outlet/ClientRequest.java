@@ -4,7 +4,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 
-/** A request of a client about a drone that it sees and that is in contact. Owned by the outlet's thread. */
+/**
+ * A message of a ground station at the outlet that is addressed to a connected drone which it may see. Owned by the
+ * outlet's thread.
+ */
 record ClientRequest(OutletClient client, DroneId drone, VehicleTap vehicle, Frame frame) {
     /** In which it is answered. */
     private AutopilotSender voice() {

@@ -9,8 +9,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 
 /**
- * A bounded send queue of one client: replies and events in order, of telemetry the newest of each kind. Bounded; what
- * is replaced or falls out is counted. Owned by the outlet's thread.
+ * The bounded send queue of one ground station at the outlet: replies in order, of telemetry only the newest. Bounded;
+ * what is replaced or falls out is counted. Owned by the outlet's thread.
  */
 final class ClientSendQueue {
     private static final int MOST_EVENTS = 512;

@@ -21,8 +21,8 @@ import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes sticks and setpoints of clients to the cloud's gate for them, at once and in their users' names; who is not let to
- * steer is told why, and not again at once. Owned by the outlet's thread.
+ * Handles stick input and setpoints of ground stations at the outlet: steers as their users, or explains why not. Owned
+ * by the outlet's thread.
  */
 final class ClientSteeringHandler {
     static final Set<Integer> STEERING = Set.of(

@@ -15,7 +15,7 @@ import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the messages by which clients steer, see POSITION_TARGET_TYPEMASK, MAV_FRAME and MANUAL_CONTROL. Stateless. */
+/** Reads stick input and position targets of ground stations at the outlet as setpoints. Stateless. */
 final class ClientSteeringReader {
     private static final int POSITION = 0x007;
     private static final int SPEED = 0x038;

@@ -14,8 +14,8 @@ import org.dronemap.mavlink.message.ControlStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells clients who has control of the drones that they see: CONTROL_STATUS once a second and when it changes, and whom a
- * change concerns in words. Owned by the outlet's thread, but for {@link #controlChanged}.
+ * Tells ground stations at the outlet who controls the drones they see: CONTROL_STATUS every second and on change.
+ * Owned by the outlet's thread, but for {@link #controlChanged}.
  */
 final class ControlStatusPublisher implements CloudListener, AutoCloseable {
     private static final int ANSWER_SECONDS = 60;

@@ -4,8 +4,8 @@ import java.util.Set;
 import org.dronemap.mavlink.message.FileTransferProtocol;
 
 /**
- * Says to programs at once that there are no files here, so that they go on without them instead of waiting: parameters and
- * logs come as messages. The bytes are those of the <a href="https://mavlink.io/en/services/ftp.html">file transfer protocol</a>.
+ * Refuses MAVLink file transfer at the outlet, so that ground stations fetch parameters and logs by messages. The bytes
+ * are those of the <a href="https://mavlink.io/en/services/ftp.html">file transfer protocol</a>.
  */
 final class FileTransferHandler {
     private static final int SESSION = 2;

@@ -2,7 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import org.dronemap.core.command.Outcome;
 
-/** Translates outcomes into MAV_RESULT and into a sentence for people. */
+/** Translates the outcomes of commands into MAV_RESULT and a sentence for ground stations at the outlet. */
 final class OutcomeTranslator {
     static final int ACCEPTED = 0;
     static final int TEMPORARILY_REJECTED = 1;

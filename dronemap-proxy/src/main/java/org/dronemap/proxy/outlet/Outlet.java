@@ -18,9 +18,9 @@ import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The service that ground stations and programs of other makers attach to, on one thread of its own. Endpoints bring
- * what clients send, taps what vehicles say, and one thread of its own serves the clients: no vehicle's path ever waits
- * for one of them. Any thread.
+ * The MAVLink service to which users' own ground stations (QGroundControl and others) attach, on a thread of its own.
+ * Endpoints bring what clients send, taps what vehicles say, and one thread of its own serves the clients: no vehicle's
+ * path ever waits for one of them. Any thread.
  */
 public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, AutoCloseable {
     private final List<EndpointUrl> urls;

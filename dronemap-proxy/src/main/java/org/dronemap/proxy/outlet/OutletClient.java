@@ -18,8 +18,8 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One ground station or program that is attached: what it may see, and the way to it. Owned by the outlet's thread; only
- * {@link #rightsAre} comes from another one.
+ * One ground station or program attached to the outlet: its user's rights and its send queue. Owned by the outlet's
+ * thread; only {@link #rightsAre} comes from another one.
  */
 final class OutletClient {
     /** MAV_COMP_ID_MISSIONPLANNER: what speaks for a ground station. */

@@ -3,7 +3,9 @@ package org.dronemap.proxy.outlet;
 import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.mavlink.signing.SignatureVerdict;
 
-/** Counters of the frames turned away at the outlet since its start. Any thread. */
+/**
+ * Counters of frames that the outlet refused from ground stations, or could not pass on, since the start. Any thread.
+ */
 final class OutletCounts {
     private final LongAdder unsigned = new LongAdder();
     private final LongAdder badSignature = new LongAdder();

@@ -4,7 +4,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.mavlink.FrameSigner;
 import org.jspecify.annotations.Nullable;
 
-/** The credential that a program was admitted by: its user's key, or a personal port. Any thread. */
+/** What a ground station was admitted to the outlet by: its user's key, or a personal port. Any thread. */
 sealed interface OutletCredential permits UserKey, PersonalPort {
     String user();
 

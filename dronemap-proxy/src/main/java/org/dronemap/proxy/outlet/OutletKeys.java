@@ -11,8 +11,8 @@ import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 
 /**
- * The keys of all users, and whose a signature is: a frame does not say, so that every key is tried, within a budget that
- * strangers share. Any thread; changes wait for the store.
+ * The outlet keys of all users; finds the user of a signed frame by trying keys, within a limit on attempts. Any
+ * thread; changes wait for the store.
  */
 final class OutletKeys {
     /** About a twentieth of a processor. */

@@ -5,7 +5,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
 
-/** Does what users of clients want with the control of drones, and takes it down. Any thread; may wait for the store. */
+/**
+ * Lets the users of ground stations at the outlet take or release control of drones, and audits it. Any thread; may
+ * wait for the store.
+ */
 @FunctionalInterface
 public interface OutletLeaseAuthority {
     /**

@@ -20,8 +20,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The clients of the outlet and the one thread that serves them. What comes in waits in bounded queues; what happens to
- * clients belongs to the thread.
+ * The single thread that serves all ground stations attached to the outlet, and the list of them. What comes in waits
+ * in bounded queues; what happens to clients belongs to the thread.
  */
 final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(OutletLoop.class);

@@ -10,8 +10,8 @@ import org.dronemap.proxy.endpoint.PeerHandler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One address at the outlet: lets through what a user's key has signed, and nothing else; who shows no such frame gets no
- * byte. Owned by the endpoint's thread.
+ * Receives bytes from one address at the outlet, and passes on only frames signed with a user's key. Owned by the
+ * endpoint's thread.
  */
 final class OutletPeerHandler implements PeerHandler {
     private final Outlet outlet;

@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The status of the outlet at one moment: clients, personal ports and refused frames.
+ * A snapshot of the outlet: attached ground stations, personal ports and refused frames.
  *
  * @param unread frames of vehicles that found no room on their way to the clients
  * @param notPassed frames of clients that are of a kind that does not pass

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.outlet;
 
-/** Counts, and how many there were in the second before. Not thread-safe. */
+/** Counts events of an outlet client, in all and within the last full second. Not thread-safe. */
 final class PerSecondCounter {
     private long total;
     private long before;

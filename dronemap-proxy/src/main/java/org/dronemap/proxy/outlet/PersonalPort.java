@@ -19,8 +19,8 @@ import org.dronemap.proxy.endpoint.PeerHandler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A port of one user's own for a program that cannot sign: bound to the first address within its range that speaks there, and
- * to that alone. Nothing there is proved, so that it lets nobody do more than look. Any thread.
+ * A UDP port of the outlet for one user's program that cannot sign; it can only watch, from one address. Nothing there
+ * is proved, so that it lets nobody do more than look. Any thread.
  */
 final class PersonalPort implements OutletCredential, PeerHandler.Factory {
     private final Outlet outlet;

@@ -18,7 +18,7 @@ import org.dronemap.proxy.endpoint.PeerAddress;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The personal ports that are open; they end when they are closed, when their time is up, and with the server. Any thread. */
+/** The open personal ports of the outlet, closed on request, when their time is up, or with the server. Any thread. */
 final class PersonalPorts implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(PersonalPorts.class);
     private static final int MOST_OF_A_USER = 3;

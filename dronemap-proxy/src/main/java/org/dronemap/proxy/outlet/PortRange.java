@@ -1,6 +1,6 @@
 package org.dronemap.proxy.outlet;
 
-/** UDP ports from the first to the last one, both among them; none when the last is before the first. */
+/** A range of UDP port numbers, used for the outlet's personal ports; both ends included, possibly empty. */
 public record PortRange(int first, int last) {
     public static final PortRange NONE = new PortRange(1, 0);
     private static final int HIGHEST = 65_535;

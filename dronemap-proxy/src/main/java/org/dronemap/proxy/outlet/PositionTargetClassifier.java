@@ -4,8 +4,8 @@ import org.dronemap.core.command.Setpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells a place that is gone to from places that lead: programs say a place once, or a few times to be sure; others say where to
- * be all the time, and mean to stay at the helm. One client's at one drone.
+ * Tells whether a ground station's position targets mean a single go-to or continuous steering. One client's at one
+ * drone.
  */
 final class PositionTargetClassifier {
     /** Places that come slower than that are gone to one by one. */

@@ -11,10 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/**
- * Asks four times a second what the users of attached clients may do, and keeps the time of signatures once a minute; on a
- * thread of its own, which may wait for the store.
- */
+/** Rechecks four times a second the rights of users at the outlet, and stores their signing stamps once a minute. */
 final class RightsWatch implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(RightsWatch.class);
     private static final Duration RHYTHM = Duration.ofMillis(250);

@@ -11,8 +11,8 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The system ids under which each user's programs know drones: the vehicle's own where free, and stable. Owned by the
- * outlet's thread.
+ * The MAVLink system ids under which each outlet user's ground stations see drones: stable, the vehicle's own if free.
+ * Owned by the outlet's thread.
  */
 final class SystemIdRegistry {
     /** Above these ground stations number themselves. */

@@ -14,8 +14,8 @@ import org.dronemap.mavlink.signing.SigningClock;
 import org.dronemap.mavlink.signing.SigningKey;
 
 /**
- * One user's key for the outlet: judges what the user's programs send, from wherever, and signs what they get. A frame is
- * good once for all of them. Any thread: every method holds the object's lock.
+ * One user's outlet key: verifies what the user's ground stations send, and signs what they get. A frame is good once
+ * for all of them. Any thread: every method holds the object's lock.
  */
 final class UserKey implements FrameSigner, OutletCredential {
     private static final int OUTLET_LINK = 0;

@@ -10,7 +10,7 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 
-/** Hands what one vehicle says to the outlet, and keeps the newest of each message for those who ask later. Any thread. */
+/** Passes the frames of one vehicle on to the outlet, and keeps the newest message of each kind. Any thread. */
 final class VehicleTap implements FrameTap {
     private static final int MOST_KEPT = 512;
 

@@ -2,7 +2,9 @@ package org.dronemap.proxy.record;
 
 import java.util.concurrent.atomic.AtomicLong;
 
-/** A budget of bytes that may wait in memory for the disk, over all recording buffers. Any thread. */
+/**
+ * The limit on memory for recorded data that waits to be written to disk, shared by all recording buffers. Any thread.
+ */
 final class BufferBudget {
     private final AtomicLong free;
 

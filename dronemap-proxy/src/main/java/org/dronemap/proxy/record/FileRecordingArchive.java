@@ -33,8 +33,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The recordings to look at, take away and make room of. Removals run on the journal's thread, behind the writes that
- * were asked for before them. Any thread.
+ * The recordings on disk: lists, opens, cuts and deletes them, and removes old ones to keep within the space limit.
+ * Removals run on the journal's thread, behind the writes that were asked for before them. Any thread.
  */
 public final class FileRecordingArchive implements RecordingArchive {
     private static final Logger LOG = LoggerFactory.getLogger(FileRecordingArchive.class);

@@ -14,7 +14,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One recording being written. Owned by the writer; {@link #recording} may be read from anywhere. */
+/**
+ * Writes one recording of a drone to its file, until the flight is over. Owned by the writer; {@link #recording} may be
+ * read from anywhere.
+ */
 final class FlightFile {
     private static final Logger LOG = LoggerFactory.getLogger(FlightFile.class);
 

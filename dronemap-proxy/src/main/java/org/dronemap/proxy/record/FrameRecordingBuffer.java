@@ -6,7 +6,10 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.session.FrameTap;
 
-/** A recording buffer for the frames of one vehicle session, driven by the autopilot's armed state. Any thread. */
+/**
+ * Buffers the MAVLink frames of one vehicle session for the recorder, and follows whether the vehicle is armed. Any
+ * thread.
+ */
 final class FrameRecordingBuffer extends RecordingBuffer implements FrameTap {
     private static final int HALF_BYTES = 32_768;
     private static final int LONGEST = 512;

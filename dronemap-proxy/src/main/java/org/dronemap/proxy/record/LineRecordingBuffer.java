@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** A recording buffer for the text messages of one session, one line of JSON each. Any thread. */
+/** Buffers the text messages of one robot session for the recorder, one line of JSON each. Any thread. */
 final class LineRecordingBuffer extends RecordingBuffer implements LineTap {
     private static final int HALF_BYTES = 65_536;
     /** A text may need twice its length, as its quotes are escaped. */

@@ -11,7 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronemap.mavlink.tlog.TlogScan;
 
-/** Walks through a recording in lines up to the last whole one. */
+/** Scans the recording of a robot line by line, to find its length and times up to the last whole line. */
 final class LineScan {
     private static final Pattern TIME = Pattern.compile("\\{\"at\":(\\d{1,18}),.*");
     private static final int LONGEST_LINE = 65_536;

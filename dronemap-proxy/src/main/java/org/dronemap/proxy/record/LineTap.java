@@ -5,8 +5,8 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Hears every message of one session that speaks in texts. Secrets are blanked out before. A null text was left out; then
- * {@code bytes} says how long it was. Any thread; returns at once.
+ * Listener for all text messages to and from one ROSLink robot, such as the recorder. Secrets are blanked out before. A
+ * null text was left out; then {@code bytes} says how long it was. Any thread; returns at once.
  */
 public interface LineTap {
     /** Hears nothing. */

@@ -30,9 +30,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Records drones: one file a flight, both directions. Sessions put frames down on their tapes; one writer thread takes
- * them to the disk, so that no endpoint and no lane ever waits for it. {@link #open} and {@link #flush} from any thread,
- * all else belongs to the writer.
+ * Records the messages to and from drones on disk, one file for each flight (or in parts, if always recording).
+ * Sessions put frames down on their tapes; one writer thread takes them to the disk, so that no endpoint and no lane
+ * ever waits for it. {@link #open} and {@link #flush} from any thread, all else belongs to the writer.
  */
 public final class Recorder implements FrameTap.Factory, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Recorder.class);

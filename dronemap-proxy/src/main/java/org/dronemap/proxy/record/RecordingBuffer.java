@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A buffer of one session's records: the last seconds before a recording, and all that waits for the writer. Endpoint
+ * Buffers the messages of one session: the seconds before a recording begins, and what waits to be written. Endpoint
  * and lane put records down, the writer takes them away; every method holds the object's lock, never longer than it
  * takes to copy a record.
  */

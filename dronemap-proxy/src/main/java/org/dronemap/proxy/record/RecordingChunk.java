@@ -9,7 +9,7 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.tlog.TlogBuffer;
 import org.jspecify.annotations.Nullable;
 
-/** A stretch of tape: records, and by what right those of them were sent that went out. Not thread-safe. */
+/** A block of recorded messages, and for those sent to the vehicle the authority they were sent by. Not thread-safe. */
 final class RecordingChunk {
     private final TlogBuffer records;
     private final List<Sent> sent = new ArrayList<>();

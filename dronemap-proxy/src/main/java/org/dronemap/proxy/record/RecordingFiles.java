@@ -18,7 +18,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.mavlink.tlog.TlogScan;
 
-/** The folder of recordings: names that say when and which drone, and what a file of a dead server still holds. */
+/** The directory of recordings: file names made of start time and drone, and repair of files that a crash cut off. */
 record RecordingFiles(Path directory, String ending) {
     /** Of files with frames. */
     static final String FRAMES = ".tlog";

@@ -12,7 +12,7 @@ import org.dronemap.core.recording.RecordingStore;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Brings what is known of recordings and their files together again after a server ended without a farewell. */
+/** Repairs the recordings, on disk and in the store, that a crash of the server left unfinished. */
 record RecordingRecovery(RecordingStore store, RecordingFiles files, Function<DroneId, String> names) {
     private static final Logger LOG = LoggerFactory.getLogger(RecordingRecovery.class);
     private static final String CUT = "The server stopped during this recording; it holds what was written until then.";

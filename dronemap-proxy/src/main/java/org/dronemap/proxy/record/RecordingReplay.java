@@ -9,7 +9,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One recording that plays in its own time, faster or slower. Played on the replay thread, read from anywhere. */
+/**
+ * One replay of a recording: plays its frames in their own time, faster or slower, into sessions of replayed drones.
+ * Played on the replay thread, read from anywhere.
+ */
 public final class RecordingReplay {
     private static final Logger LOG = LoggerFactory.getLogger(RecordingReplay.class);
     private static final int RECORDS_AT_ONCE = 2_000;

@@ -14,7 +14,7 @@ import org.dronemap.proxy.session.VehicleSessionRegistry;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The registry of running and finished replays, all played on one thread. Any thread. */
+/** The running and finished replays of recordings; plays them all on one thread. Any thread. */
 public final class ReplayRegistry implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ReplayRegistry.class);
     private static final int MOST_AT_ONCE = 8;

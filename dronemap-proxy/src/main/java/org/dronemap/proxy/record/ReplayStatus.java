@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The progress of one replay of a recording.
+ * The status of one replay of a recording: its progress, drones, and counts of good and broken messages.
  *
  * @param records frames taken from it
  * @param goodMessages frames with a right checksum

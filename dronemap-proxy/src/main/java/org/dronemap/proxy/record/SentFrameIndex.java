@@ -11,7 +11,7 @@ import java.util.List;
 import org.dronemap.core.cloud.SendAuthority;
 
 /**
- * The index of the sent frames of one recording: a line each with position, command, control epoch and user. Owned by
+ * The index beside a recording that says by which command, control epoch and user each sent frame went out. Owned by
  * the writer.
  */
 final class SentFrameIndex implements AutoCloseable {

@@ -4,9 +4,9 @@ import java.util.function.Consumer;
 import org.dronemap.proxy.roslink.wire.RobotOrder;
 
 /**
- * The cloud's own heartbeat for one robot, once a second, as the protocol asks of both ends: a robot may have a fail-safe that
- * acts when it is missed. It goes by the ticks of the robot's lane and by nothing else, so that it ends with whatever else the
- * robot would be told. Without I/O; owned by the session's lane.
+ * Sends the server's heartbeat to one robot once a second, as ROSLink asks for, so that no fail-safe trips. It goes by
+ * the ticks of the robot's lane and by nothing else, so that it ends with whatever else the robot would be told.
+ * Without I/O; owned by the session's lane.
  */
 final class CloudHeartbeatSender {
     private static final long BETWEEN_NANOS = 1_000_000_000L;

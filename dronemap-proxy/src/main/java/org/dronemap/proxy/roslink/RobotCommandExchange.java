@@ -7,8 +7,8 @@ import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotOrder;
 
 /**
- * One command under way with a robot, which acknowledges nothing: the order goes out again and again until a report that came
- * after it shows what was asked for. Without I/O; owned by the session's lane.
+ * One command to a ROSLink robot, which acknowledges nothing: repeated until a later report shows the effect. Without
+ * I/O; owned by the session's lane.
  */
 final class RobotCommandExchange {
     /** A report that was under way when the order left says nothing of its effect. */

@@ -9,7 +9,9 @@ import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotOrder;
 
-/** The state that a command wants of a robot: the order to send, and the report that shows it. Immutable. */
+/**
+ * The state that a command shall bring a ROSLink robot to: the order to send, and the report that shows it. Immutable.
+ */
 sealed interface RobotGoal {
     long SECOND_NANOS = 1_000_000_000L;
 

@@ -9,7 +9,7 @@ import org.dronemap.core.link.RobotKey;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The identity that joins the links of one robot: its issued key, its own key and system id, or its address.
+ * The identity that joins a robot's links: the key issued to it, its own key and system id, or its address.
  *
  * @param issued its key; null where it shows none
  * @param hardware what tells it from others where it proves nothing; null where it has an issued key, or none at all

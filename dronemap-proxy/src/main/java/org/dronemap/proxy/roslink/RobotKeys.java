@@ -3,7 +3,7 @@ package org.dronemap.proxy.roslink;
 import java.util.Optional;
 import org.dronemap.core.link.RobotKey;
 
-/** The keys that were issued to robots. Any thread; answers at once. */
+/** Looks up the access keys that were issued to ROSLink robots. Any thread; answers at once. */
 public interface RobotKeys {
     /** Whose key that is; empty for one that nobody issued, or that is void. */
     Optional<RobotKey> find(String key);

@@ -16,8 +16,8 @@ import org.dronemap.proxy.session.VehicleTraffic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One way to one robot: an address and a system id. Heard on its endpoint's thread; sending and measuring belong to the
- * session's lane.
+ * One link to a ROSLink robot: an address and a system id, with its counters. Heard on its endpoint's thread; sending
+ * and measuring belong to the session's lane.
  */
 final class RobotLink {
     private final Peer peer;

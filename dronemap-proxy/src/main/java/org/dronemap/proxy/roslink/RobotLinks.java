@@ -9,8 +9,9 @@ import org.dronemap.proxy.roslink.wire.RobotSequenceTracker;
 import org.dronemap.proxy.roslink.wire.RoslinkHeader;
 
 /**
- * The links of one robot: at most one of each transport, all from one host. Another one takes a place only when the one there
- * has fallen silent, so that a key which somebody copied diverts nothing from a robot that is heard. Thread-safe.
+ * The links of one ROSLink robot: at most one of each transport, all from one host. Another one takes a place only when
+ * the one there has fallen silent, so that a key which somebody copied diverts nothing from a robot that is heard.
+ * Thread-safe.
  */
 final class RobotLinks {
     /** Two heartbeats of a second may be lost. */

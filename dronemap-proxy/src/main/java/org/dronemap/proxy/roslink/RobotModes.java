@@ -6,7 +6,7 @@ import java.util.Map;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.jspecify.annotations.Nullable;
 
-/** The flight modes that a bridge to mavros can set, by their numbers: any other number makes it fail. */
+/** The flight modes that a ROSLink bridge to mavros can set, by number; any other number makes the bridge fail. */
 final class RobotModes {
     static final int GUIDED = 4;
     static final int RETURN = 6;

@@ -14,7 +14,10 @@ import org.dronemap.proxy.roslink.wire.RoslinkPacket;
 import org.dronemap.proxy.roslink.wire.StringOrNumber;
 import org.jspecify.annotations.Nullable;
 
-/** The robots behind one address, told apart by system id. Owned by the endpoint's thread. */
+/**
+ * Receives ROSLink messages from one address, and passes them to the robots behind it by system id. Owned by the
+ * endpoint's thread.
+ */
 final class RobotPeerHandler implements PeerHandler {
     /** Real ones are alone behind their address; a router may have a few. */
     private static final int MOST_ROBOTS = 64;

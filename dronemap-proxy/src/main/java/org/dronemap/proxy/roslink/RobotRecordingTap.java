@@ -10,7 +10,9 @@ import org.dronemap.proxy.roslink.wire.RoslinkHeader;
 import org.dronemap.proxy.roslink.wire.StringOrNumber;
 import org.jspecify.annotations.Nullable;
 
-/** Has what a robot says and is told recorded, without its key and without the largest of its pictures. Any thread. */
+/**
+ * Passes the messages of one robot session to the recorder, without keys and without the largest images. Any thread.
+ */
 final class RobotRecordingTap {
     /** Scans have some kilobytes; pictures and maps are longer. */
     static final int LONGEST_BYTES = 16_384;

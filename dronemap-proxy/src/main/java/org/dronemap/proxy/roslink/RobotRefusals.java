@@ -10,7 +10,7 @@ import org.dronemap.proxy.roslink.wire.RoslinkHeader;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Counts and logs refused robot messages, at a bounded rate and never with a key. Never with a key. Thread-safe. */
+/** Counts and logs, at a bounded rate, the robot messages that the server refused. Never with a key. Thread-safe. */
 final class RobotRefusals {
     private static final Logger LOG = LoggerFactory.getLogger(RobotRefusals.class);
     private static final long BETWEEN_NANOS = 5_000_000_000L;

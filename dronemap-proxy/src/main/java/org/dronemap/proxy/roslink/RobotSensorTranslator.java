@@ -11,10 +11,7 @@ import org.dronemap.proxy.roslink.wire.Base64Text;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Translates scans, images and maps of a robot into drone events, and counts what is unreadable. Owned by the session's
- * lane.
- */
+/** Translates laser scans, images and maps of a ROSLink robot into drone events. Owned by the session's lane. */
 final class RobotSensorTranslator {
     private static final double USUAL_MAP_METERS = 20;
     private static final double LEAST_RANGE_METERS = 1e-3;

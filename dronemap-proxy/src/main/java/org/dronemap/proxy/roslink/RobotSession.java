@@ -28,7 +28,8 @@ import org.dronemap.proxy.roslink.wire.RoslinkPacket;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One robot on its links, bound to its drone. Belongs to the drone's lane; what says so may be called from anywhere.
+ * The server's session with one ROSLink robot over all its links: reports its state and carries out commands. Belongs
+ * to the drone's lane; what says so may be called from anywhere.
  */
 final class RobotSession implements VehicleChannel, Lane.Ticker {
     private static final long GIVEN_UP_NANOS = 120_000_000_000L;

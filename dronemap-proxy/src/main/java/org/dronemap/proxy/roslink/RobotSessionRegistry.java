@@ -32,8 +32,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Makes sessions of robots that call in, one a robot whatever links it has, up to a bound. Any thread; who speaks for whom is
- * decided on the registry lane.
+ * Creates sessions for ROSLink robots that connect, one for each robot, up to a limit. Any thread; who speaks for whom
+ * is decided on the registry lane.
  */
 final class RobotSessionRegistry implements PeerHandler.Factory {
     private static final Logger LOG = LoggerFactory.getLogger(RobotSessionRegistry.class);

@@ -4,7 +4,7 @@ import org.dronemap.core.drone.FlightPhase;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The last reported status of a robot; null where it reported nothing. Immutable.
+ * The last reported status of a ROSLink robot, for its commands; null where nothing was reported. Immutable.
  *
  * @param mode its number where it is one of a flight controller
  * @param mapShown the last that it sent as its map was one

@@ -24,7 +24,7 @@ import org.dronemap.proxy.roslink.wire.RobotMessage.Triple;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Translates the reports of a robot into drone events; what was not measured is unknown, never 0. Owned by the
+ * Translates the reports of a ROSLink robot into drone events; what was not measured is unknown, never 0. Owned by the
  * session's lane.
  */
 final class RobotTelemetryTranslator {

@@ -3,7 +3,7 @@ package org.dronemap.proxy.roslink;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
-/** The type of a robot, by the number in its heartbeat. */
+/** The type of a ROSLink robot, by the number in its heartbeat. */
 enum RobotType {
     GENERIC(0, "robot", VehicleKind.UNKNOWN, Dialect.NONE),
     FIXED_WING(1, "fixed wing", VehicleKind.FIXED_WING, Dialect.MAVROS),

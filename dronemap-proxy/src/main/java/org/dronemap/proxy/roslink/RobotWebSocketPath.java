@@ -7,7 +7,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** The owner and key in the path of a robot's WebSocket; the bare path has neither. */
+/** The owner and key in the URL path of a robot's WebSocket to the server, or neither. */
 record RobotWebSocketPath(@Nullable String owner, @Nullable String key) {
     private static final int LONGEST = 400;
     private static final Pattern KEYED = Pattern.compile("/websockets/roslink/user/([^/?#]+)/robot/([^/?#]+)/robot/?");

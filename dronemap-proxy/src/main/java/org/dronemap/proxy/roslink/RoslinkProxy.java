@@ -14,7 +14,7 @@ import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.VehicleTraffic;
 
-/** The links to robots: opens the configured endpoints and keeps them until closed. Any thread. */
+/** Opens the endpoints that ROSLink robots connect to, and owns their sessions. Any thread. */
 public final class RoslinkProxy implements AutoCloseable {
     private final List<EndpointUrl> urls;
     private final RobotSessionRegistry table;

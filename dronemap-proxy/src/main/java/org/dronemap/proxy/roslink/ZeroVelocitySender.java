@@ -5,7 +5,7 @@ import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotOrder;
 
 /**
- * Sends zero speeds to a robot that nobody steers any more, or that has just connected, until it stands. Nothing is
+ * Sends zero speeds to a ROSLink robot that is no longer steered, or just connected, until it stands still. Nothing is
  * acknowledged, so they are said quickly a few times, and then until the robot reports that it stands. Without I/O;
  * owned by the session's lane.
  */

@@ -12,7 +12,10 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 
-/** The commands under way with one vehicle; each is reported ended exactly once. Owned by the drone's lane. */
+/**
+ * The commands that are being carried out by one MAVLink vehicle; each is reported ended exactly once. Owned by the
+ * drone's lane.
+ */
 final class ActiveCommands {
     private final Map<CommandId, ActiveCommand> underway = new LinkedHashMap<>();
 

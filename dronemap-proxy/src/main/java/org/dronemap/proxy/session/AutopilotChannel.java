@@ -26,8 +26,8 @@ import org.dronemap.proxy.mavlink.translate.TelemetryTranslator;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
 
 /**
- * The message exchange with one autopilot, over any of its links: telemetry, heartbeats and commands. Owned by the lane
- * of its session.
+ * The server's message exchange with one autopilot over any of its links: telemetry, heartbeats, commands. Owned by the
+ * lane of its session.
  */
 final class AutopilotChannel {
     /**

@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.MissionItemInt;
 
-/** A frame tap that passes everything on to two taps. */
+/** A frame tap that passes everything on to two others, such as the recorder and the outlet. */
 record CompositeFrameTap(FrameTap first, FrameTap second) implements FrameTap {
     @Override
     public void heard(Frame frame) {

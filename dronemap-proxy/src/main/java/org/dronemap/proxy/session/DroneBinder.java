@@ -16,7 +16,7 @@ import org.dronemap.proxy.signing.LinkGuard;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Claims a drone at the cloud for one session, by the identification and proof of its vehicle. Owned by the session's
+ * Binds a session to its drone in the cloud, by the identification and proof of the vehicle. Owned by the session's
  * lane.
  */
 final class DroneBinder {

@@ -6,7 +6,10 @@ import java.util.HashSet;
 import java.util.Set;
 import org.dronemap.mavlink.Frame;
 
-/** Tells a frame that came over another link already. Remembers so few that no numbering comes round. Owned by the drone's lane. */
+/**
+ * Recognises frames of a vehicle that already arrived over another of its links. Remembers so few that no numbering
+ * comes round. Owned by the drone's lane.
+ */
 final class DuplicateFrameFilter {
     private static final int REMEMBERED = 128;
 

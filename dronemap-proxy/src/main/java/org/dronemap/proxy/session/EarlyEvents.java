@@ -7,7 +7,7 @@ import java.util.Map;
 import org.dronemap.core.cloud.DroneLink;
 import org.dronemap.core.event.DroneEvent;
 
-/** A buffer of the events of a vehicle for the drone that it will be bound to. Owned by the session's lane. */
+/** Buffers the events of a vehicle that arrive before its session is bound to a drone. Owned by the session's lane. */
 final class EarlyEvents {
     private static final int MOST_TEXTS = 20;
 

@@ -5,7 +5,7 @@ import java.util.Map;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.AutopilotVersion;
 
-/** Keeps the AUTOPILOT_VERSION of systems that sent it before their first heartbeat. */
+/** Keeps the AUTOPILOT_VERSION of vehicles that sent it before their first heartbeat opened a session. */
 final class EarlyVersions {
     private final Map<Integer, Frame> versions = new HashMap<>();
 

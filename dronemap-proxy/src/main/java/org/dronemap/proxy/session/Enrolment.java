@@ -1,6 +1,6 @@
 package org.dronemap.proxy.session;
 
-/** The rule from where unknown vehicles become drones by themselves; all others wait for approval. */
+/** The setting that says from where unknown vehicles become drones without an administrator's approval. */
 public enum Enrolment {
     /** From this machine only. */
     LOOPBACK,

@@ -6,7 +6,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.MissionItemInt;
 
-/** Hears every frame of one session as it came and went, whatever becomes of it. Any thread; returns at once. */
+/**
+ * Listener for all frames to and from one vehicle session, such as the recorder or the outlet. Any thread; returns at
+ * once.
+ */
 public interface FrameTap {
     /** Hears nothing. */
     FrameTap NONE = new FrameTap() {

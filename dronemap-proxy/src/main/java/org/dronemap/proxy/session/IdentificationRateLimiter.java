@@ -1,6 +1,6 @@
 package org.dronemap.proxy.session;
 
-/** A rate limit for identification requests to unknown vehicles, over all of them. Thread-safe. */
+/** Limits the identification requests that the server sends to unknown vehicles, over all of them. Thread-safe. */
 public final class IdentificationRateLimiter {
     private static final double A_SECOND = 200;
     private static final double AT_ONCE = 400;

@@ -4,7 +4,7 @@ import org.dronemap.mavlink.message.AutopilotVersion;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 
-/** Asks a vehicle who it is: a few times at once, then rarely, and for strangers within an allowance. Owned by the lane. */
+/** Asks a vehicle for its AUTOPILOT_VERSION: a few times at once, then rarely. Owned by the lane. */
 final class IdentificationRequester {
     private static final long SOON_NANOS = 400_000_000L;
     private static final long LATER_NANOS = 5_000_000_000L;

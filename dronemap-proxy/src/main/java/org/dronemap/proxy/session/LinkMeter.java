@@ -8,8 +8,8 @@ import org.dronemap.proxy.mavlink.procedure.RoundTripEstimator;
 import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
 
 /**
- * Measures the link of one vehicle: loss from what reached the socket (before any queue of ours), round trips from its
- * lane. Methods belong to the drone's lane, except {@link #arrived}.
+ * Measures one MAVLink link of a vehicle: message loss and round trip time. Methods belong to the drone's lane, except
+ * {@link #arrived}.
  */
 final class LinkMeter {
     private static final int MOST_COMPONENTS = 32;

@@ -7,7 +7,7 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The origin of a link: key, transport, proven identity, and whether it is a replay or local.
+ * Where a vehicle link comes from: its transport, address key and proven identity, or a replay.
  *
  * @param replay out of a recording, nothing is ever sent
  * @param local only this machine can be on the other side

@@ -3,7 +3,7 @@ package org.dronemap.proxy.session;
 import org.dronemap.core.drone.LinkQuality;
 import org.jspecify.annotations.Nullable;
 
-/** Makes the quality of a link of what came over it, once a second. Owned by the drone's lane. */
+/** Computes a link's quality once a second from its message counts and round trip time. Owned by the drone's lane. */
 public final class LinkQualityMeter {
     private static final long INTERVAL_NANOS = 1_000_000_000L;
     private static final double SHORT_SECONDS = 5;

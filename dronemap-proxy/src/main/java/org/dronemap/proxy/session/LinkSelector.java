@@ -10,10 +10,7 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 import org.dronemap.proxy.mavlink.procedure.RoundTripEstimator;
 
-/**
- * The links on which one vehicle is heard, and the better one of them, on which it is spoken to. Owned by the lane of
- * the session.
- */
+/** The links of one MAVLink vehicle, and the choice of the best one for sending. Owned by the lane of the session. */
 final class LinkSelector {
     /** A link silent for longer than this gives way at once to one that is not. */
     private static final long SILENT_NANOS = 1_000_000_000L;

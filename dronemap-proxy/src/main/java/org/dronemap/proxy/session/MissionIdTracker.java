@@ -2,7 +2,10 @@ package org.dronemap.proxy.session;
 
 import org.dronemap.proxy.mavlink.procedure.MissionOpaqueId;
 
-/** The numbers that a vehicle gives its mission, and which of them belongs to the mission that was read. Owned by the drone's lane. */
+/**
+ * Compares MAVLink's opaque mission id of a vehicle with that of the mission last read, to notice changes. Owned by the
+ * drone's lane.
+ */
 final class MissionIdTracker {
     private long ofMissionRead = MissionOpaqueId.NONE;
     private boolean given;

@@ -22,8 +22,8 @@ import org.dronemap.proxy.mavlink.translate.WireMissionItems;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps in step with the mission on a vehicle, whoever put it there: reads it at first, when something hints at a
- * change, and looks again while nothing else is going on. Owned by the drone's lane.
+ * Keeps the cloud's copy of a vehicle's mission up to date: reads it at first, at hints of a change, and when idle.
+ * Owned by the drone's lane.
  */
 final class MissionWatch {
     private static final long BETWEEN_LOOKS_NANOS = 10_000_000_000L;

@@ -2,7 +2,10 @@ package org.dronemap.proxy.session;
 
 import org.jspecify.annotations.Nullable;
 
-/** Share of lost messages that forgets with time (exponentially weighted by age). Owned by the drone's lane. */
+/**
+ * The share of lost messages on a vehicle link, averaged with exponentially falling weight of old ones. Owned by the
+ * drone's lane.
+ */
 final class PacketLossAverage {
     private static final double FEWEST_MESSAGES = 5;
 

@@ -10,7 +10,10 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerAddress;
 
-/** Lets recorded frames in as if a link had brought them; nothing ever goes back. Frames come from one thread. */
+/**
+ * Feeds the frames of a recording into vehicle sessions as if they came over a link; nothing is sent back. Frames come
+ * from one thread.
+ */
 public final class ReplayFeed {
     private static final String TRANSPORT = "replay";
 

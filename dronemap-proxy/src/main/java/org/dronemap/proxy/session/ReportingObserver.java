@@ -3,7 +3,7 @@ package org.dronemap.proxy.session;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.proxy.mavlink.procedure.ExchangeObserver;
 
-/** Reports how far an exchange is to whoever gave the command. */
+/** Reports the progress of an exchange with a vehicle to whoever gave the command. */
 record ReportingObserver(VehicleChannel.Report report) implements ExchangeObserver {
     @Override
     public void accepted() {

@@ -1,9 +1,9 @@
 package org.dronemap.proxy.session;
 
 /**
- * Counts what is missing between the sequence numbers (0 to 255, then 0 again) of one component. What comes late is
- * taken off again, what comes twice counts once. A silence that outlasts 256 messages is counted modulo 256: liveness
- * tells of those. Owned by the endpoint's thread.
+ * Counts lost and duplicate messages by the MAVLink sequence numbers of one vehicle component. What comes late is taken
+ * off again, what comes twice counts once. A silence that outlasts 256 messages is counted modulo 256: liveness tells
+ * of those. Owned by the endpoint's thread.
  */
 final class SequenceGaps {
     private static final int ROUND = 256;

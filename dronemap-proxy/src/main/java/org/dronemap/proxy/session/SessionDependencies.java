@@ -6,7 +6,7 @@ import org.dronemap.core.cloud.lane.Lanes;
 import org.dronemap.core.process.PeerCrashGuard;
 import org.dronemap.proxy.signing.KeyringRegistry;
 
-/** The services and settings that every session depends on. */
+/** The services and settings that every MAVLink vehicle session depends on. */
 public record SessionDependencies(
         CloudManager cloud,
         Lanes lanes,

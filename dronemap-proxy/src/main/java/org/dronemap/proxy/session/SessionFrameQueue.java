@@ -15,8 +15,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A bounded queue of one session's frames, processed in order and on one lane at a time. Bounded: what newer news
- * replaces is refused above three quarters, the rest when it is full.
+ * The bounded queue of frames from one vehicle that wait to be processed, in order, on the lane of its session.
+ * Bounded: what newer news replaces is refused above three quarters, the rest when it is full.
  */
 final class SessionFrameQueue {
     private static final Logger LOG = LoggerFactory.getLogger(SessionFrameQueue.class);

@@ -15,8 +15,9 @@ import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One way to one vehicle: an address and a system id. What it brings goes to the session that it belongs to now, which
- * may change when the vehicle is recognised. Sending and measuring belong to the session's lane.
+ * One link to a MAVLink vehicle: an address and a system id, with its counters. What it brings goes to the session that
+ * it belongs to now, which may change when the vehicle is recognised. Sending and measuring belong to the session's
+ * lane.
  */
 final class VehicleLink {
     private final LinkOrigin label;

@@ -9,7 +9,10 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
 
-/** The vehicles behind one address, told apart by system id. Owned by the endpoint's thread. */
+/**
+ * Receives MAVLink bytes from one address, and passes the frames to the vehicles behind it by system id. Owned by the
+ * endpoint's thread.
+ */
 final class VehiclePeerHandler implements PeerHandler {
     private final VehicleSessionRegistry table;
     private final Peer peer;

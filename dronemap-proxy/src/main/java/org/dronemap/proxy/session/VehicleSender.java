@@ -12,8 +12,8 @@ import org.dronemap.proxy.signing.LinkGuard;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The way down to one vehicle, in the MAVLink version that it speaks, signed as its guard says. Owned by the session's lane;
- * the version comes from the endpoint's thread.
+ * Sends messages to one vehicle over one link, in its MAVLink version and signed where required. Owned by the session's
+ * lane; the version comes from the endpoint's thread.
  */
 final class VehicleSender {
     private static final int MOST_HELD = 256;

@@ -20,9 +20,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One vehicle on its links. Begins on the registry lane, asks who it is, binds to a drone and moves to the drone's lane,
- * or hands its link to the session that speaks for that drone already; everything but {@link #offer}, {@link #played}
- * and {@link #vanish} belongs to the lane where it is.
+ * The server's session with one MAVLink vehicle over all its links, from its first message until it is gone. Begins on
+ * the registry lane, asks who it is, binds to a drone and moves to the drone's lane, or hands its link to the session
+ * that speaks for that drone already; everything but {@link #offer}, {@link #played} and {@link #vanish} belongs to the
+ * lane where it is.
  */
 final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(VehicleSession.class);

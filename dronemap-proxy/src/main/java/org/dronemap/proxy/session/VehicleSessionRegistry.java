@@ -20,7 +20,7 @@ import org.dronemap.proxy.mavlink.translate.VehicleType;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Opens sessions for vehicles that call in, up to a bound. Any thread. */
+/** Opens sessions for MAVLink vehicles that connect, up to a limit. Any thread. */
 public final class VehicleSessionRegistry implements PeerHandler.Factory {
     private static final Logger LOG = LoggerFactory.getLogger(VehicleSessionRegistry.class);
     private static final int MAX_SESSIONS = 5_000;

@@ -5,7 +5,7 @@ import org.dronemap.core.drone.DroneKey;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Counters of the traffic between one vehicle and the cloud over one link.
+ * Counters of the traffic between one vehicle or robot and the server over one link.
  *
  * @param drone null until the vehicle is bound to one
  * @param lost messages missing from its sequence numbers

@@ -9,7 +9,7 @@ import org.dronemap.mavlink.signing.SignatureVerdict;
 import org.dronemap.mavlink.signing.SigningClock;
 import org.dronemap.mavlink.signing.SigningKey;
 
-/** One key in use: it judges what comes and signs what goes. Guarded by its keyring. */
+/** One signing key of a drone in use: verifies received frames and signs sent ones. Guarded by its keyring. */
 final class ActiveKey {
     private final LinkKey key;
     private final SigningKey signingKey;

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-/** The decision about one received frame. */
+/** The decision whether a received frame may speak for its drone, by its MAVLink signature. */
 public enum FrameAdmission {
     /** It speaks for the drone, and its signature proves that. */
     PROVEN,

@@ -4,8 +4,8 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Brings a key onto a vehicle, or takes it off, and sees that it came about: asks several times and holds back what else
- * would go out while it is open which key the vehicle reads with. No I/O; times are monotonic ns. Guarded by its keyring.
+ * Sets or removes the MAVLink signing key on a vehicle, with retries, and recognises which key it then uses. No I/O;
+ * times are monotonic ns. Guarded by its keyring.
  */
 final class KeyChange {
     private static final long SECOND_NANOS = 1_000_000_000L;

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-/** The reason why a key change on a vehicle failed. */
+/** The reason why a change of the signing key on a vehicle failed. */
 public enum KeyChangeFault {
     /** Another change of its key is under way. */
     CHANGING,

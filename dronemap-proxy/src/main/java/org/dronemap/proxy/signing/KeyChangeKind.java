@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-/** The kind of a key change on a vehicle. */
+/** The kind of a change of the signing key on a vehicle: install, rotate or revoke. */
 public enum KeyChangeKind {
     /** The vehicle gets the key that was made for it. */
     INSTALL,

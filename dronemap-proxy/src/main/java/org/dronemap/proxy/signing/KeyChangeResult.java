@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-/** The result of a key change on a vehicle. */
+/** The result of a change of the signing key on a vehicle. */
 public sealed interface KeyChangeResult {
     /** The vehicle was heard to do as it should. */
     record Done() implements KeyChangeResult {}

@@ -17,8 +17,8 @@ import org.dronemap.mavlink.signing.SigningClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The keys of one drone: judges what comes in its name on any link, signs what goes to it, and changes keys. Thread-safe:
- * every method holds the object's lock, and none of them waits for anything.
+ * The MAVLink signing keys of one drone: verifies its frames on any link, signs frames to it, and changes keys.
+ * Thread-safe: every method holds the object's lock, and none of them waits for anything.
  */
 final class Keyring {
     private static final long GRACE_NANOS = 30_000_000_000L;

@@ -21,7 +21,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The keyrings of all drones, and what administrators do with them. Any thread; changes wait for the store. */
+/**
+ * The signing keyrings of all drones, and the operations of administrators on them. Any thread; changes wait for the
+ * store.
+ */
 public final class KeyringRegistry implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(KeyringRegistry.class);
 

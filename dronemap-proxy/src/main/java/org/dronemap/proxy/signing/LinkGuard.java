@@ -12,8 +12,8 @@ import org.dronemap.mavlink.message.SetupSigning;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Stands between one vehicle's link and everything else: judges each frame that comes before anybody acts on it, and says
- * how what goes out is signed. Owned by the session's lane.
+ * Verifies the signatures of frames received over one vehicle link before anything acts on them, and signs sent ones.
+ * Owned by the session's lane.
  */
 public final class LinkGuard {
     private static final long BETWEEN_SEARCHES_NANOS = 100_000_000L;

@@ -4,7 +4,7 @@ import org.dronemap.core.access.LinkPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The security status of one drone's link, without any secret.
+ * The signing status of one drone: policy, key fingerprint, running key change and counts; no secrets.
  *
  * @param fingerprint of the key; null: there is none
  * @param proven the vehicle was heard using the key

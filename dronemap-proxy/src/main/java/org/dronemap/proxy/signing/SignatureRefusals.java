@@ -5,7 +5,10 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronemap.mavlink.signing.SignatureVerdict;
 
-/** Counts how frames were judged and decides when that is worth a sentence. Guarded by its keyring. */
+/**
+ * Counts frames by signature verdict, and decides when refusals are worth a warning to the drone's users. Guarded by
+ * its keyring.
+ */
 final class SignatureRefusals {
     private static final long SAY_AGAIN_NANOS = 600_000_000_000L;
 

@@ -5,7 +5,7 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
 
-/** A kind of autopilot: its name, the banner on its link before the first frame, and its maker. */
+/** A kind of simulated autopilot: its name, the banner it sends on connecting, and its factory. */
 public record AutopilotKind(String name, String banner, Maker maker) {
     /** Builds an autopilot around a craft. */
     public interface Maker {

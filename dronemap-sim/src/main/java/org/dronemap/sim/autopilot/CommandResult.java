@@ -1,6 +1,6 @@
 package org.dronemap.sim.autopilot;
 
-/** MAV_RESULT: how an order was taken, with its number on the wire. */
+/** MAV_RESULT: how a simulated vehicle answers a command, with its number on the wire. */
 public enum CommandResult {
     ACCEPTED(0),
     TEMPORARILY_REJECTED(1),

@@ -10,7 +10,9 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.sim.flight.StoredMissionItem;
 
-/** A fence or rally points: kept as they come, the old ones until the new ones are whole. Nothing heeds them. */
+/**
+ * A simulated vehicle's side of fence and rally point transfers; stores them whole, but heeds none. Nothing heeds them.
+ */
 final class FenceRallyProtocol {
     private static final int ACCEPTED = 0;
     private static final int INVALID = 5;

@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot;
 import org.dronemap.mavlink.message.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
 
-/** The older MISSION_ITEM with degrees as floats, for clients that still use it. */
+/** Converts the old MISSION_ITEM (degrees as floats) for a simulated vehicle whose client still uses it. */
 final class FloatMissionItems {
     private FloatMissionItems() {}
 

@@ -9,8 +9,8 @@ import org.dronemap.mavlink.message.LogRequestData;
 import org.dronemap.mavlink.message.LogRequestList;
 
 /**
- * The logs of a vehicle: two of them, always the same bytes for the same system id. A list or a piece goes out a bit at a
- * time, as from a real one; asking for 0 to 0 is answered with nothing.
+ * A simulated vehicle's side of log transfer: two logs with constant bytes for each system id. A list or a piece goes
+ * out a bit at a time, as from a real one; asking for 0 to 0 is answered with nothing.
  */
 final class LogProtocol {
     private static final int PIECE = 90;

@@ -1,6 +1,6 @@
 package org.dronemap.sim.autopilot;
 
-/** Numbers of the MAV_CMDs that a simulated vehicle knows. */
+/** The numbers of the MAV_CMDs that simulated vehicles know. */
 public final class MavCmd {
     public static final int LOITER_UNLIMITED = 17;
     public static final int RETURN_TO_LAUNCH = 20;

@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 
-/** A COMMAND_LONG or COMMAND_INT in one form: latitude and longitude in degrees, altitude in metres of {@code frame}. */
+/** A COMMAND_LONG or COMMAND_INT that a simulated vehicle received, in one form with degrees and metres. */
 public record MavCommand(
         int command,
         boolean withFrame,

@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot;
 import java.util.function.IntConsumer;
 
 /**
- * The rates of the messages that a vehicle sends, in arrays since the kinds are few. Milliseconds of the vehicle's
+ * The rates at which a simulated vehicle sends its messages, and which of them are due. Milliseconds of the vehicle's
  * clock.
  */
 final class MessageStreams {

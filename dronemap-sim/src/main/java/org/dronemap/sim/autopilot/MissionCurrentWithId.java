@@ -4,7 +4,7 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.PayloadWriter;
 import org.dronemap.mavlink.message.MissionCurrent;
 
-/** MISSION_CURRENT with the number of the mission, a field younger than the definitions that messages are made from. */
+/** MISSION_CURRENT of a simulated vehicle with the mission id, a field newer than the generated message. */
 record MissionCurrentWithId(MissionCurrent plain, long missionStamp) implements Message {
     @Override
     public int messageId() {

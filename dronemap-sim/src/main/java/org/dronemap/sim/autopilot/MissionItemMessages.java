@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.sim.flight.StoredMissionItem;
 
-/** Items as they cross the wire, of missions, fences and rally points. */
+/** Converts mission, fence and rally items of a simulated vehicle to and from MAVLink messages. */
 final class MissionItemMessages {
     private MissionItemMessages() {}
 

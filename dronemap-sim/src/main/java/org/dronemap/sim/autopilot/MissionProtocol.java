@@ -15,7 +15,7 @@ import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.StoredMissionItem;
 import org.dronemap.sim.flight.TextSeverity;
 
-/** The vehicle's side of the mission protocol: takes a mission item by item, hands it out, clears it. Milliseconds. */
+/** A simulated vehicle's side of the MAVLink mission protocol: upload, download, clear. Milliseconds. */
 final class MissionProtocol {
     private static final int FENCE = 1;
     private static final int RALLY = 2;

@@ -1,6 +1,6 @@
 package org.dronemap.sim.autopilot;
 
-/** The behaviour of an autopilot in the mission protocol. */
+/** How a kind of simulated autopilot behaves in the mission protocol, such as item limits and timeouts. */
 public record MissionProtocolStyle(
         boolean overwritesInPlace,
         boolean firstItemIsHome,

@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot;
 import java.util.Locale;
 import org.dronemap.sim.flight.Parameters;
 
-/** Fills a table of parameters up to the size that real autopilots have; nothing heeds these. */
+/** Fills up a simulated vehicle's parameter table with unused ones to the size of a real autopilot's. */
 final class ParameterPadding {
     private static final int[] WHOLE_TYPES_OF_ARDUPILOT = {Parameters.INT8, Parameters.INT16, Parameters.INT32};
     private static final int[] WHOLE_TYPES_OF_PX4 = {Parameters.INT32};

@@ -7,7 +7,7 @@ import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.sim.flight.Parameters;
 
-/** PARAM_*: lists, reads and writes the vehicle's parameters; unknown names stay unanswered, as with the real ones. */
+/** A simulated vehicle's side of the MAVLink parameter protocol; requests for unknown names stay unanswered. */
 final class ParameterProtocol {
     private static final int PER_STEP = 4;
 

@@ -9,7 +9,10 @@ import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
 
-/** A simulated autopilot: the commands that it accepts, its modes and its fail-safes. Owned by the fleet's thread. */
+/**
+ * A simulated autopilot (ArduCopter or PX4): the commands it accepts, its flight modes and fail-safes. Owned by the
+ * fleet's thread.
+ */
 public interface SimulatedAutopilot {
     /** Flies on to {@code nowMillis} of the vehicle's clock. */
     void step(long nowMillis, double seconds);

@@ -4,7 +4,7 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.GimbalDeviceAttitudeStatus;
 import org.dronemap.mavlink.message.GimbalManagerSetPitchyaw;
 
-/** A gimbal that carries the camera: looks up and down, level with the horizon. Owned by its vehicle. */
+/** The camera gimbal of a simulated vehicle: looks up and down, level with the horizon. Owned by its vehicle. */
 public final class SimulatedGimbal {
     private static final int RETRACT = 1;
     private static final int NEUTRAL = 2;

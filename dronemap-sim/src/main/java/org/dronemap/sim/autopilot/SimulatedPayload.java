@@ -18,8 +18,8 @@ import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A camera, six relays, servos at the outputs that no motor has, sensors, and a gimbal where one was put: counts what was done
- * to them, as often as it was done. Owned by its vehicle.
+ * The payload of a simulated vehicle (camera, relays, servos, sensors, gimbal), which counts what was done to it. Owned
+ * by its vehicle.
  */
 public final class SimulatedPayload {
     private static final int RELAYS = 6;

@@ -19,8 +19,8 @@ import org.dronemap.sim.flight.StoredMissionItem;
 import org.dronemap.sim.flight.TextSeverity;
 
 /**
- * One vehicle on one link: frames in, frames out, time passed in as milliseconds of its own clock. Owned by the fleet's
- * thread; knows nothing of sockets.
+ * A simulated MAVLink vehicle on one link: frames in, frames out, on a clock of its own. Owned by the fleet's thread;
+ * knows nothing of sockets.
  */
 public final class SimulatedVehicle {
     private static final int COMPONENT = 1;

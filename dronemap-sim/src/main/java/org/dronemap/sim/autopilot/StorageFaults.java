@@ -4,8 +4,8 @@ import java.util.HashSet;
 import java.util.Set;
 
 /**
- * Injected storage faults: parameters and items that a faulty vehicle silently stores otherwise than sent. Owned by its
- * vehicle.
+ * Injected faults of a simulated vehicle that silently stores parameters or mission items otherwise than sent. Owned by
+ * its vehicle.
  */
 public final class StorageFaults {
     private final Set<String> parameters = new HashSet<>();

@@ -22,7 +22,7 @@ import org.dronemap.sim.physics.MulticopterBody;
 import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
-/** Puts a vehicle's state into messages, in their wire units. */
+/** Builds the telemetry messages of a simulated vehicle from its state. */
 public final class TelemetryBuilder {
     private static final long SENSORS = 0x0021_FC2F | 0x0200_0000;
     private static final long GPS_SENSOR = 0x20;

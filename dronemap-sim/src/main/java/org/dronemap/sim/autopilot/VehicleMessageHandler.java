@@ -46,7 +46,9 @@ import org.dronemap.mavlink.message.Wind;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.TextSeverity;
 
-/** Takes what is addressed to a vehicle to where it is answered; the same for every autopilot. Owned by the fleet's thread. */
+/**
+ * Handles the messages that a simulated vehicle receives, the same for every autopilot. Owned by the fleet's thread.
+ */
 final class VehicleMessageHandler {
     private static final int RC_CHANNELS_OVERRIDE = 70;
     private static final long READINGS_MILLIS = 500;

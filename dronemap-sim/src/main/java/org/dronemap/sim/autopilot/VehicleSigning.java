@@ -13,9 +13,8 @@ import org.dronemap.mavlink.signing.SigningKey;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Signs and insists on signatures once it got a key, as ArduPilot does: its own time starts a minute after what came with
- * the key, radio reports pass unsigned, and on the first channel (USB) everything passes. A key of zeros ends it. The key
- * outlives a reboot. Owned by the fleet's thread.
+ * MAVLink signing of a simulated vehicle, as ArduPilot does it: signs, and refuses unsigned frames once it has a key. A
+ * key of zeros ends it. The key outlives a reboot. Owned by the fleet's thread.
  */
 public final class VehicleSigning {
     private static final long MINUTE = 60 * SigningClock.TICKS_PER_SECOND;

@@ -13,7 +13,10 @@ import org.dronemap.sim.link.SimulatedFleet;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Listens on loopback, one client after the other: a line in, an answer out. One daemon thread of its own. */
+/**
+ * The simulator's TCP port on loopback for test commands (faults, battery, sensors): one line in, one answer out. One
+ * daemon thread of its own.
+ */
 public final class ControlPort implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ControlPort.class);
     private static final int IDLE_MILLIS = 600_000;

@@ -7,7 +7,9 @@ import org.dronemap.sim.autopilot.SimulatedPayload;
 import org.dronemap.sim.autopilot.SimulatedVehicle;
 import org.dronemap.sim.flight.SimulatedCraft;
 
-/** Understands a line of the control port and carries it out; each answer begins with "ok" or "err". On the fleet's thread. */
+/**
+ * Executes test commands of the simulator's control port; each answer begins with "ok" or "err". On the fleet's thread.
+ */
 public final class ControlPortCommands {
     static final String HELP = """
             list                                  all vehicles

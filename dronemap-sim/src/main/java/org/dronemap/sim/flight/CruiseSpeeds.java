@@ -3,7 +3,7 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** Speeds in m/s that a vehicle flies with when nobody says otherwise; orders may change the horizontal one. Owned by its vehicle. */
+/** The speeds in m/s that a simulated vehicle flies with by default; commands may change them. Owned by its vehicle. */
 public final class CruiseSpeeds {
     private double horizontal;
     private double climb;

@@ -1,6 +1,6 @@
 package org.dronemap.sim.flight;
 
-/** An event on a simulated vehicle's way: a sentence, or progress of its mission. */
+/** An event in the flight of a simulated vehicle: a text for the operator, or progress of its mission. */
 public sealed interface FlightEvent {
     /** A sentence for the operator. */
     record Text(TextSeverity severity, String text) implements FlightEvent {}

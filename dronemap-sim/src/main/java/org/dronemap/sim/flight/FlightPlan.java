@@ -3,7 +3,7 @@ package org.dronemap.sim.flight;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The mission stored in a vehicle; can be overwritten item by item or as a whole. Owned by its vehicle. */
+/** The mission stored in a simulated vehicle; can be overwritten item by item or as a whole. Owned by its vehicle. */
 public final class FlightPlan {
     private final List<StoredMissionItem> items = new ArrayList<>();
 

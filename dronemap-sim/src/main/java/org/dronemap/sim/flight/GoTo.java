@@ -3,7 +3,7 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** Flies to a place, nose ahead while it is far, and stays there. */
+/** Simulated manoeuvre: flies to a place, nose ahead while it is far, and stays there. */
 public final class GoTo implements Manoeuvre {
     private static final double EASING_JERK = 1.0;
     private static final double EASING_SECONDS = 2.5;

@@ -2,7 +2,7 @@ package org.dronemap.sim.flight;
 
 import org.dronemap.sim.physics.MotionSetpoint;
 
-/** Motors at idle: stays on the ground. */
+/** Simulated manoeuvre: stays on the ground with the motors at idle. */
 public final class Grounded implements Manoeuvre {
     private static final MotionSetpoint STILL = new MotionSetpoint.Still();
 

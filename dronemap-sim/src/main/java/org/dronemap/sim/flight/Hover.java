@@ -3,7 +3,7 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** Brakes and stays; on the ground it remains there. */
+/** Simulated manoeuvre: brakes and holds the position, or stays on the ground. */
 public final class Hover implements Manoeuvre {
     private final CruiseSpeeds cruise;
     private final boolean grounded;

@@ -3,7 +3,7 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** Comes down where it is; done when the vehicle knows that it stands. */
+/** Simulated manoeuvre: lands where the vehicle is. */
 public final class Landing implements Manoeuvre {
     private final CruiseSpeeds cruise;
     private final NeuPosition place;

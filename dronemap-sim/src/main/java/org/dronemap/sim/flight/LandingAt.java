@@ -4,7 +4,7 @@ import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
-/** Flies level to a place and comes down there. */
+/** Simulated manoeuvre: flies level to a place and lands there. */
 public final class LandingAt implements Manoeuvre {
     private static final double NEAR_METERS = 0.5;
 

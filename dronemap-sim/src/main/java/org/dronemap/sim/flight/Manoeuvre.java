@@ -2,7 +2,7 @@ package org.dronemap.sim.flight;
 
 import org.dronemap.sim.physics.MotionSetpoint;
 
-/** A manoeuvre under way, which gives the motors their setpoint before each step. */
+/** A manoeuvre of a simulated vehicle: gives the motors their setpoint in each step. */
 public interface Manoeuvre {
     MotionSetpoint fly(SimulatedCraft craft, long nowMillis);
 

@@ -6,8 +6,8 @@ import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Flies a plan item by item. The plan may change under it: the item that is being flown stays as it was begun, the next ones
- * are read when their turn comes. Owned by its vehicle.
+ * Simulated manoeuvre: flies the stored mission item by item. The plan may change under it: the item that is being
+ * flown stays as it was begun, the next ones are read when their turn comes. Owned by its vehicle.
  */
 public final class MissionFlight implements Manoeuvre {
     private final FlightPlan plan;

@@ -3,10 +3,7 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 
-/**
- * Flies with a place that moves: the autopilot moves it on by itself until it is told anew, or has heard nothing for three
- * seconds (GUID_TIMEOUT); then it stays there.
- */
+/** Simulated manoeuvre: follows a moving position target, extrapolated for up to three seconds (GUID_TIMEOUT). */
 public final class MovingTargetManoeuvre implements Manoeuvre {
     private static final long FRESH_MILLIS = 3_000;
 

@@ -1,6 +1,9 @@
 package org.dronemap.sim.flight;
 
-/** GPS receiver and position estimate: milliseconds of the vehicle's clock. Owned by its vehicle. */
+/**
+ * The GPS receiver and position estimate of a simulated vehicle: when they are ready, and when they fail. Owned by its
+ * vehicle.
+ */
 public final class NavigationEstimator {
     /** How long the estimate is trusted without GPS, as seen on a real autopilot. */
     public static final long LOSS_MILLIS = 8_000;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A vehicle's parameters by name and by index. Owned by its vehicle. */
+/** The parameters of a simulated vehicle, by name and by index. Owned by its vehicle. */
 public final class Parameters {
     /** A parameter with its MAVLink type number. */
     public record Parameter(String name, int type, double value) {}

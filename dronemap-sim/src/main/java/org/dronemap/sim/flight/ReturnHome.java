@@ -4,7 +4,7 @@ import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
-/** Climbs to the return height, flies home, waits there a while and lands. */
+/** Simulated manoeuvre: climbs to the return height, flies home, waits there and lands. */
 public final class ReturnHome implements Manoeuvre {
     private static final double NEAR_METERS = 1.0;
     /** Between its stages it settles for a moment. */

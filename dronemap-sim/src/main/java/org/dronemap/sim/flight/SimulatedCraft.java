@@ -8,7 +8,10 @@ import org.dronemap.sim.physics.MulticopterBody;
 import org.dronemap.sim.physics.NeuPosition;
 import org.dronemap.sim.physics.WindModel;
 
-/** One vehicle's body, battery and sensors in its own frame, whose origin is where it was put down. Owned by the fleet's thread. */
+/**
+ * The body, battery and sensors of one simulated vehicle, in a local frame with its starting point as origin. Owned by
+ * the fleet's thread.
+ */
 public final class SimulatedCraft {
     private static final long SETTLED_MILLIS = 1_600;
     private static final double CRASH_SPEED = 3.0;

@@ -3,7 +3,10 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** A mission item as it was uploaded: it must read back unchanged. {@code x}, {@code y} in 1e-7 degrees, {@code z} in metres. */
+/**
+ * A mission item as stored in a simulated vehicle, which must read back as it was uploaded. {@code x}, {@code y} in
+ * 1e-7 degrees, {@code z} in metres.
+ */
 public record StoredMissionItem(
         int command,
         int frame,

@@ -3,7 +3,7 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** Spools the motors up and climbs straight to a height in metres of the vehicle's frame. */
+/** Simulated manoeuvre: spools the motors up and climbs straight to a height in the vehicle's local frame. */
 public final class TakeOff implements Manoeuvre {
     private static final long SPOOL_MILLIS = 2_800;
     private static final long LIFTING_MILLIS = 1_900;

@@ -1,6 +1,6 @@
 package org.dronemap.sim.flight;
 
-/** Weight of a sentence, in the order of RFC 5424, with its number on the wire. */
+/** MAV_SEVERITY of texts that a simulated vehicle sends, with its number on the wire. */
 public enum TextSeverity {
     EMERGENCY(0),
     ALERT(1),

@@ -3,7 +3,7 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** Stays where it is and turns by an angle at a rate, the way round that was asked for; radians, clockwise positive. */
+/** Simulated manoeuvre: holds the position and turns by an angle at a rate; radians, clockwise positive. */
 public final class TurnOnSpot implements Manoeuvre {
     private static final double REACHED_RADIANS = Math.toRadians(0.5);
 

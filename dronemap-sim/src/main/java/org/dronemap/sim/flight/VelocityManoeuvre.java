@@ -3,7 +3,7 @@ package org.dronemap.sim.flight;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.jspecify.annotations.Nullable;
 
-/** Flies with a velocity while setpoints keep coming; falls silent: stops. */
+/** Simulated manoeuvre: flies at a commanded velocity, and stops when no more setpoints come. */
 public final class VelocityManoeuvre implements Manoeuvre {
     private static final long FRESH_MILLIS = 3_000;
 

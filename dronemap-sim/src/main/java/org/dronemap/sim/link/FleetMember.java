@@ -6,7 +6,10 @@ import org.dronemap.mavlink.FrameReader;
 import org.dronemap.sim.autopilot.SimulatedVehicle;
 import org.jspecify.annotations.Nullable;
 
-/** A vehicle together with its link and its reader. Owned by the fleet's thread. */
+/**
+ * A simulated vehicle of the fleet together with its link to the server and its frame reader. Owned by the fleet's
+ * thread.
+ */
 final class FleetMember {
     private final FrameReader reader = new FrameReader();
     private final SimulatedVehicle vehicle;

@@ -3,7 +3,7 @@ package org.dronemap.sim.link;
 import java.net.InetSocketAddress;
 import java.net.URI;
 
-/** The address of the server, as in {@code udp://127.0.0.1:14550} or {@code tcp://127.0.0.1:5760}. */
+/** The address of the server that simulated vehicles connect to, as in {@code udp://127.0.0.1:14550}. */
 public record ServerAddress(boolean tcp, String host, int port) {
     /**
      * Reads an address.

@@ -2,7 +2,7 @@ package org.dronemap.sim.link;
 
 import java.nio.channels.SelectionKey;
 
-/** A vehicle's way to the server. Used by the fleet's thread only. */
+/** The network link of one simulated vehicle to the server. Used by the fleet's thread only. */
 interface ServerLink {
     /** Sends or drops; never waits. */
     void send(byte[] bytes);

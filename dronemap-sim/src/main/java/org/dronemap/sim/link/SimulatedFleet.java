@@ -17,8 +17,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Runs any number of vehicles on one thread: one selector for their sockets, one beat of 20 ms for their clocks. Whoever is
- * not that thread hands in work by {@link #ask}.
+ * Runs any number of simulated vehicles on one thread, with their sockets and clocks. Whoever is not that thread hands
+ * in work by {@link #ask}.
  */
 public final class SimulatedFleet implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(SimulatedFleet.class);

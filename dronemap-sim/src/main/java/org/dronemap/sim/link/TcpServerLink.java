@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A TCP client that connects again by itself, once a second. What the socket does not take waits in 64 kB; frames beyond that
- * are dropped and counted.
+ * The TCP connection of a simulated vehicle to the server; reconnects by itself, once a second. What the socket does
+ * not take waits in 64 kB; frames beyond that are dropped and counted.
  */
 final class TcpServerLink implements ServerLink {
     private static final int BACKLOG_BYTES = 65_536;

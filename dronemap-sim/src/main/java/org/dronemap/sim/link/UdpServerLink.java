@@ -10,7 +10,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.util.function.Consumer;
 
-/** A connected UDP client with a port of its own: hears only the address that it sends to. One frame a datagram. */
+/** The UDP socket of a simulated vehicle towards the server, with a port of its own. One frame a datagram. */
 final class UdpServerLink implements ServerLink {
     private final InetSocketAddress server;
     private final Selector selector;

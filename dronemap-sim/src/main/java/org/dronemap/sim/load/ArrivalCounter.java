@@ -6,8 +6,8 @@ import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 
 /**
- * Counts what came to one ground station of all that was due to be sent within a span of time, however late it came: a machine
- * that stands still for a moment must not make frames of another moment count. Not thread-safe.
+ * Load test: counts the frames that reached one ground station of those due to be sent within a time span. Not
+ * thread-safe.
  */
 final class ArrivalCounter {
     private static final int SYSTEM_AT = 5;

@@ -8,7 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.AsynchronousCloseException;
 import java.nio.channels.DatagramChannel;
 
-/** The far end of a router: counts what it forwards, until standard input ends. */
+/** Load test: receives and counts the datagrams that a router under test forwards. */
 final class DatagramSink {
     private static final System.Logger LOG = System.getLogger(DatagramSink.class.getName());
     private static final int LARGEST = 65_535;

@@ -13,7 +13,7 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.PayloadWriter;
 
-/** Floods a server from one address with seeded garbage, a millisecond's worth at a time. One thread. One thread. */
+/** Load test: floods a server with seeded garbage from one address. One thread. One thread. */
 final class Flooder {
     private static final int KINDS_OF_DATAGRAMS = 4_096;
     private static final int LONGEST_NOISE = 300;

@@ -23,8 +23,8 @@ import org.dronemap.mavlink.signing.SigningClock;
 import org.dronemap.mavlink.signing.SigningKey;
 
 /**
- * Ground stations at the outlet: each says once a second that it is there and counts what vehicles say to it. Stuck ones
- * attach by TCP and never read. One thread.
+ * Load test: many ground stations attached to the outlet, which count the messages of vehicles. Stuck ones attach by
+ * TCP and never read. One thread.
  */
 final class GroundStationLoad {
     private static final Heartbeat HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);

@@ -18,9 +18,9 @@ import java.util.concurrent.atomic.LongAdder;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A bad network on the loopback: relays UDP between vehicles and a server, both ways, and delays, loses, doubles and
- * reorders by a seed. It can also give every vehicle a new address each some seconds, as mobile networks do. Owned by
- * one thread but for {@link #close} and {@link #json}.
+ * Load test: a bad network, which relays UDP between vehicles and server and delays, loses, duplicates and reorders. It
+ * can also give every vehicle a new address each some seconds, as mobile networks do. Owned by one thread but for
+ * {@link #close} and {@link #json}.
  */
 final class Impairer implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Impairer.class.getName());

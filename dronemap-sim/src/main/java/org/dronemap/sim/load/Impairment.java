@@ -3,7 +3,7 @@ package org.dronemap.sim.load;
 import java.util.Random;
 
 /**
- * The impairment of each datagram by a bad network; probabilities 0 to 1, times in ms.
+ * Load test: what the bad network does to each datagram; probabilities 0 to 1, times in ms.
  *
  * @param jitterMillis the delay is evenly spread over delay ± jitter, so that datagrams also overtake each other
  * @param reorder datagrams that are held back for two more delays

@@ -3,7 +3,7 @@ package org.dronemap.sim.load;
 import java.util.Locale;
 import org.HdrHistogram.Histogram;
 
-/** Percentiles of measured times, as JSON in microseconds. Not thread-safe. */
+/** Load test: percentiles of measured latencies, as JSON in microseconds. Not thread-safe. */
 final class LatencyPercentiles {
     private static final long LONGEST_MICROS = 120_000_000;
     private static final double[] PERCENTILES = {0, 10, 25, 50, 75, 90, 95, 99, 99.9, 99.99, 100};

@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Options as {@code --name value} pairs. */
+/** The command line of a load test program, as {@code --name value} pairs. */
 final class LoadArguments {
     private final Map<String, String> values = new HashMap<>();
 

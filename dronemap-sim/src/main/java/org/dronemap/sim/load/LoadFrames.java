@@ -8,7 +8,7 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.VfrHud;
 
 /**
- * The frames of one load vehicle, derived from its number and the pace alone, so that a checker can repeat them.
+ * Load test: the frames of one sending vehicle, derived from its number and rate, so that a checker can repeat them.
  * Positions carry vehicle and step: step in the latitude, vehicle in the longitude, in steps of 1e-7 degrees. Not
  * thread-safe.
  */

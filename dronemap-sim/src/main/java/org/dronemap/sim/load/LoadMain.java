@@ -7,7 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 
-/** The entry of the load programs; each prints one line of JSON at its end. See bench/README.md. */
+/**
+ * The entry point of the load test programs that the bench runs; each prints one line of JSON at its end. See
+ * bench/README.md.
+ */
 public final class LoadMain {
     private static final int BAD_USAGE = 2;
 

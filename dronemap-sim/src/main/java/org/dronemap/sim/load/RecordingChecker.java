@@ -19,7 +19,10 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.tlog.TlogReader;
 
-/** Compares recordings with all that the load vehicles said: says it again, and looks for it byte for byte. What came behind later news is late. */
+/**
+ * Load test: checks recordings byte for byte against all frames that the load vehicles sent. What came behind later
+ * news is late.
+ */
 final class RecordingChecker {
     private static final int CLOUD = 255;
     private static final int FAREWELLS = 3;

@@ -2,10 +2,7 @@ package org.dronemap.sim.load;
 
 import java.util.Locale;
 
-/**
- * The messages of one load robot, derived from its number and the pace alone: x is the step, y the robot. Not
- * thread-safe.
- */
+/** Load test: the ROSLink messages of one sending robot, derived from its number and rate. Not thread-safe. */
 final class RobotLoadMessages {
     private static final int HEARTBEAT = 0;
     private static final int MOTION = 2;

@@ -17,8 +17,8 @@ import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sends what all load robots say at a pace that waits for nobody: every other one over a WebSocket, with its heartbeats over
- * UDP as well, the rest over UDP alone. What they are told is thrown away. One thread.
+ * Load test: sends the messages of all robots at a fixed rate, half of them over WebSockets, the rest over UDP. What
+ * they are told is thrown away. One thread.
  */
 final class RobotLoadSender {
     private final int robots;

@@ -3,8 +3,8 @@ package org.dronemap.sim.load;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * An open-loop schedule of messages, evenly spread over the vehicles, in ns of the monotonic clock. Vehicles take
- * turns, evenly spread. Times are of the machine's monotonic clock in ns, which all its processes share.
+ * Load test: the open-loop schedule of all messages, evenly spread over the vehicles, in ns of the monotonic clock.
+ * Vehicles take turns, evenly spread. Times are of the machine's monotonic clock in ns, which all its processes share.
  */
 record SendSchedule(long startNanos, int vehicles, int perSecond) {
     private static final double SECOND_NANOS = 1e9;

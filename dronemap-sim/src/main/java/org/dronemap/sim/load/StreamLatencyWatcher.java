@@ -14,8 +14,8 @@ import java.util.Random;
 import java.util.stream.Collectors;
 
 /**
- * Watches the state stream and measures how old each new position is when it arrives: from when its message was due to
- * be sent, whether or not the sender kept up. Reads the WebSocket itself, so that no library's threads are measured.
+ * Load test: measures the latency of positions in the state stream, from when each was due to be sent. Reads the
+ * WebSocket itself, so that no library's threads are measured.
  */
 final class StreamLatencyWatcher {
     private static final int READ_MILLIS = 200;

@@ -13,7 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.Random;
 
-/** One connection to the state stream whose messages are counted and not looked at. Not thread-safe. */
+/** Load test: one connection to the state stream whose messages are only counted. Not thread-safe. */
 final class StreamViewer {
     private static final int BUFFER_BYTES = 32 * 1024;
     private static final int TEXT = 1;

@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * Many viewers of the state stream, each with a connection of its own, who read all that comes and count the messages
- * of some time. One thread, so that it takes little of the machine from the server.
+ * Load test: many clients of the state stream that read everything and count messages. One thread, so that it takes
+ * little of the machine from the server.
  */
 final class StreamViewers {
     private static final long PONG_NANOS = 10_000_000_000L;

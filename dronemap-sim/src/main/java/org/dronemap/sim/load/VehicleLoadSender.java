@@ -10,7 +10,7 @@ import java.nio.channels.DatagramChannel;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Sends what all load vehicles say, each from a port of its own, at a pace that waits for nobody. One thread. */
+/** Load test: sends the frames of all vehicles at a fixed rate, each from a port of its own. One thread. */
 final class VehicleLoadSender {
     private static final int FAREWELLS = 3;
 

@@ -1,6 +1,6 @@
 package org.dronemap.sim.physics;
 
-/** The performance limits of an airframe, in m/s, m/s², rad and rad/s. */
+/** The performance limits of a simulated airframe, in m/s, m/s², rad and rad/s. */
 public record Airframe(
         double horizontalAcceleration,
         double horizontalDeceleration,

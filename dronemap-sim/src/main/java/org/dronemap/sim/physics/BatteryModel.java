@@ -1,6 +1,9 @@
 package org.dronemap.sim.physics;
 
-/** A three-cell pack drained by flight: volts, amperes, milliampere-hours. Owned by its vehicle. */
+/**
+ * The battery of a simulated vehicle: a three-cell pack drained by flight, in volts, amperes and mAh. Owned by its
+ * vehicle.
+ */
 public final class BatteryModel {
     private static final double HOVER_AMPS = 14;
     private static final double IDLE_AMPS = 2;

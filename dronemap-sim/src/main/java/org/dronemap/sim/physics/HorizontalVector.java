@@ -1,6 +1,6 @@
 package org.dronemap.sim.physics;
 
-/** Metres, m/s or m/s² over the ground. */
+/** A horizontal vector (north, east) in the simulator's flight physics: metres, m/s or m/s². */
 record HorizontalVector(double north, double east) {
     static final HorizontalVector ZERO = new HorizontalVector(0, 0);
 

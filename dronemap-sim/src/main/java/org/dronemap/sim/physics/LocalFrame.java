@@ -1,8 +1,8 @@
 package org.dronemap.sim.physics;
 
 /**
- * A flat piece of the earth around an origin: latitude and longitude in degrees, altitude in metres AMSL.
- * Good to a few centimetres within the some kilometres that a multicopter flies.
+ * The simulator's local frame: a flat piece of the earth around an origin in degrees and metres AMSL. Good to a few
+ * centimetres within the some kilometres that a multicopter flies.
  */
 public record LocalFrame(double latitude, double longitude, double altitudeAmsl) {
     private static final double METERS_PER_DEGREE = 111_319.490_793;

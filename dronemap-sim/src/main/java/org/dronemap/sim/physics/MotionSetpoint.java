@@ -1,6 +1,6 @@
 package org.dronemap.sim.physics;
 
-/** A setpoint for the motors until the next step. */
+/** What the motors of a simulated vehicle shall do in the next physics step. */
 public sealed interface MotionSetpoint {
     /** Motors stopped: stands on the ground, or falls. */
     record Still() implements MotionSetpoint {}

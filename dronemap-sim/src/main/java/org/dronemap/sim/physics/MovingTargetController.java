@@ -1,8 +1,9 @@
 package org.dronemap.sim.physics;
 
 /**
- * ArduCopter's controller for a moving target: a smoothed reference, and a lean by the offset from it. As long as it
- * would have to lean farther than it may, the reference waits: then it neither comes up nor turns. Owned by its body.
+ * The simulated ArduCopter's position controller for a moving target: a smoothed reference and a lean towards it. As
+ * long as it would have to lean farther than it may, the reference waits: then it neither comes up nor turns. Owned by
+ * its body.
  */
 final class MovingTargetController {
     /** m/s² and m/s³ as delivered (WPNAV_ACCEL, PSC_JERK_XY). */

@@ -2,7 +2,10 @@ package org.dronemap.sim.physics;
 
 import org.jspecify.annotations.Nullable;
 
-/** Position, velocity and attitude of one multicopter, moved in steps of at most a tenth of a second. Owned by its vehicle. */
+/**
+ * The flight physics of one simulated multicopter: position, velocity and attitude, moved in small steps. Owned by its
+ * vehicle.
+ */
 public final class MulticopterBody {
     private static final double GRAVITY = 9.80665;
     private static final double POSITION_GAIN = 1.0;

@@ -1,6 +1,6 @@
 package org.dronemap.sim.physics;
 
-/** A place in metres north, east and up of a {@link LocalFrame}'s origin. */
+/** A place in the simulator: metres north, east and up of a {@link LocalFrame}'s origin. */
 public record NeuPosition(double north, double east, double up) {
     public double horizontalDistanceTo(NeuPosition other) {
         return Math.hypot(other.north - north, other.east - east);

@@ -2,7 +2,10 @@ package org.dronemap.sim.physics;
 
 import java.util.SplittableRandom;
 
-/** Mean wind in m/s from one direction plus gusts of a few seconds; the same seed blows the same. Owned by its vehicle. */
+/**
+ * The wind of a simulated vehicle: a mean wind plus gusts of a few seconds, repeatable by its seed. Owned by its
+ * vehicle.
+ */
 public final class WindModel {
     private static final double GUST_SHARE = 0.25;
     private static final double GUST_SECONDS = 3.0;

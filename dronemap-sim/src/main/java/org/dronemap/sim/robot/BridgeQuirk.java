@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
 
-/** A deviation of bridges in the field from the protocol. */
+/** A deviation from the ROSLink protocol of bridges in the field, which simulated robots can imitate. */
 public enum BridgeQuirk {
     /** Drives on with the last speeds that it heard, for ever; without, it stops half a second after them. */
     REPEATS_TWIST,

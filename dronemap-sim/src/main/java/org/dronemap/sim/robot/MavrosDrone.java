@@ -3,7 +3,9 @@ package org.dronemap.sim.robot;
 import java.util.Map;
 import tools.jackson.databind.JsonNode;
 
-/** A drone whose flight controller stands behind mavros: ArduCopter's modes, no map and no camera. Metres. */
+/**
+ * A simulated ROSLink drone, whose flight controller is behind mavros: ArduCopter's modes, no map, no camera. Metres.
+ */
 final class MavrosDrone implements RobotMachine {
     private static final int QUADROTOR = 3;
     private static final int GUIDED = 4;

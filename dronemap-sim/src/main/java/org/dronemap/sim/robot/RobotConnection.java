@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The real sockets of one robot. Owned by the fleet's thread. */
+/** The UDP and WebSocket connections of one simulated robot to the server. Owned by the fleet's thread. */
 final class RobotConnection implements SimulatedRobot.Links, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(RobotConnection.class);
     private static final int MOST_WAITING = 64;

@@ -17,7 +17,7 @@ import org.dronemap.sim.robot.RobotOptions.Identity;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Runs all simulated robots on one thread, which owns them. */
+/** Runs all simulated ROSLink robots on one thread. */
 public final class RobotFleet implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(RobotFleet.class);
     private static final int TURN_MILLIS = 50;

@@ -3,7 +3,10 @@ package org.dronemap.sim.robot;
 import java.util.Map;
 import tools.jackson.databind.JsonNode;
 
-/** The machine behind a bridge: what is true of it, what it reports and what it does when told. Owned by the fleet's thread. */
+/**
+ * The machine behind a simulated robot's bridge: its state, its reports, and what it does when ordered. Owned by the
+ * fleet's thread.
+ */
 interface RobotMachine {
     /** The number of its kind in heartbeats. */
     int type();

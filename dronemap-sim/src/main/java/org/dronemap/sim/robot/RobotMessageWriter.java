@@ -8,7 +8,10 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Messages of one robot as JSON, in the shape and with the words of its bridge. Owned by the fleet's thread. */
+/**
+ * Writes the ROSLink messages of one simulated robot, and reads orders to it, with the quirks of its bridge. Owned by
+ * the fleet's thread.
+ */
 final class RobotMessageWriter {
     private static final int LAST_OF_A_KIND = 15_000;
     private static final int EVERY_KIND = -1;

@@ -6,7 +6,7 @@ import org.dronemap.sim.link.ServerAddress;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The options of simulated robots: number, kind, links, rates and quirks.
+ * The options of simulated ROSLink robots: number, kind, links, rates and quirks.
  *
  * @param kind rover, drone or mixed
  * @param web their WebSocket, beside UDP; null: none

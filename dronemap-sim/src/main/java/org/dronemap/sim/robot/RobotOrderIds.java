@@ -1,6 +1,6 @@
 package org.dronemap.sim.robot;
 
-/** The message ids of the server's orders. */
+/** The message ids of the server's ROSLink orders, as simulated robots know them. */
 final class RobotOrderIds {
     static final int HEARTBEAT = 0;
     static final int TWIST = 100;

@@ -8,7 +8,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 
-/** A robot on two wheels in a {@link SimulatedRoom}, with a range finder, a camera and a map. Metres, radians. */
+/**
+ * A simulated two-wheeled ROSLink robot in a {@link SimulatedRoom}, with range finder, camera and map. Metres, radians.
+ */
 final class Rover implements RobotMachine {
     private static final int TURTLEBOT = 8;
     private static final double RADIUS = 0.15;

@@ -9,7 +9,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * One robot and its bridge without a link: says what its machine reports, and has it do what it is told. Not thread-safe: owned
+ * One simulated ROSLink robot with its bridge: sends its reports to the server and obeys orders. Not thread-safe: owned
  * by whoever gives it its turns.
  */
 public final class SimulatedRobot {

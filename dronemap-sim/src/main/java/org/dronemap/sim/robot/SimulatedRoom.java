@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import javax.imageio.ImageIO;
 
-/** The room that ground robots drive in: 8 m by 6 m around its origin, walls 0.2 m thick, and a box in it. Metres. */
+/** The room in which simulated ground robots drive: 8 m by 6 m, walls 0.2 m thick, and a box in it. Metres. */
 public final class SimulatedRoom {
     public static final double WIDTH = 8;
     public static final double HEIGHT = 6;

@@ -20,7 +20,9 @@ import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
-/** Users, sessions and keys in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps users, their sessions and access keys in memory, for tests. Thread-safe: every method holds the object's lock.
+ */
 public final class MemoryAccessStore implements AccessStore {
     private final Map<String, User> users = new TreeMap<>();
     private final Map<String, SignIn> signIns = new HashMap<>();

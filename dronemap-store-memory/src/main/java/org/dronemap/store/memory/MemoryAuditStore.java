@@ -18,7 +18,7 @@ import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditedCallRecord;
 import org.jspecify.annotations.Nullable;
 
-/** The records of what was done, in memory. Thread-safe: every method holds the object's lock. */
+/** Keeps the audit log in memory, for tests. Thread-safe: every method holds the object's lock. */
 public final class MemoryAuditStore implements AuditStore {
     private final AuditChain chain;
     private final List<AuditRecord> records = new ArrayList<>();

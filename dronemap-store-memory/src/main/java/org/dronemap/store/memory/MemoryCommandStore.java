@@ -15,7 +15,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
 
-/** The log of commands in memory. Thread-safe: every method holds the object's lock. */
+/** Keeps the log of commands to drones in memory, for tests. Thread-safe: every method holds the object's lock. */
 public final class MemoryCommandStore implements CommandStore {
     private static final Comparator<CommandRecord> NEWEST_FIRST = Comparator.comparing(CommandRecord::at)
             .thenComparing(command -> command.id().value())

@@ -12,7 +12,10 @@ import org.dronemap.core.drone.KnownMission;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
 
-/** Drones in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps drones, and the mission last known to be on each, in memory, for tests. Thread-safe: every method holds the
+ * object's lock.
+ */
 public final class MemoryDroneStore implements DroneStore {
     private final Map<DroneId, DroneRecord> drones = new HashMap<>();
     private final Map<DroneId, KnownMission> missions = new HashMap<>();

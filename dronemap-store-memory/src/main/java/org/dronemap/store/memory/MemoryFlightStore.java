@@ -13,7 +13,7 @@ import org.dronemap.core.history.FlightStore;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
-/** Flights in memory. Thread-safe: every method holds the object's lock. */
+/** Keeps flights in memory, for tests. Thread-safe: every method holds the object's lock. */
 public final class MemoryFlightStore implements FlightStore {
     private static final Comparator<Flight> NEWEST_FIRST =
             Comparator.comparing(Flight::start).thenComparing(Flight::id).reversed();

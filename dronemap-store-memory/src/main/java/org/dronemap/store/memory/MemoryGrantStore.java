@@ -24,7 +24,10 @@ import org.dronemap.store.GrantOrdering;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
-/** Organisations and grants in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps organisations, groups, fleets and grants in memory, for tests. Thread-safe: every method holds the object's
+ * lock.
+ */
 public final class MemoryGrantStore implements GrantStore {
     private final Map<OrganisationId, Organisation> organisations = new HashMap<>();
     private final Map<DroneId, OrganisationId> owners = new HashMap<>();

@@ -8,7 +8,7 @@ import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
 import org.dronemap.store.StoredInstant;
 
-/** Leases of control in memory. Thread-safe: every method holds the object's lock. */
+/** Keeps the leases of control over drones in memory, for tests. Thread-safe: every method holds the object's lock. */
 public final class MemoryLeaseStore implements LeaseStore {
     private final SortedMap<String, SavedLease> leases = new TreeMap<>();
     private long reserved;

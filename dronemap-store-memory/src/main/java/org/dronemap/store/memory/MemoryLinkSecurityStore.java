@@ -10,7 +10,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.store.StoreException;
 
-/** Security settings and signing keys of links in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps each drone's signing policy, MAVLink signing keys and last signing stamp in memory, for tests. Thread-safe:
+ * every method holds the object's lock.
+ */
 public final class MemoryLinkSecurityStore implements LinkSecurityStore {
     private final DroneStore drones;
     private final Map<DroneId, LinkSecurity> kept = new HashMap<>();

@@ -11,7 +11,10 @@ import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.link.SavedLink;
 import org.dronemap.store.StoredInstant;
 
-/** Links and vehicles' keys in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps added endpoints, the DTLS keys of vehicles and the keys of robots in memory, for tests. Thread-safe: every
+ * method holds the object's lock.
+ */
 public final class MemoryLinkStore implements LinkStore {
     private final Map<String, SavedLink> links = new HashMap<>();
     private final Map<String, DtlsKey> keys = new HashMap<>();

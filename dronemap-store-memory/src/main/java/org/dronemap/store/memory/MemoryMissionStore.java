@@ -9,7 +9,7 @@ import org.dronemap.core.mission.SavedMission;
 import org.dronemap.store.MissionOrdering;
 import org.dronemap.store.StoredInstant;
 
-/** The mission library in memory. Thread-safe: every method holds the object's lock. */
+/** Keeps the mission library in memory, for tests. Thread-safe: every method holds the object's lock. */
 public final class MemoryMissionStore implements MissionStore {
     private final Map<String, SavedMission> missions = new HashMap<>();
 

@@ -16,7 +16,10 @@ import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
-/** Operations and their journals in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps operations (mission runs and follows) and their journals in memory, for tests. Thread-safe: every method holds
+ * the object's lock.
+ */
 public final class MemoryOperationStore implements OperationStore {
     private static final Comparator<SavedOperation> BY_ID =
             Comparator.comparing(operation -> operation.id().value());

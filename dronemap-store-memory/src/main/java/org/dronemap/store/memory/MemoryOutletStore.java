@@ -13,7 +13,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.store.StoreException;
 
-/** Outlet keys and system ids of ground stations in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps in memory, for tests, users' outlet keys and the system ids by which their ground stations know drones.
+ * Thread-safe: every method holds the object's lock.
+ */
 public final class MemoryOutletStore implements OutletStore {
     private final AccessStore access;
     private final DroneStore drones;

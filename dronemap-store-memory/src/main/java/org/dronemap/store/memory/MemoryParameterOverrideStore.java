@@ -9,8 +9,8 @@ import org.dronemap.core.drone.ParameterOverrides;
 import org.dronemap.store.StoredInstant;
 
 /**
- * Parameter values of owners, kept while the cloud overrides them, in memory. Thread-safe: every method holds the
- * object's lock.
+ * Keeps in memory, for tests, the owners' parameter values that the cloud overrides on their drones. Thread-safe: every
+ * method holds the object's lock.
  */
 public final class MemoryParameterOverrideStore implements ParameterOverrideStore {
     private final SortedMap<String, ParameterOverrides> kept = new TreeMap<>();

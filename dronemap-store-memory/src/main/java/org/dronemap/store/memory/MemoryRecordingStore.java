@@ -10,7 +10,10 @@ import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.store.RecordingOrdering;
 import org.dronemap.store.StoredInstant;
 
-/** Descriptions of recordings in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps descriptions of recordings, not their bytes, in memory, for tests. Thread-safe: every method holds the object's
+ * lock.
+ */
 public final class MemoryRecordingStore implements RecordingStore {
     private final Map<String, Recording> recordings = new HashMap<>();
 

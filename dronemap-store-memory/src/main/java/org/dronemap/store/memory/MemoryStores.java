@@ -24,7 +24,7 @@ import org.dronemap.store.Stores;
 import org.dronemap.store.secret.SecretBox;
 import org.jspecify.annotations.Nullable;
 
-/** All stores in memory; their content lasts as long as this object, over any number of servers. */
+/** All stores of a server in memory, for tests; their content outlives the servers that use them. */
 public final class MemoryStores implements Stores {
     private final DroneStore drones = new MemoryDroneStore();
     private final MissionStore missions = new MemoryMissionStore();

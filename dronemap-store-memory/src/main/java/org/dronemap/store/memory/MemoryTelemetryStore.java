@@ -23,7 +23,7 @@ import org.dronemap.core.history.TimeRange;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
-/** Telemetry in memory. Thread-safe: every method holds the object's lock. */
+/** Keeps telemetry and drones' events in memory, for tests. Thread-safe: every method holds the object's lock. */
 public final class MemoryTelemetryStore implements TelemetryStore {
     private final Map<DroneId, NavigableMap<Instant, TelemetryPoint>> points = new HashMap<>();
     private final List<HistoryEvent> events = new ArrayList<>();

@@ -12,7 +12,10 @@ import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.store.StoreException;
 
-/** The virtual drones in memory. Thread-safe: every method holds the object's lock. */
+/**
+ * Keeps virtual drones, and which drones of the warehouse may serve them, in memory, for tests. Thread-safe: every
+ * method holds the object's lock.
+ */
 public final class MemoryVirtualDroneStore implements VirtualDroneStore {
     private final Map<VirtualDroneId, VirtualDrone> drones = new HashMap<>();
     private final Set<DroneId> warehouse = new HashSet<>();

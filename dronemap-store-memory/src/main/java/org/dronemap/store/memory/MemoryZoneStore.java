@@ -7,7 +7,7 @@ import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.ZoneOrdering;
 
-/** The zones in memory. Thread-safe: every method holds the object's lock. */
+/** Keeps the zones in memory, for tests. Thread-safe: every method holds the object's lock. */
 public final class MemoryZoneStore implements ZoneStore {
     private final Map<String, Zone> zones = new HashMap<>();
 

@@ -21,7 +21,9 @@ import org.dronemap.core.audit.SignedHead;
 import org.dronemap.core.stored.StoredNames;
 import org.dronemap.store.StoreException;
 
-/** Signed heads, a line each, in a file that is only ever added to. Any thread. */
+/**
+ * Stores the signed heads of the audit log, outside of the database, in a file that is only appended to. Any thread.
+ */
 public final class FileAuditHeadStore implements AuditHeadStore {
     private final Path file;
 

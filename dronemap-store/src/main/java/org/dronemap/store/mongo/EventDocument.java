@@ -9,7 +9,7 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.stored.StoredNames;
 
-/** Events as documents, each with an id that it gets again when the same batch is written again. */
+/** Converts drones' events to MongoDB documents and back; a batch that is written again gets the same ids. */
 final class EventDocument {
     /** Orders what happened at one moment. */
     static final String ORDER = "order";

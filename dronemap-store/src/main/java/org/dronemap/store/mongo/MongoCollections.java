@@ -15,7 +15,7 @@ import org.bson.Document;
 import org.dronemap.core.history.Retention;
 import org.jspecify.annotations.Nullable;
 
-/** The collections that telemetry lies in, and how long what is in them lasts. Thread-safe. */
+/** The MongoDB collections that hold telemetry and drones' events, and how long their documents last. Thread-safe. */
 final class MongoCollections {
     private static final String POINTS = "telemetry";
     private static final String THINNED = "telemetry_thinned";

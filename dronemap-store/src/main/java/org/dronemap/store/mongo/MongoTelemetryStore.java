@@ -42,7 +42,7 @@ import org.dronemap.core.history.TimeRange;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
 
-/** Telemetry in a MongoDB; old days are out of sight at once, and gone when the server gets round to it. Thread-safe. */
+/** Stores telemetry in MongoDB; old days are hidden at once, and deleted later by MongoDB. Thread-safe. */
 public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable {
     private static final String USUAL_DATABASE = "dronemap";
     private static final int PATIENCE_SECONDS = 5;

@@ -21,8 +21,8 @@ import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Points as documents: a member for each number, named as the columns of the tables are; what was not known is left out.
- * MongoDB's times have milliseconds: the microseconds stand beside them.
+ * Converts telemetry points to MongoDB documents and back: a member for each number that is known. MongoDB's times have
+ * milliseconds: the microseconds stand beside them.
  */
 final class PointDocument {
     static final String DRONE = "drone";

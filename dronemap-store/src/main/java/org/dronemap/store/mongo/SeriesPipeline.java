@@ -14,7 +14,7 @@ import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TimeRange;
 import org.jspecify.annotations.Nullable;
 
-/** Has the server reduce points to a series; the microseconds since the beginning of the span say which slot one is in. */
+/** Builds the MongoDB aggregation that reduces telemetry points to a series of time slots. */
 final class SeriesPipeline {
     private static final String OFFSET = "offset";
 

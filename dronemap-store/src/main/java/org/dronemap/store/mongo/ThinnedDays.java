@@ -18,7 +18,7 @@ import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TimeRange;
 import org.jspecify.annotations.Nullable;
 
-/** Days of UTC of which only the thinned points are read any more; the full ones expire by themselves. */
+/** Thins days of telemetry in MongoDB, and knows of which days only the thinned points are read. */
 final class ThinnedDays {
     private static final int AT_ONCE = 5_000;
 

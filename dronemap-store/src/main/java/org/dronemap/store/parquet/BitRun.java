@@ -3,7 +3,7 @@ package org.dronemap.store.parquet;
 import java.io.ByteArrayOutputStream;
 import java.util.BitSet;
 
-/** Bits, the first one lowest in its byte. One thread. */
+/** Packs bits for a Parquet file: truth values, and which values of a column are known. One thread. */
 final class BitRun {
     private final BitSet bits = new BitSet();
     private int size;

@@ -13,7 +13,7 @@ import org.apache.parquet.format.Util;
 import org.dronemap.core.history.TelemetryColumn;
 import org.dronemap.core.history.TelemetryPoint;
 
-/** Writes the values of one column, page after page. One thread. */
+/** Writes the values of one telemetry column to a Parquet file, page by page. One thread. */
 final class ColumnPages {
     /** Keeps a page below a megabyte, as readers like it. */
     private static final int ROWS_OF_A_PAGE = 20_000;

@@ -13,7 +13,7 @@ import org.apache.parquet.format.TimestampType;
 import org.apache.parquet.format.Type;
 import org.dronemap.core.history.TelemetryColumn;
 
-/** The declaration of the columns in the footer of a Parquet file. */
+/** Declares the telemetry columns in the footer of an exported Parquet file. */
 final class ColumnSchema {
     private static final String ROOT = "telemetry";
 

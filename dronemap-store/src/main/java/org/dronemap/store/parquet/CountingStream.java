@@ -4,7 +4,7 @@ import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Knows how many bytes went through it. One thread. */
+/** An output stream that counts the bytes written to a Parquet file. One thread. */
 final class CountingStream extends FilterOutputStream {
     private long count;
 

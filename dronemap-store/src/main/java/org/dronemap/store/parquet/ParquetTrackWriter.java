@@ -16,8 +16,8 @@ import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TrackWriter;
 
 /**
- * Points as one Parquet file with the columns of the archive: one row group, plain values, pages packed with gzip. The usual
- * writer of such files wants Hadoop, which is larger than the server; what a track needs of the format is little.
+ * Exports a drone's telemetry as a Parquet file with the archive's columns: one row group, pages packed with gzip. The
+ * usual writer of such files wants Hadoop, which is larger than the server; what a track needs of the format is little.
  */
 public final class ParquetTrackWriter implements TrackWriter {
     private static final byte[] MAGIC = {'P', 'A', 'R', '1'};

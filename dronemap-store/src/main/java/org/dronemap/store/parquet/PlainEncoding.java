@@ -3,7 +3,7 @@ package org.dronemap.store.parquet;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** Values of one kind as they are, the lowest byte first. One thread. */
+/** Encodes the values of one column in Parquet's plain encoding, the lowest byte first. One thread. */
 final class PlainEncoding {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final BitRun truths = new BitRun();

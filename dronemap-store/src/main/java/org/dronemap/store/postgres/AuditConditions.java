@@ -5,7 +5,9 @@ import java.util.List;
 import org.dronemap.core.audit.AuditQuery;
 import org.jspecify.annotations.Nullable;
 
-/** The SQL condition of an audit search on records {@code r} with their endings {@code e}. */
+/**
+ * The SQL condition of an audit search: {@code r} is a call's record, {@code e} the one that ends it (null: none yet).
+ */
 final class AuditConditions {
     private final StringBuilder text = new StringBuilder("r.ends IS NULL");
     private final List<Object> arguments = new ArrayList<>();

@@ -22,9 +22,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Writes changes and the records of them, each pair in one transaction. Since every record needs the hash of the one
- * before, one thread writes them all; what waits for it goes together, so that a slow disk is waited for once and not by
- * each. Any thread may hand work in.
+ * Writes changes to the database together with the audit records of them, each pair in one transaction. Since every
+ * record needs the hash of the one before, one thread writes them all; what waits for it goes together, so that a slow
+ * disk is waited for once and not by each. Any thread may hand work in.
  */
 final class AuditLedger implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(AuditLedger.class);

@@ -15,7 +15,7 @@ import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
-/** Records of what was done as rows. */
+/** Converts audit records to rows of PostgreSQL and back. */
 final class AuditRows {
     private static final String HEAD = "SELECT sequence, hash FROM audit ORDER BY sequence DESC LIMIT 1";
 

@@ -23,7 +23,7 @@ import org.postgresql.PGConnection;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One restore: check, fill a schema beside the present one, change places. */
+/** Restores a backup into the database: checks it, fills a second schema and swaps it with the present one. */
 final class BackupRestore {
     private static final Logger LOG = LoggerFactory.getLogger(BackupRestore.class);
 

@@ -8,7 +8,10 @@ import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 import org.postgresql.copy.CopyIn;
 
-/** Rows in the binary form of PostgreSQL's COPY, which costs both sides a fraction of what text does. One thread. */
+/**
+ * Writes telemetry rows to PostgreSQL in the binary form of its COPY command, which is much cheaper than text. One
+ * thread.
+ */
 final class CopyBuffer {
     private static final byte[] HEADER = {
         'P', 'G', 'C', 'O', 'P', 'Y', '\n', (byte) 0xFF, '\r', '\n', 0, 0, 0, 0, 0, 0, 0, 0, 0

@@ -9,7 +9,10 @@ import java.util.concurrent.locks.ReentrantReadWriteLock;
 import org.dronemap.core.history.TelemetryPoint;
 import org.jspecify.annotations.Nullable;
 
-/** Lets batches through, and knows whether one of them had points of a day that is watched. Thread-safe. */
+/**
+ * Detects telemetry that is written for a day while that day's table is rebuilt, so that none of it is lost.
+ * Thread-safe.
+ */
 final class DayWriteGate {
     private final ReadWriteLock lock = new ReentrantReadWriteLock();
     private volatile @Nullable LocalDate watched;

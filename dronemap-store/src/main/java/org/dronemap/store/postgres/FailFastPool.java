@@ -13,9 +13,9 @@ import org.dronemap.core.time.FatalErrors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A pool that refuses at once while its database is known to be out of reach, instead of letting each who asks wait for as
- * long as it has patience: several waits in a row, and many who wait in one queue, would keep what brings a drone to safety
- * from it. Meanwhile one thread looks for the database. Thread-safe.
+ * A database connection pool that refuses at once while the database is out of reach, instead of letting callers wait.
+ * Several waits in a row, or many callers in one queue, would delay what brings a drone to safety. Meanwhile one thread
+ * looks for the database. Thread-safe.
  */
 final class FailFastPool implements DataSource, AutoCloseable {
     private static final int LONGEST_CHECK_SECONDS = 3;

@@ -9,7 +9,7 @@ import org.flywaydb.core.api.MigrationInfoService;
 import org.flywaydb.core.api.MigrationVersion;
 import org.flywaydb.core.api.configuration.FluentConfiguration;
 
-/** Brings a schema to a version; a schema newer than this program is left alone. */
+/** Migrates the database schema to a version, and leaves alone a schema newer than this program. */
 final class Migration {
     static final String HISTORY_TABLE = "schema_history";
 

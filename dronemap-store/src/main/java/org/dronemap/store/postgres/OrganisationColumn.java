@@ -4,7 +4,7 @@ import java.sql.SQLException;
 import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
-/** The column that says whose a row is; null: the default organisation's. */
+/** Converts the organisation that a row belongs to to its column and back; null is the default organisation. */
 final class OrganisationColumn {
     private static final String NAME = "organisation";
 

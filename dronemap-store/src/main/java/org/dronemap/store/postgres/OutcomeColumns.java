@@ -5,7 +5,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.jspecify.annotations.Nullable;
 
-/** An outcome as its four columns. */
+/** The outcome of a command as the four columns that PostgreSQL keeps of it. */
 record OutcomeColumns(
         @Nullable String result,
         @Nullable String by,

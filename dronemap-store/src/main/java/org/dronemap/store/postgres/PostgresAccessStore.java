@@ -17,7 +17,7 @@ import org.dronemap.store.SignInLimit;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.postgres.json.BoundsJson;
 
-/** Users, sessions and keys in PostgreSQL. Thread-safe. */
+/** Stores users, their sessions and access keys in PostgreSQL. Thread-safe. */
 public final class PostgresAccessStore implements AccessStore {
     private final SqlTransactions sql;
 

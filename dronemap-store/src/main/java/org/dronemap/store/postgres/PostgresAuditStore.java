@@ -12,7 +12,7 @@ import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditedCallRecord;
 
-/** The records of what was done, in PostgreSQL. Thread-safe. */
+/** Stores the audit log in PostgreSQL. Thread-safe. */
 final class PostgresAuditStore implements AuditStore {
     private final SqlTransactions sql;
     private final AuditLedger ledger;

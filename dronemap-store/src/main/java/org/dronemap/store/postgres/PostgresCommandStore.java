@@ -13,7 +13,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
 
-/** The log of commands in PostgreSQL. Thread-safe. */
+/** Stores the log of commands to drones in PostgreSQL. Thread-safe. */
 public final class PostgresCommandStore implements CommandStore {
     private final SqlTransactions sql;
 

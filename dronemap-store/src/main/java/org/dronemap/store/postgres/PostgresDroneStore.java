@@ -14,7 +14,7 @@ import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.store.postgres.json.MissionItemJson;
 
-/** Drones in PostgreSQL. Thread-safe. */
+/** Stores drones, and the mission last known to be on each, in PostgreSQL. Thread-safe. */
 public final class PostgresDroneStore implements DroneStore {
     private final SqlTransactions sql;
 

@@ -12,7 +12,7 @@ import org.dronemap.core.history.FlightStatistics;
 import org.dronemap.core.history.FlightStore;
 import org.jspecify.annotations.Nullable;
 
-/** Flights in PostgreSQL. Thread-safe. */
+/** Stores flights in PostgreSQL. Thread-safe. */
 public final class PostgresFlightStore implements FlightStore {
     private static final String ORDER = " ORDER BY started_at DESC, id DESC LIMIT ?";
 

@@ -21,7 +21,7 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.store.GrantOrdering;
 import org.jspecify.annotations.Nullable;
 
-/** Organisations and grants in PostgreSQL. Thread-safe. */
+/** Stores organisations, groups, fleets and grants in PostgreSQL. Thread-safe. */
 public final class PostgresGrantStore implements GrantStore {
     private final SqlTransactions sql;
 

@@ -6,7 +6,7 @@ import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
 import org.dronemap.store.StoreException;
 
-/** Leases of control in PostgreSQL. Thread-safe. */
+/** Stores the leases of control over drones in PostgreSQL. Thread-safe. */
 public final class PostgresLeaseStore implements LeaseStore {
     private final SqlTransactions sql;
 

@@ -13,7 +13,9 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Security settings and signing keys of links in PostgreSQL; keys are sealed before they are stored. Thread-safe. */
+/**
+ * Stores each drone's signing policy, sealed MAVLink signing keys and last signing stamp in PostgreSQL. Thread-safe.
+ */
 public final class PostgresLinkSecurityStore implements LinkSecurityStore {
     private static final Logger LOG = LoggerFactory.getLogger(PostgresLinkSecurityStore.class);
     private static final String KEY = "key";

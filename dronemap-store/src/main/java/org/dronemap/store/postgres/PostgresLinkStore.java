@@ -7,7 +7,7 @@ import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.link.SavedLink;
 
-/** Links and vehicles' keys in PostgreSQL. Thread-safe. */
+/** Stores added endpoints, the DTLS keys of vehicles and the keys of robots in PostgreSQL. Thread-safe. */
 public final class PostgresLinkStore implements LinkStore {
     private final SqlTransactions sql;
 

@@ -9,7 +9,7 @@ import org.dronemap.core.mission.SavedMission;
 import org.dronemap.store.MissionOrdering;
 import org.dronemap.store.postgres.json.MissionItemJson;
 
-/** The mission library in PostgreSQL. Thread-safe. */
+/** Stores the mission library in PostgreSQL. Thread-safe. */
 public final class PostgresMissionStore implements MissionStore {
     private final SqlTransactions sql;
 

@@ -14,7 +14,10 @@ import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.store.StoreException;
 
-/** Operations and their journals in PostgreSQL; a state and its entry are one statement. Thread-safe. */
+/**
+ * Stores operations (mission runs and follows) and their journals in PostgreSQL; a state and its entry in one
+ * statement. Thread-safe.
+ */
 public final class PostgresOperationStore implements OperationStore {
     private final SqlTransactions sql;
 

@@ -12,7 +12,10 @@ import org.dronemap.store.secret.SecretBox;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Outlet keys and system ids of ground stations in PostgreSQL; keys are sealed before they are stored. Thread-safe. */
+/**
+ * Stores in PostgreSQL users' sealed outlet keys, and the system ids by which their ground stations know drones.
+ * Thread-safe.
+ */
 public final class PostgresOutletStore implements OutletStore {
     private static final Logger LOG = LoggerFactory.getLogger(PostgresOutletStore.class);
 

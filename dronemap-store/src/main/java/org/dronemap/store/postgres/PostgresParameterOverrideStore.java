@@ -6,7 +6,10 @@ import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.drone.ParameterOverrides;
 import org.dronemap.store.postgres.json.ParameterOverridesJson;
 
-/** Parameter values of owners, kept while the cloud overrides them, in PostgreSQL. Thread-safe. */
+/**
+ * Stores in PostgreSQL the owners' parameter values that the cloud overrides on their drones, to restore them later.
+ * Thread-safe.
+ */
 public final class PostgresParameterOverrideStore implements ParameterOverrideStore {
     private final SqlTransactions sql;
 

@@ -8,7 +8,7 @@ import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.store.RecordingOrdering;
 
-/** Descriptions of recordings in PostgreSQL. Thread-safe. */
+/** Stores descriptions of recordings, not their bytes, in PostgreSQL. Thread-safe. */
 public final class PostgresRecordingStore implements RecordingStore {
     private final SqlTransactions sql;
 

@@ -38,7 +38,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** An open database whose schema is up to date, and the stores in it. Thread-safe. */
+/** An open PostgreSQL database whose schema is up to date, with all stores of the server in it. Thread-safe. */
 public final class PostgresStores implements Stores {
     /** The schema that holds everything, so that a database shared with others keeps apart. */
     static final String SCHEMA = "dronemap";

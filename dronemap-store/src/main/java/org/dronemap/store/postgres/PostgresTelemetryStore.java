@@ -22,7 +22,7 @@ import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TimeRange;
 import org.jspecify.annotations.Nullable;
 
-/** Telemetry in PostgreSQL: a table for each day, rows copied in. Thread-safe. */
+/** Stores telemetry and drones' events in PostgreSQL, telemetry in a table for each day. Thread-safe. */
 public final class PostgresTelemetryStore implements TelemetryStore {
     private static final int ROWS_AT_ONCE = 2_000;
 

@@ -9,7 +9,7 @@ import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.store.postgres.json.VirtualDroneJson;
 
-/** The virtual drones in PostgreSQL. Thread-safe. */
+/** Stores virtual drones, and which drones of the warehouse may serve them, in PostgreSQL. Thread-safe. */
 public final class PostgresVirtualDroneStore implements VirtualDroneStore {
     private final SqlTransactions sql;
 

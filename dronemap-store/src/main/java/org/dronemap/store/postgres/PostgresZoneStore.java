@@ -6,7 +6,7 @@ import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.ZoneOrdering;
 import org.dronemap.store.postgres.json.ZoneJson;
 
-/** The zones in PostgreSQL. Thread-safe. */
+/** Stores the zones in PostgreSQL. Thread-safe. */
 public final class PostgresZoneStore implements ZoneStore {
     private final SqlTransactions sql;
 

@@ -8,7 +8,7 @@ import java.util.List;
 import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
-/** The columns of the row that a result stands on, by name and in the types of the core. */
+/** Reads the columns of a query result's current row, by name and in the types of the core. */
 record ResultRow(ResultSet result) {
     String text(String column) throws SQLException {
         String value = result.getString(column);

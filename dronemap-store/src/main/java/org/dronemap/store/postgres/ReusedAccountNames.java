@@ -4,7 +4,7 @@ import java.time.Instant;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Tells whose things went to which account when a name of before there were ids had been of two. */
+/** Warns in the server's log of user names that two accounts had, one after the other, before accounts had ids. */
 final class ReusedAccountNames {
     private static final Logger LOG = LoggerFactory.getLogger(ReusedAccountNames.class);
 

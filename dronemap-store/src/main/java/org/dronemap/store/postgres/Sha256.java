@@ -3,7 +3,7 @@ package org.dronemap.store.postgres;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 
-/** The checksum of backups. */
+/** Creates the SHA-256 digests that backups are checked by. */
 final class Sha256 {
     private Sha256() {}
 

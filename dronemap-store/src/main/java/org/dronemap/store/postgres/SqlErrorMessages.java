@@ -5,7 +5,7 @@ import java.sql.SQLTransientConnectionException;
 import java.util.Objects;
 import org.dronemap.store.StoreException;
 
-/** Says what a database error means, by its SQLSTATE; never repeats a password. */
+/** Explains database errors by their SQLSTATE in sentences for the server's operator, never repeating a password. */
 final class SqlErrorMessages {
     private SqlErrorMessages() {}
 

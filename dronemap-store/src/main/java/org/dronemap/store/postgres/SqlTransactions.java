@@ -19,8 +19,8 @@ import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Statements on a pool; each one is a transaction of its own, durable when it returns. The first change of a call takes the
- * call's record into its transaction. Thread-safe.
+ * Runs SQL statements on a connection pool, each a transaction of its own, durable when it returns. The first change of
+ * a call takes the call's record into its transaction. Thread-safe.
  */
 final class SqlTransactions {
     /** Makes an object of the row that the result stands on. */

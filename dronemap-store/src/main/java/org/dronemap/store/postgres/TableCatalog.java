@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Asks the database itself which tables there are, so that a new migration is never forgotten in a backup. */
+/** Lists the tables for a backup from the database's own catalogue, so that none of a new migration is forgotten. */
 final class TableCatalog {
     /** The history comes back with the schema, and an old session must not come back to life. */
     private static final Set<String> LEFT_OUT = Set.of(Migration.HISTORY_TABLE, "sign_in");

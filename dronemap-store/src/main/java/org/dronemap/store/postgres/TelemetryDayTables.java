@@ -27,9 +27,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The tables of single days of UTC: made ahead, sorted when they are over, thinned when they are old, dropped when they are
- * older. Rows come in the order of time, a few of each drone at once; sorted, an hour of one drone lies together, and is
- * read ten times as fast where many flew.
+ * Creates, sorts, thins and drops the PostgreSQL tables that each hold one day (UTC) of telemetry. Rows come in the
+ * order of time, a few of each drone at once; sorted, an hour of one drone lies together, and is read ten times as fast
+ * where many flew.
  */
 final class TelemetryDayTables {
     private static final Logger LOG = LoggerFactory.getLogger(TelemetryDayTables.class);

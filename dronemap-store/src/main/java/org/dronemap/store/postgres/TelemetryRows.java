@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 import org.postgresql.PGConnection;
 import org.postgresql.copy.CopyIn;
 
-/** Points as rows: one column for each number that can be drawn, named as the field is. */
+/** Converts telemetry points to rows of PostgreSQL and back: one column for each telemetry field. */
 final class TelemetryRows {
     private static final List<String> COLUMNS = TelemetryColumn.labels();
     static final String ALL = String.join(", ", COLUMNS);

@@ -3,7 +3,10 @@ package org.dronemap.store.postgres;
 import java.sql.SQLException;
 import org.jspecify.annotations.Nullable;
 
-/** Records whether the last required write succeeded; a database that answers may have no space left. Any thread. */
+/**
+ * Remembers whether the last required write to the database succeeded, as one that answers may have no space left. Any
+ * thread.
+ */
 final class Writability {
     private volatile @Nullable String trouble;
 

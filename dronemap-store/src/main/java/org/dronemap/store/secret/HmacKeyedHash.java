@@ -6,7 +6,7 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 import org.dronemap.core.audit.KeyedHash;
 
-/** Seals records with HMAC-SHA-256 under a key of this server. Thread-safe. */
+/** Computes HMAC-SHA-256 hashes under a key of this server, which seal the audit log. Thread-safe. */
 public final class HmacKeyedHash implements KeyedHash {
     private static final String ALGORITHM = "HmacSHA256";
 

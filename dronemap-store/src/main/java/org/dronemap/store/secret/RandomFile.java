@@ -10,7 +10,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.security.SecureRandom;
 import java.util.HexFormat;
 
-/** A file of random hexadecimal digits that only its owner reads: whole from the moment that it is there. */
+/** Reads a file of random hexadecimal digits, or creates it at first, so that only its owner can read it. */
 public final class RandomFile {
     private RandomFile() {}
 

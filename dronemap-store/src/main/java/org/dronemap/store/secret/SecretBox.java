@@ -12,8 +12,8 @@ import javax.crypto.spec.GCMParameterSpec;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * Seals small secrets with AES-256-GCM under the server's secret. Each is bound to its place, so that a sealed key moved to
- * another row does not open. Thread-safe.
+ * Encrypts small secrets, such as stored keys, with AES-256-GCM under the server's secret. Each is bound to its place,
+ * so that a sealed key moved to another row does not open. Thread-safe.
  */
 public final class SecretBox {
     public static final int SECRET_BYTES = 32;

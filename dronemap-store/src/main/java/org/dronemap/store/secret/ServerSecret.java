@@ -6,7 +6,9 @@ import java.util.HexFormat;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
 
-/** The secrets of this server, which no database holds: given from outside, or files that only their owner reads. */
+/**
+ * The two secrets of this server, one for stored keys and one for the audit log: given as settings, or kept in files.
+ */
 public final class ServerSecret {
     private static final String FORM = "[0-9a-fA-F]{64}";
 

@@ -7,9 +7,10 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * The rule of an operation of REST: who may call it, what it is about, what it costs and what record it leaves. Each handler has it: a
- * server with one that has not does not start. The filters act on it before a handler runs and before a body is read;
- * services check what only they know, such as grants, and the role again, as the other faces call them too.
+ * Declares on a REST handler who may call it, what it touches, what it costs and what audit record it leaves. Each
+ * handler has it: a server with one that has not does not start. The filters act on it before a handler runs and before
+ * a body is read; services check what only they know, such as grants, and the role again, as the other faces call them
+ * too.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The rule for one request.
+ * The access rule for one request: the level of caller it needs, its cost and its audit policy.
  *
  * @param operation what it is dispatched to; null: there is nothing at the address, it does not take the method, or REST does
  *     not have it

@@ -16,7 +16,7 @@ import org.dronemap.ws.problem.RejectionKind;
 import org.dronemap.ws.reading.RecordAlternatives;
 import org.jspecify.annotations.Nullable;
 
-/** Details noted of a call in its record; only members known to hold no secret are written. */
+/** Adds details of a call to its audit record; only fields known to hold no secret are written. */
 public final class AuditNotes {
     private static final int LONGEST_VALUE = 60;
     private static final Set<RejectionKind> NOT_UNDERSTOOD =

@@ -2,5 +2,5 @@ package org.dronemap.ws.access;
 
 import org.dronemap.core.access.Principal;
 
-/** A principal and the face that it calls through. */
+/** An authenticated principal and the face (REST, SOAP or stream) that the call came through. */
 public record Caller(Principal principal, String face) {}

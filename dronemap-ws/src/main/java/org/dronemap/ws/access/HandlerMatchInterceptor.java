@@ -7,8 +7,9 @@ import org.springframework.web.method.HandlerMethod;
 import org.springframework.web.servlet.HandlerInterceptor;
 
 /**
- * Lets only that handler run whose {@link Access} the filters have acted on. They find it by themselves, before the dispatcher
- * does; should the two ever differ, the request fails instead of being carried out unjudged.
+ * Fails a REST request that Spring dispatches to another handler than that whose {@link Access} the filters checked.
+ * They find it by themselves, before the dispatcher does; should the two ever differ, the request fails instead of
+ * being carried out unjudged.
  */
 public final class HandlerMatchInterceptor implements HandlerInterceptor {
     private final RestOperations operations;

@@ -3,7 +3,9 @@ package org.dronemap.ws.access;
 import java.util.List;
 import org.dronemap.ws.budget.WorkKind;
 
-/** The budgets that a request is taken from: those of the caller, or of the caller's address where anybody may call. */
+/**
+ * Cost of a request in rate-limit budgets: the caller's, or those of the client's address where no sign-in is needed.
+ */
 public enum RequestCost {
     REQUEST,
     /** Files, exports, backups and replays: a request, and an export. */

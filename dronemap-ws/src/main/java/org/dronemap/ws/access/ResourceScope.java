@@ -1,6 +1,9 @@
 package org.dronemap.ws.access;
 
-/** The things that an operation is about, which must be the caller's, too. The services see to it; tests try it for each operation. */
+/**
+ * Whose resources an operation touches: a drone's, the organisation's, the server's, the caller's own, or none. The
+ * services see to it; tests try it for each operation.
+ */
 public enum ResourceScope {
     /** Drones of the caller's organisation that no key and no grant keeps away. */
     DRONE,

@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.springframework.web.util.pattern.PathPattern;
 
 /**
- * A method and an address that a handler is mapped to, and what its {@link Access} says.
+ * One operation of the REST API: its method, its address pattern and the {@link Access} that its handler declares.
  *
  * @param id as the description of REST calls it; null: it has no description
  */

@@ -18,8 +18,8 @@ import org.springframework.web.servlet.mvc.method.RequestMappingInfo;
 import org.springframework.web.util.pattern.PathPattern;
 
 /**
- * All operations of REST by what their handlers say of them, and which one a request is of. Asked by the filters, so before
- * it is known who sends the request. Any thread.
+ * All operations of the REST API with their access rules, and the lookup of the one that a request addresses. Asked by
+ * the filters, so before it is known who sends the request. Any thread.
  */
 public final class RestOperations implements SmartInitializingSingleton {
     /** Describes the faces to anybody; its handlers are not ours. */

@@ -14,7 +14,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Checks the least role of a caller and words the refusal; also names of roles. */
+/** Checks for the services that a caller has the role an operation needs, and rejects the request otherwise. */
 public final class RoleChecks {
     private static final String NAMES = "administrator, supervisor, operator, planner, viewer or reporter";
     private static final Map<Role, String> REFUSALS = Map.of(

@@ -6,10 +6,7 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/**
- * The name of an operation in SOAP, where it is not that of its {@code operationId}: names that the papers of the Dronemap
- * Planner gave, which programs know.
- */
+/** Names a REST operation differently in SOAP than by its operationId, as the original Dronemap Planner named it. */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.METHOD)

@@ -14,8 +14,8 @@ import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.Rejection;
 
 /**
- * Changes of users, one at a time, so that two administrators who shut each other out leave one. After each change
- * whoever is connected as that user is judged anew. Any thread.
+ * Changes user accounts one at a time, so that two administrators cannot remove each other and leave none. After each
+ * change whoever is connected as that user is judged anew. Any thread.
  */
 public final class AccountChanges {
     private final AccessStore store;

@@ -11,7 +11,10 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.SecretGenerator;
 import org.jspecify.annotations.Nullable;
 
-/** Accounts of people whom another authority vouches for; they belong to the first organisation. Any thread. */
+/**
+ * Finds or creates, in the first organisation, the accounts of people whom an OpenID Connect provider vouches for. Any
+ * thread.
+ */
 public final class ExternalUsers {
     private static final int LONGEST_OWN = 23;
     private static final int MARK = 16;

@@ -2,7 +2,9 @@ package org.dronemap.ws.account;
 
 import java.util.Optional;
 
-/** State of the administrator password generated at the first start, and its consequences. */
+/**
+ * Tells whether the generated password of the first administrator is still in use, and what it blocks until changed.
+ */
 public interface InitialPassword {
     /** Why nothing but a sign-in and a password change is served; empty when everything is. */
     Optional<String> closed();

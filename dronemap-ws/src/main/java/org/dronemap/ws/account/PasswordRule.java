@@ -5,7 +5,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Checks that a password meets the rule. */
+/** Checks that a new password of a user is neither too short nor too long. */
 public final class PasswordRule {
     public static final int SHORTEST = 10;
     public static final int LONGEST = 200;

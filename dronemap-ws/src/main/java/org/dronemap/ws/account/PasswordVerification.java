@@ -3,7 +3,7 @@ package org.dronemap.ws.account;
 import org.dronemap.core.access.User;
 import org.dronemap.ws.problem.Rejection;
 
-/** Compares passwords wherever somebody gives one, and slows down who guesses, as at the sign-in. Any thread. */
+/** Checks a password that a user gives again, and slows down guessing as the sign-in does. Any thread. */
 public interface PasswordVerification {
     /**
      * Whether that is the user's password.

@@ -29,7 +29,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Handles searches in the record of calls. */
+/** REST handlers that search, export and verify the audit log. */
 @RestController
 @RequestMapping("/api/v1/audit")
 @Tag(

@@ -10,7 +10,7 @@ import org.dronemap.ws.reading.JsonReader;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Records as a file: a table for spreadsheets, or a line of JSON for each. */
+/** File formats in which audit records are exported: CSV, or JSON Lines with one record on each line. */
 public enum AuditExportFormat {
     CSV("text/csv"),
     JSONL("application/jsonl");

@@ -10,7 +10,7 @@ import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** A receipt that the records up to this one existed at that time. */
+/** Signed receipt by which a client can prove later that the audit log up to one record has not been changed. */
 @Schema(name = "ReceiptView", description = "Keep it where nobody who runs the server can change it.")
 public record AuditReceiptView(
         @JsonProperty("sequence") @Nullable Long sequence,

@@ -20,7 +20,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Looking at what was done by whom, for supervisors and administrators. Any thread. */
+/** Searches, exports and verifies the audit log, for supervisors and administrators. Any thread. */
 public final class AuditService {
     private static final int MOST_AT_ONCE = 200;
     private static final int USUALLY = 50;

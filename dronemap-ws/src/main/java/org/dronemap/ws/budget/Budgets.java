@@ -12,9 +12,9 @@ import org.dronemap.ws.problem.Throttled;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Budgets of work for each user; unused budget accumulates up to ten seconds' worth. Who was quiet for a while may do
- * ten seconds' worth at once. Bounded: of those who are remembered, whoever asked longest ago is forgotten first. Any
- * thread.
+ * Rate limits on the work of each user, by kind of work; unused budget accumulates for up to ten seconds. Who was quiet
+ * for a while may do ten seconds' worth at once. Bounded: of those who are remembered, whoever asked longest ago is
+ * forgotten first. Any thread.
  */
 public final class Budgets {
     private static final double SECONDS_SAVED = 10;

@@ -11,7 +11,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.Throttled;
 
-/** So many times within so long for each who asks, and no more. Any thread. */
+/** Limits how often each client may attempt something within a time, such as registering an account. Any thread. */
 public final class Throttle {
     private static final int MOST_REMEMBERED = 10_000;
 

@@ -1,6 +1,6 @@
 package org.dronemap.ws.budget;
 
-/** Kinds of work that a user may cause so much of. */
+/** Kinds of work that are rate-limited for each user: requests, commands, exports and sign-in attempts. */
 public enum WorkKind {
     /** Anything asked of a face. */
     REQUEST("requests"),

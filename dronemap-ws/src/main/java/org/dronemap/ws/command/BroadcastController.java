@@ -20,7 +20,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** One command for several drones. */
+/** REST handler that gives one command to several drones. */
 @RestController
 @RequestMapping("/api/v1/commands")
 @Tag(name = "Commands")

@@ -21,7 +21,10 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** One command for several drones or all of them: each gets a command of its own through the gate. Any thread. */
+/**
+ * Gives one command to several drones or to all of them, as a separate command for each that is checked as any other.
+ * Any thread.
+ */
 public final class BroadcastService {
     private static final String ALL = "all";
     private static final String DRONES_FORM = "\"all\" or a list of 1 to 1000 ids of drones";

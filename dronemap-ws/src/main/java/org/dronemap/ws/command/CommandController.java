@@ -24,7 +24,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Commands to drones and their outcomes. */
+/** REST handlers that give a command to a drone, and list commands with their outcomes. */
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Commands", description = "Each command ends in exactly one outcome; the same id twice acts once.")

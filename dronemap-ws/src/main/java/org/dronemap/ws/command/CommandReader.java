@@ -18,7 +18,7 @@ import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Reads members of commands, or says which is wrong and what is allowed, and says what a command of a client is. */
+/** Checks the fields of a client's command, and turns them into values of a core command or rejects the request. */
 final class CommandReader {
     private static final String RELAY_SETTINGS = "off, on or toggle";
     private static final String CLOUD_LOSS = "continue or rtl";

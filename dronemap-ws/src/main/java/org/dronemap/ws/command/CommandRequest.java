@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
 /**
- * A command as a client writes it, one record for each type with the members that this type has. Nothing is checked yet.
- * Fence, rally points and the download of a log have addresses of their own.
+ * A command to a drone as a client writes it; one record for each type of command, with its fields. Nothing is checked
+ * yet. Fence, rally points and the download of a log have addresses of their own.
  */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)

@@ -33,7 +33,10 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around commands; the one way from any face to the gate. Any thread. */
+/**
+ * Submits commands of users to drones for all faces: checks them, charges budgets and hands them to the cloud manager.
+ * Any thread.
+ */
 public final class CommandService {
     static final String ID = "^[A-Za-z0-9_-]{8,64}$";
     private static final String ID_FORM = "8 to 64 of A-Z, a-z, 0-9, _ and -";

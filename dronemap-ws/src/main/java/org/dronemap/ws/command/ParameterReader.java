@@ -12,7 +12,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Checks parameters that a client wants to have changed, as far as the vehicle's own are known. */
+/** Checks parameter values that a client wants to set on a vehicle against the vehicle's known parameters. */
 public final class ParameterReader {
     private static final String NAMES = "1 to 16 of A-Z, a-z, 0-9, _ . and -";
     private static final String COUNT = "1 to 10000 parameters";

@@ -1,6 +1,8 @@
 package org.dronemap.ws.control;
 
-/** Actions on the control of a drone. */
+/**
+ * What a user can do about the control of a drone: take, request, grant, refuse, hand over, take over, keep, release.
+ */
 public enum ControlAction {
     TAKE,
     REQUEST,

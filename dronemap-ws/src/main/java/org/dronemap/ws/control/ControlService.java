@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Use cases around who commands a drone: take, ask, grant, hand over, give back. Any thread. */
+/** Lets users see, take, request, grant, hand over and release the control of a drone. Any thread. */
 public final class ControlService {
     private static final Logger LOG = LoggerFactory.getLogger(ControlService.class);
 

@@ -12,7 +12,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Desired motion of a drone as a client writes it, by speeds or by sticks, unchecked. Nothing is checked yet.
+ * A client's request to move a drone now, by velocities or by stick positions. Nothing is checked yet.
  *
  * @param epoch of the control that the client believes to have; null: it does not say
  */

@@ -15,7 +15,10 @@ import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.Rejection;
 
-/** Use cases around steering; the one way from any face to the gate for setpoints. Any thread; nothing here waits. */
+/**
+ * Passes setpoints of users who steer a drone by hand to the cloud manager, after checking rights and budgets. Any
+ * thread; nothing here waits.
+ */
 public final class SteeringService {
     private final CloudManager cloud;
     private final DroneService drones;

@@ -22,7 +22,7 @@ import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Drones as they are now. */
+/** REST handlers that list, show, rename and remove drones. */
 @RestController
 @RequestMapping("/api/v1/drones")
 @Tag(name = "Drones", description = "Every vehicle that the cloud knows, with its state now.")

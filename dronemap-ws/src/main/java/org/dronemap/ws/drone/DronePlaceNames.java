@@ -10,7 +10,10 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** The place name of each drone, looked up again only when it has moved far enough to change it. Any thread. */
+/**
+ * Caches the name of the nearest place of each drone, and looks it up again when the drone has moved far enough. Any
+ * thread.
+ */
 public final class DronePlaceNames implements CloudListener {
     private static final double FAR_ENOUGH_METERS = 200;
 

@@ -17,7 +17,10 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.NameRules;
 
-/** Use cases around drones: list, look, name, remove. Any thread. */
+/**
+ * Lists, shows, renames and removes drones for users, and finds a drone with the check that the user may use it. Any
+ * thread.
+ */
 public final class DroneService {
     static final int LONGEST_NAME = 60;
 

@@ -11,7 +11,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
 
-/** Something that happened to a drone, as clients see it; null: not known, or none. */
+/** One event in the history of a drone, as clients see it; a null member is unknown or does not apply. */
 @Schema(name = "EventView")
 public record EventView(
         Instant at,

@@ -9,7 +9,7 @@ import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Forecast for a drone in the air that loses whoever has it, as clients see it. */
+/** Forecast of what happens to a drone in the air if it loses whoever controls it, as clients see it. */
 @Schema(name = "OutlookView", description = "What becomes of a drone in the air when whoever has it has it no more.")
 public record OutlookView(
         @Schema(

@@ -4,7 +4,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import jakarta.validation.constraints.Size;
 import org.jspecify.annotations.Nullable;
 
-/** A drone's new name. */
+/** A request to give a drone another name. */
 @Schema(name = "RenameRequest")
 public record RenameRequest(
         @Size(min = 1, max = DroneService.LONGEST_NAME) @Nullable

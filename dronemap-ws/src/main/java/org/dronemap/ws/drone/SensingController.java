@@ -18,7 +18,7 @@ import org.springframework.web.bind.annotation.PathVariable;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Readings of drones' sensors. */
+/** REST handlers for the latest sensor readings of a drone: laser scan, camera picture and map. */
 @RestController
 @RequestMapping("/api/v1/drones/{id}/sensed")
 @Tag(name = "Sensors", description = "The newest sweep of its range finder, picture of its camera and map of a drone.")

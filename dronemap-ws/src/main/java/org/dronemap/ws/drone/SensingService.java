@@ -6,7 +6,7 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.Picture;
 import org.dronemap.core.drone.SensorSnapshot;
 
-/** Use cases around what drones' sensors bring, for all who see the drone. Any thread. */
+/** Returns the latest laser scan, camera picture and map of a drone to users who may see it. Any thread. */
 public final class SensingService {
     private final CloudManager cloud;
     private final DroneService drones;

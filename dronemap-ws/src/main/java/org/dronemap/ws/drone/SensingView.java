@@ -11,7 +11,7 @@ import org.dronemap.core.drone.RangeScan;
 import org.dronemap.core.drone.SensorSnapshot;
 import org.jspecify.annotations.Nullable;
 
-/** The newest that a drone's sensors brought; null where there was none yet. */
+/** The latest sensor readings of a drone as clients see them; null where there is none yet. */
 @Schema(name = "SensedView")
 public record SensingView(
         @Nullable ScanView scan,

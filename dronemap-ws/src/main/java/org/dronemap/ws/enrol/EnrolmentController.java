@@ -23,7 +23,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Vehicles that wait to be let in. */
+/** REST handlers that list unknown vehicles waiting at an endpoint, and enrol them as drones or dismiss them. */
 @RestController
 @RequestMapping("/api/v1/waiting")
 @Tag(name = "Enrolment", description = "Vehicles that nobody knows yet, and such as say they are who they are not.")

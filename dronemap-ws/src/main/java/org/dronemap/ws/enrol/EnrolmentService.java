@@ -16,7 +16,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around vehicles that wait to be let in, for administrators. Any thread. */
+/** Lists unknown vehicles waiting for an administrator, who enrols them as drones or dismisses them. Any thread. */
 public final class EnrolmentService {
     private static final int LONGEST_NAME = 60;
 

@@ -11,7 +11,7 @@ import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** A vehicle outside as administrators see it. */
+/** A vehicle that waits to be enrolled as a drone, as administrators see it. */
 @Schema(
         name = "WaitingView",
         description = "A vehicle that nobody has let in: nothing is sent to it but the question who it is.")

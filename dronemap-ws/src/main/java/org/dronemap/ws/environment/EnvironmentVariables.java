@@ -2,7 +2,7 @@ package org.dronemap.ws.environment;
 
 import java.util.Map;
 
-/** The variables of the environment, by their names such as {@code DRONEMAP_STREAMS_PER_USER}. Immutable. */
+/** Reads settings of the server from environment variables such as {@code DRONEMAP_STREAMS_PER_USER}. Immutable. */
 public final class EnvironmentVariables {
     private static final String WHOLE = "-?\\d{1,9}";
 

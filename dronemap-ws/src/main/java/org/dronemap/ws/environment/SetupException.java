@@ -1,6 +1,6 @@
 package org.dronemap.ws.environment;
 
-/** The server cannot start; the message is the one sentence that the person at the terminal sees. */
+/** Thrown when the server cannot start; its message is one sentence for the person who started it. */
 public final class SetupException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -19,7 +19,7 @@ import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** The fence and the rally points that a vehicle keeps on board. */
+/** REST handlers for the geofence and the rally points stored on board of a vehicle. */
 @RestController
 @RequestMapping("/api/v1/drones/{id}")
 @Tag(

@@ -11,7 +11,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
-/** Turns a fence or rally points that a client wrote into the real ones, or says which member is wrong. */
+/** Turns a geofence or rally points that a client wrote into those for a vehicle, or rejects the faulty field. */
 final class FenceReader {
     static final int LEAST_CORNERS = 3;
     static final int MOST_CORNERS = 100;

@@ -18,7 +18,7 @@ import org.dronemap.ws.problem.DroneProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 
-/** Use cases around the fence and the rally points that a vehicle keeps: read, replace, take away. Any thread. */
+/** Reads, replaces and clears the geofence and rally points stored on board of a vehicle, for users. Any thread. */
 public final class FenceService {
     private final CloudManager cloud;
     private final DroneService drones;

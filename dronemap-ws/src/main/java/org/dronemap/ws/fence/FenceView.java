@@ -17,7 +17,7 @@ import org.dronemap.ws.reading.TelemetryPointView;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** The fence on board of a vehicle, read and written in the same form; {@code zones} is null until it was read. */
+/** The geofence on board of a vehicle, which clients read and write in the same form; null zones: not read yet. */
 @Schema(name = "FenceView")
 public record FenceView(@Nullable List<ZoneView> zones) {
     /** An area that the vehicle stays in or out of; one record for each type. */

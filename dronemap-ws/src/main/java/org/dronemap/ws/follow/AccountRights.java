@@ -18,8 +18,8 @@ import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Rights of accounts for which the cloud may fly, looked up at most once a second. Asked many times a second, looked up
- * once. Any thread.
+ * Tells what the owners of mission runs, follows and virtual drones may fly now, from a cache of one second. Asked many
+ * times a second, looked up once. Any thread.
  */
 public final class AccountRights implements VirtualDroneRights, OperationRights, FollowReliefScheduler.Owners {
     private static final long FRESH_NANOS = 1_000_000_000L;

@@ -21,7 +21,9 @@ import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Phones that ask to be followed by a drone. */
+/**
+ * REST handlers by which a phone asks to be followed by a drone, reports its position, and changes or ends the follow.
+ */
 @RestController
 @RequestMapping("/api/v1/follows")
 @Tag(

@@ -36,7 +36,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
-/** Finds the drone that follows a phone, by the same reckoning as for virtual drones, and what binds it. */
+/** Chooses the drone that will follow a phone, by the same criteria as for virtual drones. */
 final class FollowDroneSelector {
     private static final double SECONDS = 60;
     private static final DroneRequirements NEEDS = new DroneRequirements(

@@ -16,7 +16,7 @@ import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
-/** Turns what a client wants of a follow into what the follow understands, or says which member is wrong. */
+/** Turns a client's request about a follow into inputs of the follow operation, or rejects the faulty field. */
 final class FollowReader {
     private static final FollowOrder.RelativePlace USUAL =
             new FollowOrder.RelativePlace(new StandOffSide.Behind(), 8, 15);

@@ -6,7 +6,7 @@ import java.time.temporal.ChronoUnit;
 import org.dronemap.core.conduct.TargetReportResult;
 import org.jspecify.annotations.Nullable;
 
-/** Result of the positions that a phone sent. */
+/** The answer to positions that a followed phone has sent: up to which they are processed, and how many were new. */
 @Schema(
         name = "FollowReceipt",
         description =

@@ -35,8 +35,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Finds, for each follow whose drone runs low, another one, early enough that it is there in time. What comes of that is the
- * follow's own. One thread.
+ * Finds a relief drone for each follow whose drone runs low on battery, early enough to arrive in time. What comes of
+ * that is the follow's own. One thread.
  */
 public final class FollowReliefScheduler implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(FollowReliefScheduler.class);

@@ -10,7 +10,10 @@ import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
-/** Requests about follows as a client writes them, unchecked. Nothing is checked yet. */
+/**
+ * Requests about follows (open, move the drone's place, send positions) as a client writes them. Nothing is checked
+ * yet.
+ */
 public final class FollowRequest {
     private FollowRequest() {}
 

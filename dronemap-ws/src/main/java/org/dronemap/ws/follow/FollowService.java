@@ -34,7 +34,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 
-/** Use cases around follows: ask for one, start, tell where the phone is, pause, change, stop. Any thread. */
+/** Lets users open, start, pause, change and stop follows, and takes in the positions of their phones. Any thread. */
 public final class FollowService {
     private final Operations operations;
     private final OperationKind<FollowState, FollowInput> kind;

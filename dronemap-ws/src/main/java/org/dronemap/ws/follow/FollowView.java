@@ -15,7 +15,7 @@ import org.dronemap.ws.reading.TelemetryPointView;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** A follow as clients see it. */
+/** A follow (a drone that follows a phone) as clients see it. */
 @Schema(name = "FollowView", description = "A phone that a drone follows, as it stands.")
 public record FollowView(
         String id,

@@ -17,7 +17,7 @@ import org.dronemap.core.operation.TargetReport;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Puts a follow together with how its drone and its phone are just now. Any thread. */
+/** Maps a follow, with the present positions of its drone and phone, to what clients see. Any thread. */
 final class FollowViewMapper {
     private final CloudManager cloud;
     private final Operations operations;

@@ -31,7 +31,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** All flights, and what was measured and what happened in each. */
+/** REST handlers that list past and current flights, with their telemetry, events, notes and logbook. */
 @RestController
 @RequestMapping("/api/v1/flights")
 @Tag(

@@ -24,7 +24,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.Csv;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around flights: the list, one of them, notes, the logbook. Any thread. */
+/** Lists and shows flights for users, stores their notes and writes the logbook. Any thread. */
 public final class FlightService {
     private static final int USUAL = 50;
     private static final int MOST = 200;

@@ -8,7 +8,7 @@ import org.dronemap.core.history.HistoryRecorder;
 import org.dronemap.ws.access.RoleChecks;
 import org.jspecify.annotations.Nullable;
 
-/** Reports how completely the history of drones is stored, for those who run the server. Any thread. */
+/** Reports to administrators how completely the history of drones is being stored. Any thread. */
 public final class HistoryService {
     private final HistoryRecorder history;
 

@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.HistoryEvent;
 
-/** Takes names of people, and the words that they wrote, out of what a drone did while it belonged to others. */
+/** Removes names of people and their words from a drone's history of the time when another organisation owned it. */
 public final class NameRedaction {
     /** Stands for whoever it was. */
     public static final String OTHERS = "another organisation";

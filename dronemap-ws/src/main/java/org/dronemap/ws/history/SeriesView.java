@@ -11,7 +11,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
 
-/** Numbers over time, as charts want them: one list of times, and two of values for each field. */
+/** Telemetry fields over time for charts: one list of times, and lists of least and greatest values for each field. */
 @Schema(name = "SeriesView")
 public record SeriesView(
         String drone,

@@ -22,7 +22,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Telemetry and events of a drone over time. */
+/** REST handlers for the stored telemetry and events of a drone, as series, points or files. */
 @RestController
 @RequestMapping("/api/v1/drones/{id}")
 @Tag(

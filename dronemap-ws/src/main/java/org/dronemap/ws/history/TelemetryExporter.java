@@ -19,7 +19,9 @@ import org.dronemap.ws.reading.WireTimes;
 import org.dronemap.ws.recording.TlogExporter;
 import org.dronemap.ws.track.TrackFormat;
 
-/** Telemetry to be taken along, in the form that is asked for. Any thread. */
+/**
+ * Writes stored telemetry of a drone or flight to a temporary file in the format that a client asked for. Any thread.
+ */
 public final class TelemetryExporter {
     private static final String PARQUET = "parquet";
     private static final int MOST_EVENTS = 5_000;

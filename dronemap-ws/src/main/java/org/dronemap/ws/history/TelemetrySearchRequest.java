@@ -15,7 +15,7 @@ import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Search criteria for telemetry; a null or empty one takes its default.
+ * Time span, fields and resolution of stored telemetry, as query parameters of REST; a null or empty one: the default.
  *
  * @param fields names with commas between them
  * @param slots in how many the time is cut

@@ -22,7 +22,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.TelemetryPointView;
 import org.dronemap.ws.reading.WireTimes;
 
-/** Use cases around what was measured and what happened, of a drone over some time or of one flight. Any thread. */
+/** Reads stored telemetry and events of a drone or of one flight, for users who may see them. Any thread. */
 public final class TelemetryService {
     private static final Duration USUAL = Duration.ofHours(1);
     /** Commands are given before what comes of them. */

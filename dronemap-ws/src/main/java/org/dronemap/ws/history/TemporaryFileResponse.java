@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import org.springframework.http.HttpHeaders;
 
-/** Hands out a file that was made for this one answer. */
+/** Sends an exported telemetry file as the response, and deletes it afterwards. */
 final class TemporaryFileResponse {
     private TemporaryFileResponse() {}
 

@@ -9,7 +9,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/** One line for each request that changes something or goes wrong: no query, no header, no body, so no secret. */
+/** Logs one line for each HTTP request that changes something or fails, without query, headers or body. */
 public final class AccessLogFilter extends OncePerRequestFilter {
     private static final Logger LOG = LoggerFactory.getLogger("org.dronemap.access");
 

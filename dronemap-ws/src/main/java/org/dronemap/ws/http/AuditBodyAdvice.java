@@ -8,7 +8,7 @@ import org.springframework.http.converter.HttpMessageConverter;
 import org.springframework.web.bind.annotation.RestControllerAdvice;
 import org.springframework.web.servlet.mvc.method.annotation.RequestBodyAdviceAdapter;
 
-/** Notes of each body that could be read what may be told of it. */
+/** Adds the non-secret fields of each REST request body to the audit record of the call. */
 @RestControllerAdvice
 public class AuditBodyAdvice extends RequestBodyAdviceAdapter {
     @Override

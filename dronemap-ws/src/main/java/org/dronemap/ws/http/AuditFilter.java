@@ -18,8 +18,8 @@ import org.dronemap.ws.security.ForwardedCaller;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
- * Takes each request down that may change something, whoever it comes from and whatever becomes of it. The answer leaves
- * when the record is there.
+ * Writes an audit record of each HTTP request that may change something, whoever sends it and whatever comes of it. The
+ * answer leaves when the record is there.
  */
 public final class AuditFilter extends OncePerRequestFilter {
     private static final String API = "/api/";

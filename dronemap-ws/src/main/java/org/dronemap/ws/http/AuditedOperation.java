@@ -10,7 +10,7 @@ import org.springframework.http.server.PathContainer;
 import org.springframework.web.util.pattern.PathPattern;
 
 /**
- * The words for a request before anything is done about it, also of those that are turned away at once.
+ * What the audit log calls an HTTP request: operation name, drone and parameters, known before the request runs.
  *
  * @param name as the table of who may do what has it
  */

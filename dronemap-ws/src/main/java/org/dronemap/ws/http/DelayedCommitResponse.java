@@ -6,7 +6,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import jakarta.servlet.http.HttpServletResponseWrapper;
 import java.io.IOException;
 
-/** An answer that is not hurried out: what fits into the server's buffer stays there until it is let go. */
+/** HTTP response that stays in the server's buffer until its audit record is stored. */
 final class DelayedCommitResponse extends HttpServletResponseWrapper {
     /** Well within the server's buffer. */
     private static final int SMALL_BYTES = 4_096;

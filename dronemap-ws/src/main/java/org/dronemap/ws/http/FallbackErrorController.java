@@ -19,7 +19,7 @@ import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** The last resort: what went wrong before any controller was reached. */
+/** Answers errors that occurred before any REST handler was reached, in the problem format of the API. */
 @Hidden
 @RestController
 public class FallbackErrorController implements ErrorController {

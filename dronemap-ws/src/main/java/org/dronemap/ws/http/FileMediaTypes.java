@@ -6,7 +6,7 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** The kinds of files that an operation takes as the body or answers with, where its signature does not say so. */
+/** Declares the media types of files that a REST operation takes or returns, for the OpenAPI description. */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.METHOD)

@@ -35,7 +35,7 @@ import org.springframework.web.method.annotation.MethodArgumentTypeMismatchExcep
 import org.springframework.web.servlet.resource.NoResourceFoundException;
 import tools.jackson.core.JacksonException;
 
-/** Turns everything that goes wrong in a request into a problem with a sentence; never a stack trace. */
+/** Turns every exception of a REST handler into a problem response with a code and a sentence, never a stack trace. */
 @RestControllerAdvice
 public class ProblemAdvice {
     private static final Logger LOG = LoggerFactory.getLogger(ProblemAdvice.class);

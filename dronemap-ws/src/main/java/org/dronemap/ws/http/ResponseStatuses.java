@@ -6,7 +6,7 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** Declares the statuses of an operation beyond those that follow from its signature, for the description. */
+/** Declares HTTP statuses of a REST operation that its signature does not imply, for the OpenAPI description. */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.METHOD)

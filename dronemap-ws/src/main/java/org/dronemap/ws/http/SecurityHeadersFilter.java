@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/** Tells browsers what a page of this server may load and who may show it: nobody else. */
+/** Sets the response headers that tell browsers what pages of this server may load, and that nobody may frame them. */
 public final class SecurityHeadersFilter extends OncePerRequestFilter {
     /** Half a year; only this very host, as others of its domain are none of our business. */
     private static final String ENCRYPTED_ONLY = "max-age=15552000";

@@ -10,7 +10,7 @@ import org.springframework.web.servlet.config.annotation.ViewControllerRegistry;
 import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
 import org.springframework.web.servlet.resource.PathResourceResolver;
 
-/** Serves the web client; an address that only the client knows gets its first page. */
+/** Serves the web client in the browser; an address that only the client knows gets its first page. */
 public final class WebClientPages implements WebMvcConfigurer {
     private static final String FILES = "classpath:/static/";
 

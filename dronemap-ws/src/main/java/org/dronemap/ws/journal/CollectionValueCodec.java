@@ -10,7 +10,9 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
-/** A list in its order, or a set in the order of its elements' texts: its own order is another one in each process. */
+/**
+ * Reads and writes a list or a set in the journal of operations; sets are sorted, so that equal sets give equal text.
+ */
 final class CollectionValueCodec implements ValueCodec {
     private final ValueCodec element;
     private final boolean distinct;

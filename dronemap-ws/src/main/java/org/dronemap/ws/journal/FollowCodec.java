@@ -10,7 +10,7 @@ import org.dronemap.cognitive.operation.follow.FollowInput.OtherDrone;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.jspecify.annotations.Nullable;
 
-/** Follows as text. */
+/** Reads and writes states and inputs of follows as text for the journal of operations. */
 public final class FollowCodec extends JsonOperationCodec<FollowState, FollowInput> {
     /** Drones were led in no other mode before looks told in which they can be. */
     private static final String LED = "GUIDED";

@@ -19,7 +19,10 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Operations as JSON of one line; a decision has the SHA-256 of the state that it leads to instead of that. Any thread. */
+/**
+ * Reads and writes an operation's states, inputs and decisions as JSON lines; a decision holds a state's SHA-256 only.
+ * Any thread.
+ */
 public class JsonOperationCodec<S, I> implements OperationCodec<S, I> {
     private final JsonMapper mapper = JsonMapper.builder()
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)

@@ -16,9 +16,10 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * A record: each component under its stored name, in their order; no more and no less. Only lists and what may be null may be
- * missing, and are empty or null then: so what was written before a record had them can be read still. Those that came later
- * are left out while they are empty or null, so that it is also written as it was.
+ * Reads and writes a Java record in the journal of operations: each component by its stored name, in their order. Only
+ * lists and what may be null may be missing, and are empty or null then: so what was written before a record had them
+ * can be read still. Those that came later are left out while they are empty or null, so that it is also written as it
+ * was.
  */
 final class RecordValueCodec implements ValueCodec {
     private final Class<?> type;

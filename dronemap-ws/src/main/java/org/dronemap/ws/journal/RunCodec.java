@@ -5,7 +5,7 @@ import org.dronemap.cognitive.operation.run.ReplanComputation;
 import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 
-/** Mission runs as text. */
+/** Reads and writes states and inputs of mission runs as text for the journal of operations. */
 public final class RunCodec extends JsonOperationCodec<RunState, RunInput> {
     public RunCodec() {
         super(RunState.class, RunInput.class, List.of(ReplanComputation.class));

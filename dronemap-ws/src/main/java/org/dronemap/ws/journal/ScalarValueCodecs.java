@@ -11,7 +11,7 @@ import org.dronemap.core.stored.StoredNames;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
-/** The forms of what has no parts; numbers that JSON has not are words. */
+/** Journal codecs of numbers, texts, times and other single values; numbers that JSON lacks are written as words. */
 final class ScalarValueCodecs {
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
 

@@ -8,7 +8,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** One of several records, told apart by what each is stored as. */
+/** Reads and writes values of a sealed interface in the journal of operations, with the name of their record. */
 final class SealedValueCodec implements ValueCodec {
     private static final String TYPE = "type";
 

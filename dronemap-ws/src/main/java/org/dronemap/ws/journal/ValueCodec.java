@@ -2,7 +2,7 @@ package org.dronemap.ws.journal;
 
 import tools.jackson.databind.JsonNode;
 
-/** Writes and reads values of one type; text in another form is refused with an IllegalArgumentException. */
+/** Journal codec of one Java type; text in another form is refused with an IllegalArgumentException. */
 interface ValueCodec {
     JsonNode write(Object value);
 

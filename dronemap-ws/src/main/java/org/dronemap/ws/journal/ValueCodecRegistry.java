@@ -16,8 +16,8 @@ import org.dronemap.core.stored.StoredNames;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Finds the form of a type by what it is: records by their components, sealed interfaces by their records, and what both are
- * made of. Any thread.
+ * Finds or builds the journal codec of a Java type: records by their components, sealed interfaces by their records.
+ * Any thread.
  */
 final class ValueCodecRegistry {
     private final Map<Class<?>, List<Class<?>>> open;

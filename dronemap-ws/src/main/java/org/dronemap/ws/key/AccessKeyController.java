@@ -21,7 +21,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Access keys. */
+/** REST handlers that list, create, renew and delete the access keys with which a user's programs sign in. */
 @RestController
 @RequestMapping("/api/v1/access-keys")
 @Tag(name = "Access keys", description = "One's own access keys, for programs.")

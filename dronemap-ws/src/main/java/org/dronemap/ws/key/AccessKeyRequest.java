@@ -30,8 +30,8 @@ import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A new access key as its owner asks for it. What is left out is as wide as who asks: the role, all operations, all
- * drones, everywhere, no end.
+ * A request to create an access key for programs, with its role, drones, area and lifetime, as its owner writes it.
+ * What is left out is as wide as who asks: the role, all operations, all drones, everywhere, no end.
  *
  * @param operations of view, plan, command, administer; view always is among them
  * @param area that flights stay within

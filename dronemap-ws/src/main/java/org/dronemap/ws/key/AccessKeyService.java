@@ -32,8 +32,8 @@ import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Access keys of users, for programs. Who comes by a key sees, makes, renews and removes only what was made from it.
- * Any thread.
+ * Creates, lists, renews and deletes the access keys with which programs of a user sign in. Who comes by a key sees,
+ * makes, renews and removes only what was made from it. Any thread.
  */
 public final class AccessKeyService {
     private static final int MOST_OF_ONE_OWNER = 200;

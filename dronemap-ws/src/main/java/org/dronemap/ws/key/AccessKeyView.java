@@ -19,7 +19,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An access key as its owner sees it.
+ * An access key for programs as its owner sees it; the secret itself is shown once only.
  *
  * @param operations what it may be used for: view, plan, command, administer
  * @param drones null: all

@@ -19,8 +19,8 @@ import org.slf4j.LoggerFactory;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
- * Bounds what a client may send and how long it may take: 1 MB, 512 MB for a recording, 64 kB where anybody may send
- * something. What nobody has read is thrown away after the answer, within bounds too.
+ * Limits size and duration of HTTP request bodies: 1 MB, 512 MB for a recording, 64 kB where no sign-in is needed. What
+ * nobody has read is thrown away after the answer, within bounds too.
  */
 public final class BodyLimitFilter extends OncePerRequestFilter {
     static final long KILOBYTE = 1024;

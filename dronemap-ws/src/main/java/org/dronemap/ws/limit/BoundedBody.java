@@ -8,7 +8,10 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RequestProblem;
 
-/** A request's body that may have so many bytes and take so long. Owned by the request's thread. */
+/**
+ * Input stream of an HTTP request body that fails when too many bytes come or they take too long. Owned by the
+ * request's thread.
+ */
 final class BoundedBody extends ServletInputStream {
     private final ServletInputStream body;
     private final long mostBytes;

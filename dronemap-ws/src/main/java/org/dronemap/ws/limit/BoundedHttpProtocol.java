@@ -2,7 +2,7 @@ package org.dronemap.ws.limit;
 
 import org.apache.coyote.http11.Http11NioProtocol;
 
-/** HTTP/1.1 behind a {@link BoundedNioEndpoint}; Tomcat makes it by its name. */
+/** Tomcat's HTTP/1.1 protocol on a {@link BoundedNioEndpoint}; Tomcat creates it by its class name. */
 public final class BoundedHttpProtocol extends Http11NioProtocol {
     private final BoundedNioEndpoint door;
 

@@ -18,8 +18,9 @@ import org.dronemap.core.link.ClientHost;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The web server's door. The server itself starts its clock anew with each byte: a client that says one every few seconds
- * would stay for ever. Here the head of a request, and the handshake of TLS, have one clock, and a host has so many connections.
+ * Tomcat's socket endpoint with a time limit for TLS handshake and request head, and a limit of connections per host.
+ * The server itself starts its clock anew with each byte: a client that says one every few seconds would stay for ever.
+ * Here the head of a request, and the handshake of TLS, have one clock, and a host has so many connections.
  */
 final class BoundedNioEndpoint extends NioEndpoint {
     private static final long BETWEEN_SWEEPS_MILLIS = 500;

@@ -12,8 +12,8 @@ import org.dronemap.ws.security.ProblemWriter;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
- * Turns away addresses that can be written in a plainer way (RFC 3986, section 6.2.2). Requests are dispatched by the address
- * as it reads when decoded; whoever judges them by the address as it was sent then sees the same one.
+ * Rejects HTTP requests whose URI is not in its plainest form (RFC 3986, section 6.2.2). Requests are dispatched by the
+ * address as it reads when decoded; whoever judges them by the address as it was sent then sees the same one.
  */
 public final class CanonicalUriFilter extends OncePerRequestFilter {
     private static final int HEX = 16;

@@ -17,7 +17,7 @@ import org.dronemap.ws.problem.Throttled;
 import org.dronemap.ws.security.ProblemWriter;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/** Keeps one host from holding all threads of the server with requests that it sends, or reads, slowly. */
+/** Limits how many HTTP requests of one client host are served at once, so that slow ones cannot hold all threads. */
 public final class HostConcurrencyFilter extends OncePerRequestFilter {
     private final ProblemWriter problems;
     private final int most;

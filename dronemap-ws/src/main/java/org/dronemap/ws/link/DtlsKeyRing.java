@@ -10,7 +10,10 @@ import org.dronemap.ws.reading.SecretEncryption;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The keys that vehicles prove themselves with on authenticated links: kept sealed, opened when one is asked for. Any thread. */
+/**
+ * The DTLS keys of vehicles: stored encrypted, and decrypted when a vehicle connects to an encrypted endpoint. Any
+ * thread.
+ */
 public final class DtlsKeyRing {
     private static final Logger LOG = LoggerFactory.getLogger(DtlsKeyRing.class);
     /** Part of what seals a secret: with other words, the secrets sealed before would not open. */

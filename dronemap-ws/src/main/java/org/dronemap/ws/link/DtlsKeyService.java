@@ -25,7 +25,10 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around the keys that vehicles prove themselves with, for administrators. Any thread. */
+/**
+ * Creates, lists and revokes the DTLS keys with which vehicles connect to encrypted endpoints, for administrators. Any
+ * thread.
+ */
 public final class DtlsKeyService {
     private static final int LONGEST_LABEL = 60;
     private static final int SECRET_BYTES = 32;

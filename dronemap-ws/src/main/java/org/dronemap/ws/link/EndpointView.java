@@ -6,7 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A way in for vehicles as clients see it.
+ * An endpoint that vehicles connect to, with its state and counters, as clients see it.
  *
  * @param origin configured (by the setting) or added (by somebody, at run time)
  * @param state open, connecting or failed; a failed one is tried again

@@ -21,7 +21,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Ways in for vehicles, and the keys that vehicles prove themselves with on encrypted ones. */
+/** REST handlers for the endpoints that vehicles connect to, their traffic, and the DTLS keys of vehicles. */
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Links", description = "Ways in for vehicles and their counters (administrator).")

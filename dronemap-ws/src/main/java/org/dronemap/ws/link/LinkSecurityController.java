@@ -21,7 +21,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Signed links: keys of vehicles and what is asked of their messages. */
+/** REST handlers for MAVLink signing of a drone: its signing key, and whether its messages must be signed. */
 @RestController
 @RequestMapping("/api/v1/drones/{id}")
 @Tag(name = "Signed links", description = "Keys of vehicles, and whether their messages must be signed.")

@@ -8,7 +8,9 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.problem.ProblemCode;
 import org.jspecify.annotations.Nullable;
 
-/** The security of links of drones, as the links themselves know it. Any thread. */
+/**
+ * Port through which the services set MAVLink signing (policy and keys) of a drone's links in the proxy. Any thread.
+ */
 public interface LinkSecurityGateway {
     /** What is done to the key on a vehicle. */
     enum Change {

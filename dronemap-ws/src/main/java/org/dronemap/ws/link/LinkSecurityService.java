@@ -30,7 +30,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Use cases around signed links: who may speak for a drone. For administrators; everybody may look. Any thread. */
+/**
+ * Sets the signing policy and the signing keys of a drone's MAVLink links. For administrators; everybody may look. Any
+ * thread.
+ */
 public final class LinkSecurityService {
     private static final Logger LOG = LoggerFactory.getLogger(LinkSecurityService.class);
     private static final String POLICIES = "off, optional or required";

@@ -5,7 +5,7 @@ import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
-/** Security of a drone's link as clients see it; it holds no secret. */
+/** MAVLink signing of a drone's links as clients see it, with key fingerprints and counters but no secret. */
 @Schema(name = "LinkSecurityView", description = "How a drone's link is secured; a key shows its fingerprint only.")
 public record LinkSecurityView(
         @EnumValues(LinkPolicy.class) String policy,

@@ -24,7 +24,10 @@ import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around the ways in for vehicles, for administrators. Any thread. */
+/**
+ * Lists, adds and removes the endpoints that vehicles connect to, and shows their traffic, for administrators. Any
+ * thread.
+ */
 public final class LinkService {
     private static final String URL_FORM = "the URL of an endpoint, such as udpserver://0.0.0.0:14550";
     private static final int ID_LETTERS = 10;

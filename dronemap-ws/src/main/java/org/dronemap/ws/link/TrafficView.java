@@ -3,7 +3,7 @@ package org.dronemap.ws.link;
 import io.swagger.v3.oas.annotations.media.Schema;
 import org.jspecify.annotations.Nullable;
 
-/** Message counts between one vehicle and the cloud over one link since its session began. */
+/** Message counts between one vehicle and the cloud over one link since the session began, as clients see them. */
 @Schema(name = "TrafficView")
 public record TrafficView(
         @Nullable String drone,

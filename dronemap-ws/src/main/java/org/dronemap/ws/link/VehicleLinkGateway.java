@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** The ways in for vehicles; the links' side of the house has them. Any thread. */
+/** Port through which the services manage the proxy's endpoints for vehicles, and read their traffic. Any thread. */
 public interface VehicleLinkGateway {
     /** One endpoint now. */
     record Status(

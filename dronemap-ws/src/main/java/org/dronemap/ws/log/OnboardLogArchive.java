@@ -14,7 +14,10 @@ import org.dronemap.core.time.Worker;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 
-/** Logs fetched from vehicles, a file each, in a folder for each drone. Any thread; one thread of its own writes. */
+/**
+ * Stores log files that were downloaded from vehicles on the server's disk, in a folder for each drone. Any thread; one
+ * thread of its own writes.
+ */
 public final class OnboardLogArchive implements AutoCloseable {
     private static final int MOST_WAITING = 4_096;
     private static final long ROOM_TO_LEAVE_BYTES = 200L * 1024 * 1024;

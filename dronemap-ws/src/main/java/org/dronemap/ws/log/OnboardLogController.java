@@ -28,7 +28,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** The logs that a vehicle keeps on board. */
+/** REST handlers that list the logs on board of a vehicle, download them to the server and hand them out. */
 @RestController
 @RequestMapping("/api/v1/drones/{id}/logs")
 @Tag(name = "Logs", description = "What the vehicle wrote on board, fetched over its link.")

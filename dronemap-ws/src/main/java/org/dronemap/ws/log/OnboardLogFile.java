@@ -18,8 +18,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One log on its way to disk: pieces go to a part file, with a list of those that are there, until all is. The lane gives
- * pieces; the shelf's thread writes them.
+ * One vehicle log that is being downloaded to disk, piece by piece, and can be resumed. The lane gives pieces; the
+ * shelf's thread writes them.
  */
 final class OnboardLogFile implements LogSink {
     private static final Logger LOG = LoggerFactory.getLogger(OnboardLogFile.class);

@@ -19,7 +19,10 @@ import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 
-/** Use cases around the logs on board: list, fetch, save, remove the server's copy. Any thread. */
+/**
+ * Lists the logs on board of a vehicle, downloads them to the server, and hands out or deletes the server's copies. Any
+ * thread.
+ */
 public final class OnboardLogService {
     private final CloudManager cloud;
     private final DroneService drones;

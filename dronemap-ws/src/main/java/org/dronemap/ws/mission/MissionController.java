@@ -22,7 +22,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** The mission library. */
+/** REST handlers for the mission library: missions saved on the server, not those on a vehicle. */
 @RestController
 @RequestMapping("/api/v1/missions")
 @Tag(name = "Missions", description = "Missions kept in the cloud, ready to be uploaded to a drone.")

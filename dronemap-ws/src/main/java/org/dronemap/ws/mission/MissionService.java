@@ -18,7 +18,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around the mission library. Any thread. */
+/** Saves, lists, changes and deletes missions in the server's mission library, for users. Any thread. */
 public final class MissionService {
     static final int LONGEST_NAME = 80;
 

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 
-/** Says in the description which values a text, or a value of a map, may have. */
+/** Adds allowed values (enum) and value types of a record component to its schema in the OpenAPI description. */
 final class AllowedValuesSchema {
     private AllowedValuesSchema() {}
 

@@ -18,9 +18,8 @@ import org.jspecify.annotations.Nullable;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 
 /**
- * Bodies that are one of several records, as the description has them: a choice of schemas with the member that tells them apart,
- * and in each of these that member with its one value. The usual reader would describe each of them as all that the others are
- * as well.
+ * Describes a body that is one of several records in OpenAPI: a oneOf with the discriminating member. The usual reader
+ * would describe each of them as all that the others are as well.
  */
 public final class AlternativesSchemaCustomizer implements ModelConverter, OpenApiCustomizer {
     private static final String REFERENCE = "#/components/schemas/";

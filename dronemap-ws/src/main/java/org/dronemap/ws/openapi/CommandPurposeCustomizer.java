@@ -8,7 +8,7 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.ws.reading.WireNames;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 
-/** Adds the purpose of each command type to the description, so that clients see which need control. */
+/** Adds to the OpenAPI description the purpose of each command type, which tells clients whether it needs control. */
 public final class CommandPurposeCustomizer implements OpenApiCustomizer {
     public static final String PURPOSES = "x-purposes";
 

@@ -12,7 +12,10 @@ import org.springframework.core.Ordered;
 import org.springframework.core.annotation.Order;
 import org.springframework.web.method.HandlerMethod;
 
-/** Says in the description which files an operation takes and gives. Before statuses are listed, which take the content over. */
+/**
+ * Adds to the OpenAPI description the media types of files that an operation takes and returns. Before statuses are
+ * listed, which take the content over.
+ */
 @Order(Ordered.HIGHEST_PRECEDENCE)
 public final class FileContentCustomizer implements OperationCustomizer {
     @Override

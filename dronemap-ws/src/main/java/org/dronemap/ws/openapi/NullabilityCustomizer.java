@@ -18,10 +18,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 
-/**
- * Says in the description which values members have, which may be null, and which are always there: what the server answers has all of its members,
- * what it is sent has those that are not nullable.
- */
+/** Adds to the OpenAPI description types, nullability and required members of all schemas. */
 public final class NullabilityCustomizer implements OpenApiCustomizer {
     private static final String REFERENCE = "#/components/schemas/";
     private static final String NULL = "null";

@@ -13,8 +13,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The record that each schema of the description stands for. A name is said at the record itself, so that renaming a class changes
- * nothing that clients see; two records of one name would be one schema, and are refused. Thread-safe.
+ * Knows which Java record each schema of the OpenAPI description was made from. A name is said at the record itself, so
+ * that renaming a class changes nothing that clients see; two records of one name would be one schema, and are refused.
+ * Thread-safe.
  */
 public final class RecordSchemaRegistry implements ModelConverter {
     private final Map<String, Class<?>> records = new ConcurrentHashMap<>();

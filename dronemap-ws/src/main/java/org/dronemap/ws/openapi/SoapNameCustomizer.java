@@ -10,8 +10,7 @@ import org.springdoc.core.customizers.OperationCustomizer;
 import org.springframework.web.method.HandlerMethod;
 
 /**
- * Says in the description what an operation is called in SOAP, where its own name is not it: {@code x-soap-name}, a text, or for
- * each alternative of the body one; {@code x-without-soap}, why SOAP does not have it.
+ * Adds to the OpenAPI description an operation's name in SOAP, or why SOAP lacks it, as x-soap-name and x-without-soap.
  */
 public final class SoapNameCustomizer implements OperationCustomizer {
     public static final String NAME = "x-soap-name";

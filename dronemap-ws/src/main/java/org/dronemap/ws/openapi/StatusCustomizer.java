@@ -30,8 +30,8 @@ import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.method.HandlerMethod;
 
 /**
- * Lists in the description with which statuses each operation succeeds, and with which it refuses: all that follow from who may
- * call it, what it takes and whether it changes anything. Each refusal is a problem.
+ * Lists in the OpenAPI description the HTTP statuses with which each operation can succeed or be refused. Each refusal
+ * is a problem.
  */
 public final class StatusCustomizer implements OperationCustomizer {
     private static final int NO_CONTENT = 204;

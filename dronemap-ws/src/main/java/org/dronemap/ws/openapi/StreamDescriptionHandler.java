@@ -9,7 +9,7 @@ import org.springframework.http.MediaType;
 import org.springframework.web.HttpRequestHandler;
 import org.springframework.web.servlet.support.WebContentGenerator;
 
-/** Hands the description of the stream to anybody, as that of REST is. */
+/** Serves the AsyncAPI description of the WebSocket stream over HTTP, without sign-in. */
 public final class StreamDescriptionHandler extends WebContentGenerator implements HttpRequestHandler {
     private final Description description;
 

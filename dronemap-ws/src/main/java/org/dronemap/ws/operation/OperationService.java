@@ -31,7 +31,8 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 
 /**
- * The part that use cases around one kind of operation have in common: find it for whom it exists, begin it, hand it wishes. Any thread.
+ * Common part of the mission run and follow services: finds, starts and sends inputs to one kind of operation. Any
+ * thread.
  *
  * @param <S> its state
  * @param <I> its inputs

@@ -29,7 +29,10 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
 
-/** Drones that one organisation gives to another, and takes back: only on the ground, and out of every hand. Any thread. */
+/**
+ * Transfers drones from one organisation to another and back, only while they are on the ground and uncontrolled. Any
+ * thread.
+ */
 public final class GiftService {
     private static final int NEWEST = 50;
 

@@ -5,7 +5,7 @@ import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.access.OrganisationDirectory;
 
-/** Changes of organisations, groups, fleets and grants, one at a time: kept first, in force at once. Any thread. */
+/** Changes organisations, groups, fleets and grants one at a time: stored first, then in force at once. Any thread. */
 public final class GrantChanges {
     private final GrantStore store;
     private final GrantRegistry book;

@@ -29,7 +29,7 @@ import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around grants of rights on drones, for the administrators of an organisation. Any thread. */
+/** Lets administrators of an organisation grant users and groups rights on drones, and take them back. Any thread. */
 public final class GrantService {
     private static final int MOST = 2_000;
     private static final String ONE_SUBJECT = "a user or a group, and not both";

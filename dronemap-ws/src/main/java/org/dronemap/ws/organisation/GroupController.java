@@ -22,7 +22,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Groups of users and fleets of drones. */
+/** REST handlers for named groups of users and named fleets of drones. */
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Groups and fleets", description = "Named sets of users and of drones; for administrators.")

@@ -27,7 +27,9 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
-/** Groups of users and fleets of drones: named sets of an organisation, for its administrators. Any thread. */
+/**
+ * Manages named groups of users and named fleets of drones, for the administrators of their organisation. Any thread.
+ */
 public final class GroupService {
     static final int LONGEST_NAME = 60;
     static final int MOST = 500;

@@ -24,7 +24,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Organisations, for those who run the server. */
+/** REST handlers for organisations and for drones transferred between them, for administrators of the server. */
 @RestController
 @RequestMapping("/api/v1/organisations")
 @Tag(

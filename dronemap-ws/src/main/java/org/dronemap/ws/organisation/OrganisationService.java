@@ -30,7 +30,9 @@ import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.zone.ZoneService;
 import org.jspecify.annotations.Nullable;
 
-/** Organisations, for those who run the server: what they hold is counted here, never shown. Any thread. */
+/**
+ * Creates, lists, renames and deletes organisations, for administrators of the server, who see counts only. Any thread.
+ */
 public final class OrganisationService {
     static final int LONGEST_NAME = 60;
     private static final int MOST = 200;

@@ -19,7 +19,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Attaching one's own ground station, and who has done so. */
+/** REST handlers by which users attach their own ground stations to the outlet: passphrases, ports and clients. */
 @RestController
 @RequestMapping("/api/v1/outlet")
 @Tag(name = "Outlet", description = "Attach QGroundControl, Mission Planner, MAVProxy or a program of one's own.")

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import org.dronemap.core.access.LinkKey;
 
-/** Access to the outlet, where ground stations of other makers attach. Any thread. */
+/** Port through which the services manage the proxy's outlet, where third-party ground stations attach. Any thread. */
 public interface OutletGateway {
     /** Addresses that it listens on; empty: there is none. */
     List<String> endpoints();

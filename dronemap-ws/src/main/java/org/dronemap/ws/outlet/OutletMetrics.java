@@ -6,7 +6,7 @@ import io.prometheus.metrics.model.snapshots.Labels;
 import io.prometheus.metrics.model.snapshots.MetricSnapshot;
 import java.util.List;
 
-/** Metrics of the outlet: the number of attached clients and the messages refused. */
+/** Metrics of the outlet for third-party ground stations: attached clients and refused messages. */
 public final class OutletMetrics {
     private OutletMetrics() {}
 

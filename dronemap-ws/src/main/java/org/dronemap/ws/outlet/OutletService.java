@@ -31,7 +31,10 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.SecretGenerator;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around attaching one's own ground station: everybody's own passphrase, and who is attached. Any thread. */
+/**
+ * Lets users attach third-party ground stations to the outlet: sets passphrases, opens ports and lists clients. Any
+ * thread.
+ */
 public final class OutletService {
     private static final int SHORTEST = 16;
     private static final int LONGEST = 64;

@@ -6,7 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The outlet at one moment.
+ * The state of the outlet for third-party ground stations, with its clients and ports, as clients of the API see it.
  *
  * @param endpoints where it listens
  * @param dropped messages of vehicles that found no room on their way to clients

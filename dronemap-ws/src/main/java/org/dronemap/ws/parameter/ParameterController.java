@@ -33,7 +33,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** The parameters of a vehicle, and the files that ground stations keep them in. */
+/** REST handlers for the parameters on board of a vehicle, and for the parameter files of ground stations. */
 @RestController
 @RequestMapping("/api/v1/drones/{id}/parameters")
 @Tag(name = "Parameters", description = "The settings of the vehicle itself; every change is read back.")

@@ -24,7 +24,10 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around the parameters of a drone: look, search, refresh, change, save, compare and load. Any thread. */
+/**
+ * Lists, refreshes and sets the parameters on board of a vehicle, and saves, compares and loads parameter files. Any
+ * thread.
+ */
 public final class ParameterService {
     private static final String FORMS = "list or table";
 

@@ -12,7 +12,7 @@ import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The parameters of a vehicle as clients see them.
+ * The parameters on board of a vehicle as clients see them.
  *
  * @param readAt when the list was last read whole; null when it never was
  * @param total how many there are, found or not

@@ -15,7 +15,10 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** The nearest place of a point, from a list that ships with the product (GeoNames, CC-BY 4.0). Any thread. */
+/**
+ * Finds the name of the place nearest to a position, in a list that ships with the server (GeoNames, CC-BY 4.0). Any
+ * thread.
+ */
 public final class PlaceNames {
     private static final String LIST = "/places.tsv.gz";
     private static final int ROWS = 181;

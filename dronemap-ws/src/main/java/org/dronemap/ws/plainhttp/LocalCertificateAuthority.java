@@ -18,7 +18,7 @@ import java.util.Locale;
 import java.util.Objects;
 
 /**
- * The authority that signed this server's certificate, as phones have to trust it.
+ * The private certificate authority that signed this server's certificate, which phones must be made to trust.
  *
  * @param certificate in DER form
  * @param fingerprint SHA-256, in pairs of digits

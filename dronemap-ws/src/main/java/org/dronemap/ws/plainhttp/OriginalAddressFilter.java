@@ -16,8 +16,8 @@ import org.dronemap.ws.security.ProblemWriter;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
- * Serves the services of SOAP also at the ports and paths that the original Dronemap Planner printed when it started, so that
- * programs written for it go on. What they call is judged as anywhere else: by the key or the password of a user.
+ * Serves the SOAP services also at the ports and paths of the original Dronemap Planner, for programs written for it.
+ * What they call is judged as anywhere else: by the key or the password of a user.
  */
 public final class OriginalAddressFilter extends OncePerRequestFilter {
     /** Its REST had paths that nobody wrote down: at its port are those of this server. */

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 
-/** The page itself: what to do on a phone, with codes that its camera reads. */
+/** The page that tells phone users how to trust the server's certificate authority, with QR codes. */
 final class PhoneTrustPage {
     private static final int QUIET_ZONE = 3;
 

@@ -15,8 +15,8 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The one thing that a server with TLS says by plain HTTP: here is whose signature to trust, and there it goes on. A server of
- * its own, so that nothing else can ever be had by it. Any thread.
+ * Plain HTTP server with one page, from which phones get the certificate authority of a server that uses TLS. A server
+ * of its own, so that nothing else can ever be had by it. Any thread.
  */
 public final class PhoneTrustServer implements AutoCloseable {
     private static final String CERTIFICATE = "/dronemap-authority.crt";

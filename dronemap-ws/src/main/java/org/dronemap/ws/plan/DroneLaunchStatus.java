@@ -6,7 +6,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The flight of one drone's tour, as far as it has come after the plan was accepted.
+ * How far one drone of an accepted plan is: uploading its mission, waiting, arming, started or failed.
  *
  * @param why what went wrong; null: nothing did
  * @param command the last one that was given for it; null: none yet

@@ -20,7 +20,9 @@ import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneRegistry;
 
-/** The cloud's own zones that bind this user's drones and lie near enough to be in the way. */
+/**
+ * Collects the cloud's zones that bind the drones of a plan and lie near its waypoints, as barriers for the planner.
+ */
 public final class PlanBarriers {
     /** What comes into force while they fly counts already. */
     private static final Duration AHEAD = Duration.ofHours(1);

@@ -27,7 +27,7 @@ import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Missions of several drones, planned together. */
+/** REST handlers that request, show and accept plans: missions for several drones that are computed together. */
 @RestController
 @RequestMapping("/api/v1/plans")
 @Tag(

@@ -12,7 +12,9 @@ import org.dronemap.cognitive.engine.SearchProgress;
 import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
-/** One plan on its way from being asked for to being flown. Any thread. */
+/**
+ * One plan for several drones, from the request through the search to acceptance and start of its flights. Any thread.
+ */
 public final class PlanJob {
     /** Older ones are thinned out: a picture needs no more. */
     private static final int MOST_STEPS = 200;

@@ -14,7 +14,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 
 /**
- * Input of a planning job.
+ * Input of a planning job: the problem, the drones as they were when it was requested, search time and seed.
  *
  * @param drones those of the problem, as they were when it was asked for
  * @param search for how long

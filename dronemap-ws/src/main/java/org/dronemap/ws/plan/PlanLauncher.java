@@ -24,8 +24,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Brings the missions of an accepted plan to its drones, and starts them if that was asked for: all missions first, since
- * a drone that flies without the others may meet them. Every command goes through the gate, as the user who accepted.
+ * Uploads the missions of an accepted plan to its drones, and starts them if asked for when all are uploaded. Every
+ * command goes through the gate, as the user who accepted.
  */
 final class PlanLauncher {
     private static final Logger LOG = LoggerFactory.getLogger(PlanLauncher.class);

@@ -1,6 +1,6 @@
 package org.dronemap.ws.plan;
 
-/** Hears of plans on their way, on any thread; must return at once. */
+/** Is told when a planning job changes or is removed; on any thread, so it must return at once. */
 public interface PlanListener {
     void changed(PlanJob job);
 

@@ -10,7 +10,7 @@ import org.dronemap.cognitive.problem.Task;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.ws.mission.MissionItemRequest;
 
-/** Tours as the missions that clients see and commands carry. */
+/** Turns a drone's tour of a plan into mission items for clients and for upload to the drone. */
 final class PlanMissionWriter {
     private final MissionWriter writer;
 

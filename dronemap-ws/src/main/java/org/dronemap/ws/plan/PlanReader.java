@@ -26,7 +26,9 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
-/** Turns what a client wrote, what the cloud knows of the drones and what binds them into a problem. Any thread. */
+/**
+ * Builds the planning problem of several drones from a client's request, the drones' states and the zones. Any thread.
+ */
 final class PlanReader {
     static final String DRONES_FORM = "a list of 1 to 100 ids of drones";
     static final int MOST_DRONES = 100;

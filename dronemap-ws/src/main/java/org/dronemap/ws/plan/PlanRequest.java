@@ -12,7 +12,7 @@ import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
-/** A planning request as a client writes it, unchecked. Nothing is checked yet. */
+/** A request to plan missions for several drones, as a client writes it. Nothing is checked yet. */
 @Schema(name = "PlanRequest", description = "Waypoints that are to be shared out among drones.")
 public record PlanRequest(
         @Schema(description = "1 to 5000", requiredMode = Schema.RequiredMode.REQUIRED)

@@ -29,7 +29,9 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around plans for several drones: ask, look, cancel, accept. Each belongs to who asked for it. Any thread. */
+/**
+ * Lets users request, watch, cancel and accept plans for several drones. Each belongs to who asked for it. Any thread.
+ */
 public final class PlanService {
     private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
     private static final int ID_LENGTH = 16;

@@ -10,7 +10,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.RecordAlternatives;
 import org.jspecify.annotations.Nullable;
 
-/** Turns what a client wants done at a waypoint into its tasks, or says which member of which one is wrong. */
+/** Turns tasks that a client wants done at a waypoint of a plan into the planner's, or rejects the faulty field. */
 final class PlanTaskReader {
     static final int MOST = 10;
     private static final String COUNT = "up to " + MOST + " tasks";

@@ -17,7 +17,7 @@ import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** Something that is done at a waypoint, as a client writes it; one record for each type. */
+/** A task to be done at a waypoint of a plan, such as taking a photo, as a client writes it. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({

@@ -7,7 +7,7 @@ import java.util.List;
 import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
-/** A plan as clients see it. */
+/** A plan for several drones, with search progress, result and launch of its flights, as clients see it. */
 @Schema(name = "PlanView", description = "A plan, from being asked for to being flown.")
 public record PlanView(
         String id,

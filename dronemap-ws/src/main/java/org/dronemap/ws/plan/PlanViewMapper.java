@@ -24,7 +24,7 @@ import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Maps plans to what clients see, once for all faces; drones are called what they were called when it was asked for. */
+/** Maps planning jobs to the {@link PlanView} that all faces send; drones keep the names they had at the request. */
 public final class PlanViewMapper {
     private static final double JOULES_PER_WATT_HOUR = 3_600;
     private static final double MILLIS = 1_000;

@@ -24,7 +24,9 @@ import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Turns the waypoints that a client wrote into those of a problem, or says which member of which one is wrong. */
+/**
+ * Turns the waypoints that a client wrote for a plan into those of the planning problem, or rejects the faulty field.
+ */
 public final class PlanWaypointReader {
     static final int MOST = 5_000;
     private static final String COUNT = "1 to " + MOST + " waypoints";

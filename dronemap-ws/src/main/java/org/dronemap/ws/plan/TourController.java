@@ -13,7 +13,7 @@ import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** A good order of one drone's waypoints. */
+/** REST handler that proposes a good order for the waypoints of one drone's mission. */
 @RestController
 @RequestMapping("/api/v1/tours")
 @Tag(name = "Plans")

@@ -31,8 +31,9 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes a problem of the waypoints of one drone that are to be ordered. Less has to be known of the drone than for a plan
- * that is flown: an order is a proposal to who edits a mission, whatever the battery holds now. Any thread.
+ * Builds the planning problem of one drone whose waypoints are to be ordered, from a client's request. Less has to be
+ * known of the drone than for a plan that is flown: an order is a proposal to who edits a mission, whatever the battery
+ * holds now. Any thread.
  */
 final class TourReader {
     private static final String COUNT = "1 to " + Mission.MAX_ITEMS + " waypoints";

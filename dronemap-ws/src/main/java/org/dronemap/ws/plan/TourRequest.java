@@ -8,7 +8,7 @@ import java.util.List;
 import org.dronemap.core.mission.Mission;
 import org.jspecify.annotations.Nullable;
 
-/** Waypoints of one drone that are to be ordered, as a client writes them. Nothing is checked yet. */
+/** A request to order the waypoints of one drone's mission, as a client writes it. Nothing is checked yet. */
 @Schema(name = "TourRequest", description = "Waypoints of one drone that are to be put into a good order.")
 public record TourRequest(
         @Schema(description = "The id of the drone", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable

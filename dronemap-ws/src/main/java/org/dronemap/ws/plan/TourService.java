@@ -27,7 +27,10 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 
-/** Puts the waypoints of one drone into a good order, for who edits its mission; nothing is flown by it. Any thread. */
+/**
+ * Proposes a good order for the waypoints of one drone's mission, for an editor; it sends nothing to the drone. Any
+ * thread.
+ */
 public final class TourService implements AutoCloseable {
     private static final int QUEUED = 8;
     private static final long SEED = 1;

@@ -3,7 +3,7 @@ package org.dronemap.ws.plan;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 
-/** A good order of one drone's waypoints, as clients see it. */
+/** The proposed order of one drone's waypoints, with its effort before and after, as clients see it. */
 @Schema(name = "TourView")
 public record TourView(
         @Schema(

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of missing sign-in and missing rights. */
+/** Problem codes of a missing sign-in, missing rights, and conflicts between accounts or organisations. */
 public enum AccessProblem implements ProblemCode {
     SIGN_IN_NEEDED(ProblemCatalogueEntry.of(
             "sign-in-needed",

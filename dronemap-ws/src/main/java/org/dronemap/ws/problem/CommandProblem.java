@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.dronemap.core.command.OutcomeCode;
 
-/** The code of a command or a setpoint that was refused, as commands have it: what the record of a command says and what a caller is told are one. */
+/** Problem code of a refused command or setpoint: the same code that stands in the outcome of the command. */
 public record CommandProblem(OutcomeCode outcome) implements ProblemCode {
     static List<CommandProblem> values() {
         return Arrays.stream(OutcomeCode.values()).map(CommandProblem::new).toList();

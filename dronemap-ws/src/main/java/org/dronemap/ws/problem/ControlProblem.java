@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of what speaks against changing who has control of a drone, where nobody else has it. */
+/** Problem codes of requests about the control of a drone that do not fit who has it or asks for it. */
 public enum ControlProblem implements ProblemCode {
     NOT_HELD(ProblemCatalogueEntry.of(
                     "control-not-held",

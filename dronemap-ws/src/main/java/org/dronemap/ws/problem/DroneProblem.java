@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of what speaks against it in a drone, or in what is known and kept of it. */
+/** Problem codes of requests that the state of a drone, its endpoint, its logs or its recordings does not allow. */
 public enum DroneProblem implements ProblemCode {
     COMMAND_ID_TAKEN(ProblemCatalogueEntry.of(
                     "command-id-taken",

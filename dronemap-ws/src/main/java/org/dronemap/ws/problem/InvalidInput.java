@@ -3,7 +3,7 @@ package org.dronemap.ws.problem;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A value that cannot be used, with the field it stands in and what is allowed there. */
+/** Rejection of a request with an unusable value: names the field and what is allowed there. */
 public final class InvalidInput extends Rejection {
     private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of what speaks against changing how the links of a drone are signed. */
+/** Problem codes of refused changes to the MAVLink signing of a drone's links. */
 public enum LinkSecurityProblem implements ProblemCode {
     KEY_IN_USE(entry(
             "link-key-in-use",

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of things that do not exist or are hidden from the caller; the two are not told apart. */
+/** Problem codes of things that do not exist or are hidden from the caller; answers do not tell which. */
 public enum NotFoundProblem implements ProblemCode {
     DRONE("drone-unknown", "drone", ProblemParameter.DRONE),
     COMMAND("command-unknown", "command", ProblemParameter.COMMAND),

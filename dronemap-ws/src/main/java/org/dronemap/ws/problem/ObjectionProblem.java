@@ -10,7 +10,7 @@ import org.dronemap.core.operation.ObjectionEntry;
 import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.virtual.VirtualObjection;
 
-/** A reason why a wish is not taken, as what is conducted has it: each is told with the id of the operation or virtual drone. */
+/** Problem code of why a mission run, a follow or a virtual drone does not do what a user asked of it. */
 public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
     static List<ObjectionProblem> values() {
         return Stream.<ObjectionCode[]>of(

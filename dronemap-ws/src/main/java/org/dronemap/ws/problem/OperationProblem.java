@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of what speaks against flying or changing plans, and against beginning what the cloud conducts. */
+/** Problem codes of plans that cannot be accepted, changed or flown now, and of follows for which there is no drone. */
 public enum OperationProblem implements ProblemCode {
     PLAN_NOT_FINISHED(ProblemCatalogueEntry.of(
             "plan-not-finished",

@@ -8,8 +8,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Tells what will pass by itself, such as a store that is away or a disk that is full, from what is broken: it is nobody's
- * mistake, and what the store says itself is for those who run the server.
+ * Tells passing outages, such as an unreachable store or a full disk, from server errors, and makes their rejections.
  */
 public final class OutageClassifier {
     private static final Logger LOG = LoggerFactory.getLogger(OutageClassifier.class);

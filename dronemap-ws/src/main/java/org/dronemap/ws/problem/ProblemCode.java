@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The reason why a request was not carried out, as a word for programs that never changes: one catalogue for all faces, an enum a
- * subject. {@code docs/problems.md} is written from it.
+ * Stable code of why a request was refused, for programs; the same catalogue for REST, SOAP and the stream. {@code
+ * docs/problems.md} is written from it.
  */
 public sealed interface ProblemCode
         permits AccessProblem,

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Parameters that a refusal tells programs beside its sentence; each has one name and one type, whichever code it comes with. */
+/** Named and typed values that a problem response gives programs beside its sentence, such as a drone's id. */
 public enum ProblemParameter {
     ADDRESS("address", Type.TEXT, "that was asked for"),
     ALLOWED("allowed", Type.TEXT, "what is allowed there, in words"),

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
-/** A rejection as clients see it (RFC 9457). */
+/** A refused request as REST clients see it: a problem document (RFC 9457) with code and sentence. */
 @JsonInclude(JsonInclude.Include.NON_NULL)
 @Schema(
         name = "Problem",

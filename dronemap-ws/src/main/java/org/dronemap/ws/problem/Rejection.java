@@ -11,7 +11,7 @@ import org.dronemap.core.lease.ControlState;
 import org.dronemap.core.lease.Lease;
 import org.jspecify.annotations.Nullable;
 
-/** A request that is answered with a code and a sentence instead of being carried out; each face maps it to its own form. */
+/** Exception that refuses a request with a problem code and a sentence; each face maps it to its own form. */
 public class Rejection extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

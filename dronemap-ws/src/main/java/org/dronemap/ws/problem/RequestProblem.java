@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of malformed requests, whatever they ask for. */
+/** Problem codes of malformed requests, whatever they ask for. */
 public enum RequestProblem implements ProblemCode {
     REQUEST_UNREADABLE(ProblemCatalogueEntry.of(
             "request-unreadable",

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of what the server cannot do now, or refuses to do so often. */
+/** Problem codes of requests that the server cannot carry out now, or refuses because there are too many. */
 public enum ServerProblem implements ProblemCode {
     BUDGET_SPENT(ProblemCatalogueEntry.of(
                     "budget-spent",

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Refused because there was too much of it, with how long to wait. */
+/** Rejection of a request that exceeds a rate limit, with the time to wait. */
 public final class Throttled extends Rejection {
     private static final long serialVersionUID = 1L;
 

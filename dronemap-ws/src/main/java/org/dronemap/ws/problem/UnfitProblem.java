@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 import org.dronemap.core.virtual.UnfitCode;
 
-/** The code of why a drone cannot serve, which stands beside that drone in answers: nobody's request is refused for it. */
+/** Problem code of why a drone cannot serve a virtual drone or a follow, shown beside that drone in answers. */
 public record UnfitProblem(UnfitCode reason) implements ProblemCode {
     /** Requests and commands are refused for these, too: they have the word already. */
     private static final Set<UnfitCode> OF_OTHERS = EnumSet.of(

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Codes of wrong or missing values; each names the field and what is allowed there. */
+/** Problem codes of wrong or missing values in requests; each names the field and what is allowed there. */
 public enum ValueProblem implements ProblemCode {
     VALUE_MISSING(of("value-missing", "A value is missing.", "\"latitude\" is missing; it must be -90 to 90 degrees.")),
     VALUE_OUT_OF_RANGE(of(

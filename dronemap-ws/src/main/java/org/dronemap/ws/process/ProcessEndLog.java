@@ -11,7 +11,7 @@ import org.dronemap.core.process.ProcessCrash;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Keeps how the last processes of a data directory ended, a line each. */
+/** File that keeps, a line each, how the last server processes of a data directory ended. */
 public final class ProcessEndLog {
     private static final Logger LOG = LoggerFactory.getLogger(ProcessEndLog.class);
     private static final int MOST = 20;

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The process of one data directory: knows how those before it ended, and ends itself when it cannot do its duty. */
+/** Watches over the server process: finds out how the one before it ended, and ends it when it can no longer work. */
 public final class ProcessLifecycle implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ProcessLifecycle.class);
 

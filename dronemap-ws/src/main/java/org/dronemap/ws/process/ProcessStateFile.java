@@ -17,9 +17,8 @@ import org.dronemap.core.process.ActivePeers;
 import org.dronemap.core.process.ProcessCrash;
 
 /**
- * A mapped file that is left behind however the process ends, also when it is killed: its last sign of life, whose
- * bytes each thread works on, and why it ended if it could still say so. Any thread; a thread has one place, which only it
- * writes. It is read by the next process of the same data directory.
+ * Memory-mapped file that survives a crash and tells the next server process how and over which peer this one ended.
+ * Any thread; a thread has one place, which only it writes. It is read by the next process of the same data directory.
  */
 public final class ProcessStateFile implements ActivePeers {
     private static final int VERSION = 1;

@@ -12,8 +12,8 @@ import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Ends the process when a thread ends with an error: whatever it had to do, nobody would do it any more, and the process
- * would look as if it were well. Whoever started it starts it again. What libraries fail with otherwise is told to the log.
+ * Ends the server process when one of its threads dies of an error, as nothing else would do its work. Whoever started
+ * it starts it again. What libraries fail with otherwise is told to the log.
  */
 public final class ProcessTerminator implements Thread.UncaughtExceptionHandler {
     /** As sysexits.h has it for a fault of the software itself. */

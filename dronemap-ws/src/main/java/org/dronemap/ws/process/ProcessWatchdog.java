@@ -14,9 +14,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Looks every two seconds whether the process can do its duty: gets a thread, gets memory outside the heap, has lanes that
- * move; and signs that it is alive. What is missing there is thrown to libraries, which keep it to themselves. Turns are
- * counted, not seconds, so that a process that stood still as a whole blames no lane.
+ * Checks every two seconds that the server process still gets threads and memory and that its lanes move. What is
+ * missing there is thrown to libraries, which keep it to themselves. Turns are counted, not seconds, so that a process
+ * that stood still as a whole blames no lane.
  */
 public final class ProcessWatchdog implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ProcessWatchdog.class);

@@ -7,7 +7,9 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Turns a floor and a ceiling that a client wrote into heights, or says which member is wrong. */
+/**
+ * Turns a floor and a ceiling that a client wrote, for a zone or a key, into an altitude band, or rejects the field.
+ */
 public final class AltitudeBandReader {
     private final String at;
 

@@ -11,7 +11,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Turns the geometry that a client wrote into an area: a polygon of one ring, or a circle around a point. */
+/** Turns a GeoJSON polygon or circle that a client wrote, for a zone or a key, into an area, or rejects the field. */
 public final class AreaReader {
     public static final String SHAPES = "Polygon or Point";
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
-/** Lines of tables for spreadsheets. */
+/** Formats lines of CSV files that the server exports. */
 public final class Csv {
     private Csv() {}
 

@@ -5,7 +5,7 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** The values that a text, or each of a list of texts, may have: those of an enum, as {@link WireNames#camel} calls them. */
+/** Declares the enum whose constants, as {@link WireNames#camel} writes them, are allowed in a text of the API. */
 @Target(ElementType.RECORD_COMPONENT)
 @Retention(RetentionPolicy.RUNTIME)
 public @interface EnumValues {

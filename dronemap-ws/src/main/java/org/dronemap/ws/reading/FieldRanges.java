@@ -8,7 +8,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Checks numbers against the range of their field. */
+/** Checks numbers that clients wrote, such as latitudes, against the range allowed for their field. */
 public final class FieldRanges {
     /** Degrees, on either side of the equator. */
     public static final int LATITUDE = 90;

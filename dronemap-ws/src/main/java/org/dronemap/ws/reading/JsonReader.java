@@ -24,7 +24,7 @@ import tools.jackson.databind.exc.MismatchedInputException;
 import tools.jackson.databind.exc.UnrecognizedPropertyException;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Reads and writes JSON for the faces, and says in a sentence what is wrong with what a client wrote. Any thread. */
+/** Reads and writes JSON of all faces, and words what is wrong with JSON that a client sent. Any thread. */
 public final class JsonReader {
     /** What the parser tells programmers about itself. */
     private static final Pattern INTERNALS = Pattern.compile("( \\(start marker|: enable `).*");

@@ -5,7 +5,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Checks names that people give. */
+/** Checks names, labels and reasons that users write: neither empty nor too long, no control characters. */
 public final class NameRules {
     private NameRules() {}
 

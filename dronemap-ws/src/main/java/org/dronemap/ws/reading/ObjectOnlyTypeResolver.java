@@ -14,10 +14,7 @@ import tools.jackson.databind.jsontype.impl.AsPropertyTypeDeserializer;
 import tools.jackson.databind.jsontype.impl.StdTypeResolverBuilder;
 import tools.jackson.databind.util.TokenBuffer;
 
-/**
- * A reader of alternatives that takes objects alone, where the usual one takes {@code ["arm", {}]} for an object too; and that lets
- * one of the alternatives be a choice itself, by another member.
- */
+/** Jackson resolver for bodies that are one of several records: accepts only JSON objects, and nested alternatives. */
 public final class ObjectOnlyTypeResolver extends StdTypeResolverBuilder {
     @Override
     public @Nullable TypeDeserializer buildTypeDeserializer(

@@ -8,7 +8,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.TelemetryPoint;
 
-/** Points that say where they are. */
+/** Picks the telemetry points of a track that have a position, and finds the one at a given time. */
 public final class PositionedPoints {
     private PositionedPoints() {}
 

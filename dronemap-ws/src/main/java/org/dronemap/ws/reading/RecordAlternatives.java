@@ -13,8 +13,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The records that a body, or a part of one, may be, and the member that tells them apart. One of them may be a choice itself, by
- * another member.
+ * The Java records that a body of the API may be, and the JSON member that tells them apart. One of them may be a
+ * choice itself, by another member.
  *
  * @param member the name of that member, such as {@code type}
  * @param records by what that member says, in the order in which they are named to clients

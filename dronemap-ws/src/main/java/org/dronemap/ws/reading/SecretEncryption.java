@@ -2,7 +2,7 @@ package org.dronemap.ws.reading;
 
 import java.util.Optional;
 
-/** Encrypts secrets that have to be kept, with a key that is not kept beside them. Any thread. */
+/** Encrypts DTLS keys of vehicles before they are stored, with a key that is not kept beside them. Any thread. */
 public interface SecretEncryption {
     /** The secret as text that tells nothing to whoever has not the key; {@code purpose} must be the same to open it. */
     String seal(String purpose, byte[] secret);

@@ -7,7 +7,7 @@ import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.HexFormat;
 
-/** Random secrets of 256 bits and the hash that they are kept as. Any thread. */
+/** Generates random passwords and 256-bit tokens, and the hashes under which tokens are stored. Any thread. */
 public final class SecretGenerator {
     private static final int BYTES = 32;
     private static final String READABLE = "abcdefghijkmnpqrstuvwxyz23456789";

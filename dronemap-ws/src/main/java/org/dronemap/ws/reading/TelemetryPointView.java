@@ -9,7 +9,7 @@ import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
 import org.jspecify.annotations.Nullable;
 
-/** A state of a drone at one moment, as far as a map with a time line wants it; null: not known. */
+/** The stored state of a drone at one moment, as maps with a time line need it; null: not known. */
 @Schema(name = "PointView")
 public record TelemetryPointView(
         Instant at,

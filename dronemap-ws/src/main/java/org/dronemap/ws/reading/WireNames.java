@@ -3,7 +3,7 @@ package org.dronemap.ws.reading;
 import java.util.Locale;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** Turns names of the code into the names that clients see. */
+/** Turns names of Java enum constants and types into the camel-case names that clients see. */
 public final class WireNames {
     private static final ConcurrentHashMap<Enum<?>, String> CAMEL = new ConcurrentHashMap<>();
 

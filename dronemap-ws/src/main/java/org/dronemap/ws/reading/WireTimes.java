@@ -7,7 +7,7 @@ import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Times as clients write and see them. */
+/** Reads times that clients wrote, and rounds times as clients see them. */
 public final class WireTimes {
     private WireTimes() {}
 

@@ -27,7 +27,7 @@ import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Recordings of flights. */
+/** REST handlers that list, download, replay and delete recordings of flights. */
 @RestController
 @RequestMapping("/api/v1/recordings")
 @Tag(name = "Recordings", description = "Each flight or drive: all that a vehicle said and was told.")

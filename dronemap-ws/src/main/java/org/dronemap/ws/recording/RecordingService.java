@@ -18,7 +18,10 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around recordings of flights. Any thread. */
+/**
+ * Lists, downloads, replays and deletes recordings of flights (the messages exchanged with a vehicle), for users. Any
+ * thread.
+ */
 public final class RecordingService {
     /** How files with a line of JSON for each message end; others hold frames. */
     public static final String LINES = ".jsonl";

@@ -11,7 +11,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A recording, as clients see it.
+ * A recording of the messages exchanged with a vehicle, as clients see it.
  *
  * @param end null while it goes on
  * @param seconds from the first message to the last one

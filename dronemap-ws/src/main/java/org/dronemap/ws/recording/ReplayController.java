@@ -27,7 +27,7 @@ import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Recordings played back. */
+/** REST handlers that upload a recording and play it back as replay drones, and list or stop replays. */
 @RestController
 @RequestMapping("/api/v1/replays")
 @Tag(name = "Replays", description = "Recordings (tlog) played back: their drones are shown, marked, never commanded.")

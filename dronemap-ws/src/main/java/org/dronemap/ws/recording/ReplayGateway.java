@@ -4,7 +4,7 @@ import java.io.InputStream;
 import java.util.List;
 import java.util.Optional;
 
-/** Plays recordings of vehicles back; the links' side of the house does it. */
+/** Port through which the services have the proxy play recordings back as replay drones. */
 public interface ReplayGateway {
 
     /**

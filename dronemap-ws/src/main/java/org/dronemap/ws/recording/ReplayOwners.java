@@ -8,7 +8,7 @@ import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** Owners of the recordings being played and of the drones that they show. Any thread. */
+/** Knows which organisation owns each replay of a recording and the drones that it shows. Any thread. */
 public final class ReplayOwners {
     /** More than are kept to be looked at. */
     private static final int MOST = 1_000;

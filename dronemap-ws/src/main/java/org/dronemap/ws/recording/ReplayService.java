@@ -20,7 +20,7 @@ import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around recordings played back. Any thread. */
+/** Starts, lists and stops replays: recordings played back as drones that nobody can command. Any thread. */
 public final class ReplayService {
     private static final int LEAST_SPEED = 1;
     private static final int MOST_SPEED = 100;

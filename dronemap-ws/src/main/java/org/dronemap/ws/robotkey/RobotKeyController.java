@@ -22,7 +22,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Keys by which robots prove who they are. */
+/** REST handlers that issue, list and revoke the keys with which ROSLink robots prove who they are. */
 @RestController
 @RequestMapping("/api/v1/robot-keys")
 @Tag(name = "Robot keys", description = "By which robots are known, each as a drone of its organisation.")

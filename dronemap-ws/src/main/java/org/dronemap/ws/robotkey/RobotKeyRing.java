@@ -9,7 +9,7 @@ import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.RobotKey;
 import org.dronemap.ws.reading.SecretGenerator;
 
-/** The keys that were issued to robots, found by what a robot shows; only hashes are kept. Any thread. */
+/** The keys issued to ROSLink robots, stored as hashes and looked up by the key that a robot presents. Any thread. */
 public final class RobotKeyRing {
     /** What all of them begin with, so that one which is not valid any more is told from a word of a robot's own. */
     private static final String BEGINNING = "rk-";

@@ -31,7 +31,9 @@ import org.dronemap.ws.reading.NameRules;
 import org.dronemap.ws.reading.SecretGenerator;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around the keys of robots, for administrators of the organisations that they belong to. Any thread. */
+/**
+ * Issues, lists and revokes keys of ROSLink robots, for administrators of the organisations that own them. Any thread.
+ */
 public final class RobotKeyService {
     static final int LONGEST_LABEL = 60;
     static final int LAST_SYSTEM_ID = 65_535;

@@ -24,7 +24,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Plans that drones fly, and that are changed when something happens to them. */
+/** REST handlers for mission runs: plans that several drones fly, and that are re-planned while they fly. */
 @RestController
 @RequestMapping("/api/v1/runs")
 @Tag(

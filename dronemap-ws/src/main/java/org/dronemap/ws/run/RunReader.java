@@ -31,7 +31,7 @@ import org.dronemap.ws.zone.ZoneFeature;
 import org.dronemap.ws.zone.ZoneReader;
 import org.jspecify.annotations.Nullable;
 
-/** Turns what a client wants of a run into what the run understands, or says which member is wrong. */
+/** Turns a client's request about a mission run into inputs of the run, or rejects the faulty field. */
 final class RunReader {
     static final int MOST_AT_ONCE = 500;
     private static final String COUNT = "1 to " + MOST_AT_ONCE + " waypoints";

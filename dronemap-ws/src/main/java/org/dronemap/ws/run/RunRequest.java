@@ -12,7 +12,10 @@ import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
 
-/** Requests about mission runs as a client writes them, unchecked. Nothing is checked yet. */
+/**
+ * Requests about mission runs (start, add or move waypoints, add drones, answer proposals) as a client writes them.
+ * Nothing is checked yet.
+ */
 public final class RunRequest {
     private RunRequest() {}
 

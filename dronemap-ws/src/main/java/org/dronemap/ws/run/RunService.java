@@ -32,7 +32,10 @@ import org.dronemap.ws.problem.NotFoundProblem;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.zone.ZoneFeature;
 
-/** Use cases around mission runs: start, look, change, answer, stop. Shared by those who may command all of its drones. Any thread. */
+/**
+ * Lets users start, watch, change and stop a mission run, and answer its proposals of re-planning. Shared by those who
+ * may command all of its drones. Any thread.
+ */
 public final class RunService {
     private final Operations operations;
     private final OperationKind<RunState, RunInput> kind;

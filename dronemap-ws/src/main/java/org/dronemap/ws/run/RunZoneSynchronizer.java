@@ -22,8 +22,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Tells mission runs of zones that came since they were planned, as if somebody had added them to the run: their plans lead
- * round them, before a drone is stopped there. One thread at a time.
+ * Reports zones made since planning to mission runs, so that they re-plan around them before a drone is stopped. One
+ * thread at a time.
  */
 public final class RunZoneSynchronizer {
     private static final Logger LOG = LoggerFactory.getLogger(RunZoneSynchronizer.class);

@@ -19,10 +19,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/**
- * Finds out who asks under /api/v1, for /metrics and wherever else a handler is, and turns away who may not: before the
- * handler runs and before a body is read, by what {@link org.dronemap.ws.access.Access} says of it.
- */
+/** Authenticates each HTTP request, and rejects callers whom the handler's access rule does not admit, body unread. */
 public final class AccessFilter extends OncePerRequestFilter {
     private static final String API = "/api/v1/";
     private static final String METRICS = "/metrics";

@@ -8,10 +8,7 @@ import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.Throttled;
 import org.springframework.security.crypto.argon2.Argon2PasswordEncoder;
 
-/**
- * Argon2id, of a server with 16 MiB and two passes; at most two at a time, so that a flood of guesses cannot eat the memory, and few that
- * wait for that, so that it cannot take all threads.
- */
+/** Hashes users' passwords with Argon2id (16 MiB, two passes), two at a time and few waiting, to bound memory. */
 public final class Argon2Passwords implements PasswordHashing {
     private static final int SALT_BYTES = 16;
     private static final int HASH_BYTES = 32;

@@ -5,7 +5,7 @@ import org.dronemap.core.access.Principal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An authenticated caller and how the identity was proved.
+ * An authenticated caller, with the proof of identity (session, access key or password) and when it expires.
  *
  * @param tokenHash the hash of the session's token or of the key; null for a password
  * @param until when the proof ends by itself; null: it does not

@@ -31,7 +31,10 @@ import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Proves who asks: by session, access key, or name and password. Any thread. */
+/**
+ * Authenticates callers of all faces by session, access key or name and password, and opens and ends sessions. Any
+ * thread.
+ */
 public final class Authentication implements PasswordVerification {
     /** How long a browser stays signed in. */
     public static final Duration SESSION_LENGTH = Duration.ofHours(12);

@@ -9,7 +9,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.springframework.web.context.request.RequestAttributes;
 import org.springframework.web.context.request.RequestContextHolder;
 
-/** Principal of the request that this thread serves. */
+/** Gives REST handlers the authenticated caller of the request that the current thread serves. */
 public final class CurrentPrincipal {
     private static final String ATTRIBUTE = AuthenticatedCaller.class.getName();
     private static final String OTHER_FACE = ForwardedCaller.class.getName();

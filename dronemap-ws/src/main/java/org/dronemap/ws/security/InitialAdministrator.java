@@ -16,8 +16,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The first administrator: made up at the first start, with a password that lies in a file of the machine's owner until
- * it is changed. Any thread.
+ * Creates the first administrator at the first start, with a generated password in a file for the machine's owner. Any
+ * thread.
  */
 public final class InitialAdministrator implements InitialPassword {
     private static final Logger LOG = LoggerFactory.getLogger(InitialAdministrator.class);

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.audit.AuditedCall;
 
-/** Times at which keys were last used, written at most once a minute for each. Any thread. */
+/** Stores when access keys were last used, at most once a minute for each. Any thread. */
 final class KeyUsageLog {
     private static final Duration ONCE_IN = Duration.ofMinutes(1);
     private static final int MOST_REMEMBERED = 10_000;

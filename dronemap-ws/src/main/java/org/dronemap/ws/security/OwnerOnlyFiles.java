@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
 
-/** Files in the data directory that only the machine's owner may read. */
+/** Writes files in the data directory that only the machine's owner may read, such as the initial password. */
 final class OwnerOnlyFiles {
     private OwnerOnlyFiles() {}
 

@@ -7,7 +7,7 @@ import org.dronemap.ws.access.AuditNotes;
 import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.reading.JsonReader;
 
-/** Writes a problem where no controller is at work. */
+/** Writes a problem response from a servlet filter, where no REST handler is involved. */
 public final class ProblemWriter {
     private final JsonReader json;
 

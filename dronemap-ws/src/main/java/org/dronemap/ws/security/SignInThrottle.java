@@ -9,9 +9,9 @@ import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.Throttled;
 
 /**
- * Makes guessing slow: wrong passwords in a row cost a rest that doubles, from 30 s up to 15 min. Counted for one name
- * from one place, for one place whatever the name, and for one name wherever from; the last one spares the places from
- * which that user has signed in before, so that nobody can lock somebody else out. Any thread.
+ * Slows down password guessing at the sign-in: each wrong password doubles a wait, from 30 s up to 15 min. Counted for
+ * one name from one place, for one place whatever the name, and for one name wherever from; the last one spares the
+ * places from which that user has signed in before, so that nobody can lock somebody else out. Any thread.
  */
 final class SignInThrottle {
     private static final int OF_NAME_FROM_PLACE = 5;

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Answers what the web server itself refuses, such as an address with a broken escape, before any filter sees it. */
+/** Answers requests that Tomcat itself refuses, such as broken URIs, in the problem format of the API. */
 public final class TomcatErrorValve extends ErrorReportValve {
     private static final Logger LOG = LoggerFactory.getLogger(TomcatErrorValve.class);
     private static final int BAD_REQUEST = 400;

@@ -17,7 +17,7 @@ import org.dronemap.store.secret.ServerSecret;
 import org.dronemap.ws.settings.ServerSettings;
 import org.jspecify.annotations.Nullable;
 
-/** Opens the audit log of what is stored: its key and its heads lie beside the database, not in it. */
+/** Opens the audit log at the start, whose key and signed heads lie in files beside the database. */
 final class AuditBuilder {
     private final AuditChain chain;
     private final AuditHeadStore heads;

@@ -11,7 +11,7 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
 import org.dronemap.proxy.outlet.OutletLeaseAuthority;
 
-/** Control as ground stations at the outlet want it, taken down as of every face. Any thread. */
+/** Carries out and audits requests for control of drones that come from ground stations at the outlet. Any thread. */
 record AuditedOutletControl(CloudManager cloud, AuditRecorder desk) implements OutletLeaseAuthority {
     private static final String FACE = "outlet";
 

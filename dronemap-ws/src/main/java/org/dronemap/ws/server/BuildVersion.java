@@ -2,7 +2,7 @@ package org.dronemap.ws.server;
 
 import org.jspecify.annotations.Nullable;
 
-/** The version of this build. */
+/** The version of this server build. */
 public final class BuildVersion {
     private BuildVersion() {}
 

@@ -8,7 +8,7 @@ import org.dronemap.store.postgres.PostgresStores;
 import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.ServerSettings;
 
-/** Opens the database that the settings name, or the server's own. */
+/** Opens the PostgreSQL database that the settings name, or starts the server's own in the data directory. */
 public final class DatabaseBuilder {
     private final ServerSettings settings;
 

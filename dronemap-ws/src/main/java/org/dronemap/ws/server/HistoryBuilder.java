@@ -11,7 +11,7 @@ import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TelemetryWriter;
 import org.dronemap.core.time.Time;
 
-/** Has all that drones do remembered. */
+/** Builds and starts what records telemetry, events and flights of all drones to the store. */
 final class HistoryBuilder {
     private static final Duration FLIGHTS_EVERY = Duration.ofSeconds(1);
     private static final Duration TIDY_EVERY = Duration.ofHours(1);

@@ -5,7 +5,7 @@ import org.dronemap.core.link.RobotKey;
 import org.dronemap.proxy.roslink.RobotKeys;
 import org.dronemap.ws.robotkey.RobotKeyRing;
 
-/** The keys that administrators issued to robots. */
+/** Lets the ROSLink proxy check keys of robots against those that administrators have issued. */
 record IssuedRobotKeys(RobotKeyRing ring) implements RobotKeys {
     @Override
     public Optional<RobotKey> find(String key) {

@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Maintenance tasks of the machine's owner on a server that does not run. */
+/** Command-line maintenance tasks, such as restoring a backup, that run while the server does not. */
 public final class MaintenanceTasks {
     private static final Logger LOG = LoggerFactory.getLogger(MaintenanceTasks.class);
     private static final String RESTORE = "--restore";

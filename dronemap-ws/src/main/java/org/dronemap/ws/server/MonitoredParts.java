@@ -12,7 +12,7 @@ import org.dronemap.proxy.endpoint.EndpointRegistry;
 import org.dronemap.proxy.roslink.RoslinkProxy;
 import org.dronemap.ws.system.ServerPart;
 
-/** The threads and ways in that have to work, each by a name of its own. */
+/** Lists the threads and endpoints of the server whose health is monitored, each with a stable name. */
 record MonitoredParts(
         Lanes lanes,
         StoreWriter journal,

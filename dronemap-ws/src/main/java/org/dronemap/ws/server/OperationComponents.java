@@ -17,7 +17,7 @@ import org.dronemap.core.time.Time;
 import org.dronemap.ws.journal.FollowCodec;
 import org.dronemap.ws.journal.RunCodec;
 
-/** Operations and their kinds: mission runs and follows. */
+/** The components that conduct operations, with the two kinds there are: mission runs and follows. */
 public record OperationComponents(
         Operations operations,
         OperationKind<RunState, RunInput> kind,

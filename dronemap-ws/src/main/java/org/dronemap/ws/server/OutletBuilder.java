@@ -22,7 +22,7 @@ import org.dronemap.proxy.outlet.OutletRights;
 import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.OutletSettings;
 
-/** Builds where ground stations of other makers attach. */
+/** Builds and opens the outlet, where third-party ground stations attach. */
 final class OutletBuilder {
     private final OutletSettings settings;
     private final Time time;

@@ -6,7 +6,7 @@ import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Does the same over and over, so long apart; on a thread of its own, for what is done may wait for the store or others. */
+/** Runs a task at a fixed interval on a thread of its own, so that it may block. */
 public final class PeriodicTask implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(PeriodicTask.class);
 

@@ -16,7 +16,7 @@ import org.dronemap.ws.link.TrafficView;
 import org.dronemap.ws.link.VehicleLinkGateway;
 import org.dronemap.ws.reading.WireNames;
 
-/** The ways in for vehicles as the proxy has them. */
+/** Adapter that manages the endpoints of the MAVLink and ROSLink proxies for the services. */
 record ProxyLinkGateway(MavlinkProxy proxy, RoslinkProxy robots) implements VehicleLinkGateway {
     private static final int MOST_PEERS_SHOWN = 100;
 

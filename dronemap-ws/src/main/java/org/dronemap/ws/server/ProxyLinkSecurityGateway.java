@@ -20,7 +20,7 @@ import org.dronemap.ws.problem.ProblemCode;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Link security as the links keep it. */
+/** Adapter that sets MAVLink signing of drones in the proxy's key registry for the services. */
 record ProxyLinkSecurityGateway(KeyringRegistry keyrings) implements LinkSecurityGateway {
 
     @Override

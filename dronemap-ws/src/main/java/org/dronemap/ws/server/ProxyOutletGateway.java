@@ -10,7 +10,7 @@ import org.dronemap.proxy.outlet.OutletStatus;
 import org.dronemap.ws.outlet.OutletGateway;
 import org.dronemap.ws.outlet.OutletView;
 
-/** The outlet as the links have it. */
+/** Adapter that manages the proxy's outlet for third-party ground stations for the services. */
 record ProxyOutletGateway(Outlet outlet) implements OutletGateway {
     @Override
     public List<String> endpoints() {

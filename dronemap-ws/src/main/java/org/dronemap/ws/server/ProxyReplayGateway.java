@@ -11,7 +11,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.dronemap.ws.recording.ReplayGateway;
 import org.dronemap.ws.recording.ReplayView;
 
-/** Recordings as the links play them. */
+/** Adapter that has the proxy play recordings back for the services. */
 record ProxyReplayGateway(ReplayRegistry replays) implements ReplayGateway {
 
     @Override

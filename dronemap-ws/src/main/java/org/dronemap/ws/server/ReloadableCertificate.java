@@ -14,7 +14,7 @@ import org.springframework.boot.ssl.SslBundle;
 import org.springframework.boot.ssl.pem.PemSslStoreBundle;
 import org.springframework.boot.ssl.pem.PemSslStoreDetails;
 
-/** The server's certificate for WebSockets; files that change are read anew within seconds, so that it can be renewed in flight. Any thread. */
+/** TLS certificate of the WebSocket stream, reloaded within seconds when its files change. Any thread. */
 public final class ReloadableCertificate {
     private static final Logger LOG = LoggerFactory.getLogger(ReloadableCertificate.class);
     private static final long BETWEEN_LOOKS_NANOS = TimeUnit.SECONDS.toNanos(5);

@@ -10,7 +10,7 @@ import org.dronemap.proxy.roslink.RoslinkProxy;
 import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.RobotSettings;
 
-/** Builds where robots call in. */
+/** Builds and opens the endpoints at which ROSLink robots connect. */
 final class RobotBuilder {
     private final RobotSettings settings;
     private final Time time;

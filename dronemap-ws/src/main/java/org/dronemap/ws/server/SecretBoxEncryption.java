@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.reading.SecretEncryption;
 
-/** Seals under the server's secret. */
+/** Encrypts stored DTLS keys of vehicles under the server's secret. */
 public record SecretBoxEncryption(SecretBox box) implements SecretEncryption {
     @Override
     public String seal(String purpose, byte[] secret) {

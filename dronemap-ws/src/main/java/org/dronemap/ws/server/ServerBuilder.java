@@ -56,7 +56,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Builds what is around the cloud manager: stores, journal and lanes behind the faces, links to vehicles before them. */
+/** Builds the server around the cloud manager: stores, journal and lanes, endpoints for vehicles, and the outlet. */
 public final class ServerBuilder {
     private static final Logger LOG = LoggerFactory.getLogger(ServerBuilder.class);
     private static final int LANES = 2;

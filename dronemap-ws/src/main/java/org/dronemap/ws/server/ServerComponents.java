@@ -33,7 +33,7 @@ import org.dronemap.ws.system.BackupService;
 import org.dronemap.ws.system.ServerPart;
 import org.jspecify.annotations.Nullable;
 
-/** Components behind the faces, built and running. */
+/** The components of a running server that the REST, SOAP and stream faces are built on. */
 public record ServerComponents(
         Time time,
         CloudManager cloud,

@@ -5,7 +5,7 @@ import java.util.Map;
 import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.ws.environment.SetupException;
 
-/** Reads the separation of following drones from the environment. */
+/** Reads from environment variables how far apart drones that follow phones must keep. */
 final class FollowSettingsReader {
     private static final String GROUND = "DRONEMAP_FOLLOW_SEPARATION_METERS";
     private static final String HEIGHT = "DRONEMAP_FOLLOW_SEPARATION_HEIGHT_METERS";

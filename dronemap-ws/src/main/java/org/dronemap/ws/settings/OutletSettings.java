@@ -9,7 +9,7 @@ import org.dronemap.proxy.outlet.PortRange;
 import org.dronemap.ws.environment.SetupException;
 
 /**
- * Settings of the outlet, where ground stations of other makers attach.
+ * Settings of the outlet: addresses at which third-party ground stations attach, and ports users may open.
  *
  * @param urls empty: nowhere
  * @param usual nobody has chosen these

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Settings of the endpoints at which robots connect.
+ * Settings of the endpoints at which ROSLink robots connect.
  *
  * @param urls empty: nowhere
  * @param usual nobody has chosen these

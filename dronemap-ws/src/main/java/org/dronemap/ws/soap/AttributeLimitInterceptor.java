@@ -7,7 +7,7 @@ import org.apache.cxf.message.Message;
 import org.apache.cxf.phase.AbstractPhaseInterceptor;
 import org.apache.cxf.phase.Phase;
 
-/** Bounds the attributes of an element, which the library does not. */
+/** Limits attributes of XML elements in SOAP messages, which CXF does not. */
 final class AttributeLimitInterceptor extends AbstractPhaseInterceptor<Message> {
     private static final int MOST = 50;
 

@@ -11,8 +11,8 @@ import org.apache.cxf.phase.Phase;
 import org.dronemap.ws.problem.Rejection;
 
 /**
- * Lets a message that is too long or too slow be refused once. The library reads on after a fault, to have nothing left
- * on the connection, and what is refused then would be a failure of the server.
+ * Lets the body of a SOAP message that is too long or too slow be rejected once only. The library reads on after a
+ * fault, to have nothing left on the connection, and what is refused then would be a failure of the server.
  */
 final class BodyRejectionInterceptor extends AbstractPhaseInterceptor<Message> {
     BodyRejectionInterceptor() {

@@ -7,7 +7,7 @@ import org.apache.cxf.binding.soap.interceptor.AbstractSoapInterceptor;
 import org.apache.cxf.phase.Phase;
 import org.dronemap.ws.soap.xml.SoapNamespaces;
 
-/** Says that headers with who calls are understood: clients may insist on that. */
+/** Declares SOAP headers with credentials as understood, so that clients may mark them mustUnderstand. */
 final class CredentialHeaderInterceptor extends AbstractSoapInterceptor {
     CredentialHeaderInterceptor() {
         super(Phase.PRE_PROTOCOL);

@@ -9,7 +9,7 @@ import org.apache.cxf.message.Message;
 import org.apache.cxf.phase.AbstractPhaseInterceptor;
 import org.apache.cxf.phase.Phase;
 
-/** Turns documents with a DOCTYPE away before anything of them is read. */
+/** Rejects SOAP messages with a DOCTYPE before any of their XML is parsed. */
 final class DoctypeRejectionInterceptor extends AbstractPhaseInterceptor<Message> {
     DoctypeRejectionInterceptor() {
         super(Phase.POST_STREAM);

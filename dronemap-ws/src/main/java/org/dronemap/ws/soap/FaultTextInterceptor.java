@@ -16,7 +16,7 @@ import org.dronemap.ws.problem.RequestProblem;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Says what is wrong with messages that never became a call in the words that the other faces have for it. */
+/** Gives faults of SOAP messages that reached no operation the same problem code and sentence as REST has for them. */
 final class FaultTextInterceptor extends AbstractPhaseInterceptor<Message> {
     private static final Logger LOG = LoggerFactory.getLogger(FaultTextInterceptor.class);
 

@@ -23,8 +23,8 @@ import org.springframework.mock.web.MockFilterChain;
 import org.springframework.mock.web.MockHttpServletRequest;
 
 /**
- * Has REST carry out a request that came by another face: the same filters say who may and what record is kept, the same handlers
- * answer. Any thread; a call that waits for an outcome holds none.
+ * Carries out SOAP calls as REST requests within the server, through the same filters and handlers as over HTTP. Any
+ * thread; a call that waits for an outcome holds none.
  */
 public final class RestDispatcher {
     private static final String UTF_8 = "UTF-8";

@@ -4,7 +4,10 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronemap.ws.problem.Rejection;
 
-/** A request to REST. Immutable, but for the bytes of a body, which nobody changes. */
+/**
+ * A request that SOAP makes to the REST API within the server. Immutable, but for the bytes of a body, which nobody
+ * changes.
+ */
 final class RestRequest {
     private final String method;
     private final String uri;

@@ -15,8 +15,8 @@ import org.springframework.mock.web.MockHttpServletResponse;
 import org.springframework.web.context.request.async.AsyncRequestNotUsableException;
 
 /**
- * The complete response of REST, bounded by the size of one SOAP message: what a handler answers is XML, all else the bytes that
- * REST writes.
+ * The complete answer of the REST API to a call from SOAP, limited to the size of one SOAP message: XML of what a handler
+ * answered, else the bytes that REST writes.
  */
 final class RestResponse extends MockHttpServletResponse {
     /** As many letters of XML; a file of this size is a message of 6 MB. */

@@ -25,7 +25,10 @@ import org.w3c.dom.Element;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 
-/** Carries out calls by requests to REST, and makes messages of what it answers. Any thread. */
+/**
+ * Carries out SOAP calls: turns each into a REST request within the server, and its answer into a SOAP message. Any
+ * thread.
+ */
 public final class SoapCallExecutor {
     private static final String COMMAND_ID = "commandId";
     private static final XmlType COMMAND = new XmlType.Named("CommandView");

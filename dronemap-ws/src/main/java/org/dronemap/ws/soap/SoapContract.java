@@ -6,10 +6,7 @@ import org.dronemap.ws.soap.description.SoapServices;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 
-/**
- * The services as they are described, read when they are first asked for: REST, from which they follow, describes itself only
- * when the server is up. Any thread.
- */
+/** The SOAP services, derived from the OpenAPI description of the running server when first asked for. Any thread. */
 public final class SoapContract {
     private final Supplier<JsonNode> openApi;
     private volatile @Nullable SoapServices read;

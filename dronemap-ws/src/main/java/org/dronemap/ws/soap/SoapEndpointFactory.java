@@ -6,7 +6,7 @@ import java.util.Map;
 import org.apache.cxf.Bus;
 import org.apache.cxf.jaxws.EndpointImpl;
 
-/** Publishes services on a bus, with bounds on the XML that they read. */
+/** Publishes a SOAP service on the CXF bus, with limits on the XML that it reads. */
 public final class SoapEndpointFactory {
     private SoapEndpointFactory() {}
 

@@ -16,7 +16,7 @@ import org.w3c.dom.Element;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Makes faults of problems: REST's sentence, and all its members as the detail. */
+/** Makes a SOAP fault of a problem that REST answered: its sentence, and its members as the detail. */
 final class SoapFaultFactory {
     private static final int FIRST_OWN_FAULT = 500;
 

@@ -23,8 +23,9 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Makes a request of REST from the element of a call. Elements may come in any order. Values that are not of their type go on as
- * texts, and members that nobody knows go on as they are, so that REST says what is wrong with them.
+ * Turns the XML element of a SOAP call into the REST request that carries it out. Elements may come in any order.
+ * Values that are not of their type go on as texts, and members that nobody knows go on as they are, so that REST says
+ * what is wrong with them.
  */
 final class SoapRequestReader {
     /** Parameter of the operations that wait for the outcome of a command: who calls by SOAP hears it in the answer. */

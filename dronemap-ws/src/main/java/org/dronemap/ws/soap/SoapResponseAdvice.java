@@ -12,7 +12,10 @@ import org.springframework.web.bind.annotation.ControllerAdvice;
 import org.springframework.web.servlet.mvc.method.annotation.ResponseBodyAdvice;
 import org.springframework.web.util.WebUtils;
 
-/** Has what handlers answer a call of SOAP written as XML at once: a text in JSON would have to be read again. */
+/**
+ * Spring advice that writes what REST handlers answer to SOAP calls as XML in place of JSON, which would have to be read
+ * again.
+ */
 @ControllerAdvice
 public final class SoapResponseAdvice implements ResponseBodyAdvice<Object> {
     @Override

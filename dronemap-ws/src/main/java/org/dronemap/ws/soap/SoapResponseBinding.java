@@ -9,7 +9,7 @@ import org.apache.cxf.interceptor.Fault;
 import org.apache.cxf.service.model.MessagePartInfo;
 import org.jspecify.annotations.Nullable;
 
-/** Reads calls as CXF does by itself, and writes answers without a copy that is read again. */
+/** CXF data binding that streams SOAP answers without building a copy in memory. */
 final class SoapResponseBinding extends SourceDataBinding {
     @Override
     @SuppressWarnings("unchecked") // it is asked for a writer to exactly this

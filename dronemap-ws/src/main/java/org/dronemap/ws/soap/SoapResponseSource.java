@@ -12,7 +12,10 @@ import org.dronemap.ws.soap.description.WsdlWriter;
 import org.dronemap.ws.soap.xml.SoapNamespaces;
 import org.jspecify.annotations.Nullable;
 
-/** The message that answers a call, made of what REST answered. It is written at once where it goes, by {@link SoapResponseBinding}. */
+/**
+ * The body of the SOAP message that answers a call, made of what REST answered. It is written at once where it goes, by
+ * {@link SoapResponseBinding}.
+ */
 final class SoapResponseSource implements Source {
     private final String operation;
     private final @Nullable List<String> xml;

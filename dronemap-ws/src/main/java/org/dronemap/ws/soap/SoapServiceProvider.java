@@ -18,7 +18,8 @@ import org.w3c.dom.Element;
 import org.w3c.dom.Node;
 
 /**
- * A service as Apache CXF has it: each call is carried out by REST. Any thread; a call that waits for an outcome holds none.
+ * CXF provider of one SOAP service, which hands each call to {@link SoapCallExecutor}. Any thread; a call that waits
+ * for an outcome holds none.
  */
 @WebServiceProvider
 @ServiceMode(Service.Mode.PAYLOAD)

@@ -4,7 +4,7 @@ import org.apache.cxf.Bus;
 import org.dronemap.ws.soap.description.SoapServices;
 import org.jspecify.annotations.Nullable;
 
-/** Makes the services reachable on a bus, before the first of them is asked for. Any thread. */
+/** Publishes all SOAP services on the CXF bus, before the first call or WSDL request. Any thread. */
 public final class SoapServicePublisher {
     private final Bus bus;
     private final SoapContract contract;

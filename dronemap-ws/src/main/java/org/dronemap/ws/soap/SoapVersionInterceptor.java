@@ -6,7 +6,7 @@ import org.apache.cxf.binding.soap.interceptor.AbstractSoapInterceptor;
 import org.apache.cxf.message.Message;
 import org.apache.cxf.phase.Phase;
 
-/** Takes the version of a message from its media type until its envelope is read: a fault may have to be told before that. */
+/** Sets the SOAP version of a message from its media type, so that a fault before the envelope has the right one. */
 final class SoapVersionInterceptor extends AbstractSoapInterceptor {
     SoapVersionInterceptor() {
         super(Phase.RECEIVE);

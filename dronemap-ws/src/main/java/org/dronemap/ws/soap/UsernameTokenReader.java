@@ -16,9 +16,9 @@ import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Element;
 
 /**
- * Reads UsernameTokens with a password as text (OASIS Web Services Security UsernameToken Profile 1.1.1). One with a nonce is
- * taken once, and only near the time that it says it was made at. Digests cannot be taken: no password is stored here from which
- * one could be made. Any thread.
+ * Reads UsernameTokens with a plain-text password (OASIS UsernameToken Profile 1.1.1) from SOAP headers. One with a
+ * nonce is taken once, and only near the time that it says it was made at. Digests cannot be taken: no password is
+ * stored here from which one could be made. Any thread.
  */
 public final class UsernameTokenReader {
     static final String SECURITY = "http://docs.oasis-open.org/wss/2004/01/oasis-200401-wss-wssecurity-secext-1.0.xsd";

@@ -17,7 +17,7 @@ import org.dronemap.ws.soap.description.SoapServices;
 import org.dronemap.ws.soap.description.WsdlWriter;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/** Answers with the description of a service to {@code ?wsdl}, and for addresses under /services that are none. */
+/** Serves the WSDL of each SOAP service at {@code ?wsdl}, and answers unknown addresses under /services. */
 public final class WsdlFilter extends OncePerRequestFilter {
     private static final String SERVICES = "/services/";
 

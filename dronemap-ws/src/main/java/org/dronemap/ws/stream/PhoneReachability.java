@@ -9,9 +9,8 @@ import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The phones that are followed and say so on the stream, and how each is reached: a page that stands still leaves its
- * connection answering, a network that is gone does not, a page that is closed ends it. Any thread: what is told last of a
- * phone is what is known last, so one at a time; rounds belong to the pump.
+ * Tells follows whether the followed phone, connected to the stream, is reporting, asleep, cut off or gone. Any thread:
+ * what is told last of a phone is what is known last, so one at a time; rounds belong to the pump.
  */
 final class PhoneReachability {
     /** With this code a page ends a connection that seems dead to it, to connect anew. */

@@ -7,7 +7,10 @@ import java.util.Set;
 import org.dronemap.core.access.Principal;
 import org.jspecify.annotations.Nullable;
 
-/** Drones that one client of the stream steers, and the notices sent to it last. Guarded by itself. */
+/**
+ * The drones that one client of the WebSocket stream steers, and the last notices sent to it about each. Guarded by
+ * itself.
+ */
 final class SteeredDrones {
     private static final long BETWEEN_SENTENCES_NANOS = 1_000_000_000L;
     private static final int MOST_REMEMBERED = 64;

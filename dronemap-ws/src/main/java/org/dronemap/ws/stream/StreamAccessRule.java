@@ -10,7 +10,7 @@ import org.dronemap.ws.access.AuditPolicy;
 import org.dronemap.ws.access.RequestCost;
 import org.dronemap.ws.control.ControlAction;
 
-/** Access rule of a stream request: who may send it, its cost and its audit record. */
+/** Access rule of a request on the WebSocket stream: who may send it, its cost and its audit record. */
 public sealed interface StreamAccessRule {
     /** {@code rest}: finds the rule of an operation of REST. */
     AccessRule of(StreamRequest request, Function<String, AccessRule> rest);

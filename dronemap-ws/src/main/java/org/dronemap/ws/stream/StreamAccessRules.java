@@ -8,7 +8,7 @@ import org.dronemap.ws.access.RequestCost;
 import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.control.ControlAction;
 
-/** Access rules of all stream requests, taken from the REST operation of the same effect. */
+/** Access rules of all requests on the WebSocket stream, taken from the REST operations of the same effect. */
 public final class StreamAccessRules {
     private static final StreamAccessRule AUTHENTICATE = new StreamAccessRule.StreamOnly(
             AccessLevel.ANYBODY,

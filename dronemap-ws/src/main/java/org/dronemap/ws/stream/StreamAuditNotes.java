@@ -5,7 +5,7 @@ import org.dronemap.ws.access.AuditNotes;
 import org.dronemap.ws.access.AuditPolicy;
 import org.dronemap.ws.reading.WireNames;
 
-/** Notes what a client says, for the record that it leaves. */
+/** Adds details of a stream client's request to its audit record. */
 final class StreamAuditNotes {
 
     private StreamAuditNotes() {}

@@ -13,7 +13,7 @@ import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.stream.delivery.ClientOutbox;
 import org.dronemap.ws.stream.delivery.MessageSubject;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
-import org.dronemap.ws.stream.delivery.TextFrames;
+import org.dronemap.ws.stream.delivery.TextFrameCache;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
@@ -22,7 +22,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One connection of the stream. Any thread; its sending belongs to the pump. */
+/**
+ * One client connected to the WebSocket stream, with its caller, subscription and outbox. Any thread; its sending
+ * belongs to the pump.
+ */
 final class StreamClient {
     private static final Logger LOG = LoggerFactory.getLogger(StreamClient.class);
     private static final int LONGEST_REASON_BYTES = 123;
@@ -185,14 +188,14 @@ final class StreamClient {
      * Hands waiting messages to the socket as soon as it has sent all that it had: its own queue has no bound. False
      * when something still waits.
      */
-    boolean pump(long nowNanos, WriteReminder reminder, TextFrames frames) {
+    boolean pump(long nowNanos, WriteReminder reminder, TextFrameCache frames) {
         return guarded(() -> {
             reminder.remind(socket);
             return pump(nowNanos, frames);
         });
     }
 
-    private boolean pump(long nowNanos, TextFrames frames) {
+    private boolean pump(long nowNanos, TextFrameCache frames) {
         if (closingSinceNanos != 0) {
             if (nowNanos - closingSinceNanos > 2_000_000_000L) {
                 // it does not even take the farewell

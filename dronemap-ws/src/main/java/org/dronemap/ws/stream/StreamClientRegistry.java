@@ -12,7 +12,7 @@ import org.dronemap.ws.security.AuthenticatedCaller;
 import org.java_websocket.WebSocket;
 import org.jspecify.annotations.Nullable;
 
-/** Registry of connected stream clients, with limits in all and for each user. Any thread. */
+/** Registry of clients connected to the WebSocket stream, with limits in all and for each user. Any thread. */
 public final class StreamClientRegistry {
     private static final int MOST_CLIENTS = 2_000;
 

@@ -4,7 +4,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.ws.control.ControlService;
 import org.dronemap.ws.problem.InvalidInput;
 
-/** Answers what clients of the stream say about control. Any thread. */
+/** Handles requests of stream clients about the control of a drone. Any thread. */
 final class StreamControlHandler {
     private final ControlService controls;
 

@@ -9,7 +9,7 @@ import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** Request on the stream about the control of a drone; one record for each action. */
+/** Request on the WebSocket stream about the control of a drone; one record for each action. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "action")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({

@@ -35,13 +35,16 @@ import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.stream.delivery.CloudEventRouter;
 import org.dronemap.ws.stream.delivery.MessageSubject;
 import org.dronemap.ws.stream.delivery.PublishLoop;
-import org.dronemap.ws.stream.delivery.TextFrames;
+import org.dronemap.ws.stream.delivery.TextFrameCache;
 import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.java_websocket.WebSocketServerFactory;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.framing.CloseFrame;
 
-/** The WebSocket face as a whole. One pump thread carries to the clients what topics declare. */
+/**
+ * The WebSocket face as a whole: accepts clients, handles their requests and sends them all topics. One pump thread
+ * carries to the clients what topics declare.
+ */
 public final class StreamFace implements AutoCloseable {
     public static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
 
@@ -59,7 +62,7 @@ public final class StreamFace implements AutoCloseable {
     private final Clock clock;
     private final PublishLoop pump = new PublishLoop("stream-pump", this::round);
     private final StreamHeartbeat beat;
-    private final TextFrames frames = new TextFrames();
+    private final TextFrameCache frames = new TextFrameCache();
 
     /** The use cases behind the stream. */
     public record Services(

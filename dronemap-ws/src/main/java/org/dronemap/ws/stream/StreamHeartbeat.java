@@ -6,8 +6,8 @@ import java.util.concurrent.TimeUnit;
 import org.dronemap.ws.reading.JsonReader;
 
 /**
- * The sign of life that every client is sent once a second: a browser sees no pings of the protocol, and a page shall
- * tell within three seconds that its line is cut. Owned by the pump.
+ * Message sent to every stream client once a second, by which a page notices within three seconds that its line is cut.
+ * Owned by the pump.
  */
 final class StreamHeartbeat {
     private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(1);

@@ -22,7 +22,7 @@ import org.dronemap.ws.zone.ZoneFeature;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** Messages that the server sends on the stream. */
+/** A message that the server sends to clients on the WebSocket stream. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({

@@ -11,10 +11,7 @@ import java.util.Set;
 import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.reading.RecordAlternatives;
 
-/**
- * All messages that this server says, by their types: those of {@link StreamMessage}, and those that topics have of their own.
- * Immutable.
- */
+/** All types of messages that the server sends on the WebSocket stream, by name. Immutable. */
 public record StreamMessageCatalogue(Map<String, Class<?>> records) {
     private static final String NAME = "Stream";
 

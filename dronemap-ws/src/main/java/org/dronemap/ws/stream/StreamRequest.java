@@ -12,7 +12,7 @@ import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** Requests that a client sends on the stream; nothing is checked yet. Nothing is checked yet. */
+/** A request that a client sends on the WebSocket stream. Nothing is checked yet. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({

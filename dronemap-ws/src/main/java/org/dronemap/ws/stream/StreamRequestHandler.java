@@ -40,7 +40,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Answers what clients of the stream say. Any thread. */
+/** Handles requests of clients of the WebSocket stream: checks access, carries them out and answers. Any thread. */
 final class StreamRequestHandler {
     private static final Logger LOG = LoggerFactory.getLogger(StreamRequestHandler.class);
     private static final RecordAlternatives TYPES =

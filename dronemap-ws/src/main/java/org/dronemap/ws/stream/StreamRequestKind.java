@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Kinds of requests on the stream; StreamRules has the access rule of each. */
+/** Kinds of requests on the WebSocket stream; {@link StreamAccessRules} has the access rule of each. */
 public enum StreamRequestKind {
     AUTHENTICATE(StreamMessage.Hello.class),
     COMMAND(StreamMessage.CommandAccepted.class),

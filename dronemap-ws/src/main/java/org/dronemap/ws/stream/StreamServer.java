@@ -16,7 +16,7 @@ import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.StreamTickets;
-import org.dronemap.ws.stream.delivery.TextFrames;
+import org.dronemap.ws.stream.delivery.TextFrameCache;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
 import org.java_websocket.framing.CloseFrame;
@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Takes connections of the stream in; its own threads hand what clients say to {@link StreamRequestHandler}. */
+/** WebSocket server of the stream: accepts connections and passes messages to {@link StreamRequestHandler}. */
 public final class StreamServer extends WebSocketServer {
     private static final Logger LOG = LoggerFactory.getLogger(StreamServer.class);
     private static final int WORKERS = 2;
@@ -102,7 +102,7 @@ public final class StreamServer extends WebSocketServer {
         } catch (Rejection rejection) {
             requests.refused(rejection);
             requests.say(client, new StreamMessage.Failure(ProblemView.of(rejection), null));
-            client.pump(System.nanoTime(), reminder, new TextFrames());
+            client.pump(System.nanoTime(), reminder, new TextFrameCache());
             client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
         }
         onNews.run();

@@ -7,8 +7,8 @@ import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.Rejection;
 
 /**
- * Takes what clients of the stream steer by to the gate, and their hands off when they have gone or have to go. Any thread;
- * for one client one at a time, so that nothing is steered by rights that have ended in between.
+ * Passes steering requests of stream clients to the steering service, and lets go of drones when a client leaves. Any
+ * thread; for one client one at a time, so that nothing is steered by rights that have ended in between.
  */
 final class StreamSteeringHandler {
     private static final String FACE = "stream";

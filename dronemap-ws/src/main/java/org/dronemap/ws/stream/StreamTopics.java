@@ -41,7 +41,7 @@ import org.dronemap.ws.zone.ZoneFeature;
 import org.dronemap.ws.zone.ZoneService;
 import org.jspecify.annotations.Nullable;
 
-/** The topics of the stream, but for those that are declared beside their use cases. */
+/** Defines the stream topics of drones, commands, control, zones, virtual drones, plans, mission runs and follows. */
 final class StreamTopics {
     private static final TopicRate.EveryChange EVERY_CHANGE = new TopicRate.EveryChange();
     private static final TopicRate.Newest FOUR_A_SECOND = new TopicRate.Newest(4);

@@ -12,8 +12,9 @@ import org.dronemap.ws.stream.delivery.TopicSink;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One kind of thing that clients of the stream are told of. {@link StreamTopics} has those of what the cloud itself does; a use
- * case declares its own beside it, as a bean. {@link TopicFeed} carries them.
+ * One kind of update sent on the WebSocket stream: its message, rate, audience and source. {@link StreamTopics} has
+ * those of what the cloud itself does; a use case declares its own beside it, as a bean. {@link TopicFeed} carries
+ * them.
  *
  * @param message what is said of one that has changed
  * @param rate how often

@@ -19,8 +19,9 @@ import org.dronemap.ws.stream.delivery.TopicSink;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Carries one topic to the clients. Of what changes often the newest state alone waits here, one of each thing, until its
- * turn. {@link #tell}, {@link #changed} and {@link #removed} from any thread, the rest from the pump alone.
+ * Sends the updates of one stream topic to the clients of the WebSocket stream. Of what changes often the newest state
+ * alone waits here, one of each thing, until its turn. {@link #tell}, {@link #changed} and {@link #removed} from any
+ * thread, the rest from the pump alone.
  */
 final class TopicFeed<T> implements TopicSink<T> {
     private static final long SHORTEST_REST_NANOS = 500_000L;

@@ -6,7 +6,10 @@ import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.ws.reading.JsonReader;
 import org.dronemap.ws.stream.delivery.PublishLoop;
 
-/** All topics' feeds, and when they show what to whom. Owned by the pump, but for what its topics hear. */
+/**
+ * Runs the feeds of all stream topics, and sends each client what it may see. Owned by the pump, but for what its
+ * topics hear.
+ */
 final class TopicPublisher {
     private static final PublishLoop.Pause NOBODY_LISTENS = new PublishLoop.Pause(5_000_000L, 40_000_000L);
 

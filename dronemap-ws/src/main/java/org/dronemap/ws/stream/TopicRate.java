@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
 
-/** Rate at which clients receive updates of each thing of a topic. */
+/** How often clients of the WebSocket stream receive updates of each thing of a topic. */
 public sealed interface TopicRate {
     /** Nobody misses one: they wait in order, and who lets too many of them wait is closed. */
     record EveryChange() implements TopicRate {

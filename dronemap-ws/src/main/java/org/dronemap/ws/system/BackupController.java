@@ -17,7 +17,7 @@ import org.springframework.web.bind.annotation.PostMapping;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Backups of all that is stored. */
+/** REST handler that downloads a backup of all that the server stores. */
 @RestController
 @RequestMapping("/api/v1/backup")
 @Tag(name = "Server")

@@ -7,7 +7,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.access.RoleChecks;
 
-/** Makes backups of all that is stored. Any thread. */
+/** Makes backups of all that the server stores, for administrators. Any thread. */
 public final class BackupService {
     private final BackupWriter writer;
     private final Path temporaryDirectory;

@@ -7,7 +7,7 @@ import org.dronemap.core.process.ProcessCrash;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The health of the server, for everybody.
+ * The health of the server and its parts, as everybody may see it.
  *
  * @param status up, or degraded when any part is down
  * @param parts up or down, by name

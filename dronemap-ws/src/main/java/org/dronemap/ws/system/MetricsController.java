@@ -15,7 +15,7 @@ import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Metrics as Prometheus reads them; a viewer's access key for all drones is enough. */
+/** Serves metrics of the server for Prometheus; a viewer's access key for all drones is enough. */
 @RestController
 @Hidden
 public class MetricsController {

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
- * A part of the server that has to work.
+ * A part of the server, such as a thread or the endpoints for vehicles, with the check whether it works.
  *
  * @param name for ever: clients go by it
  * @param trouble why it does not work now, as a sentence; empty: it does

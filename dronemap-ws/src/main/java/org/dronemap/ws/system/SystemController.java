@@ -12,7 +12,7 @@ import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Health and settings of the server itself. */
+/** REST handlers for the health and the settings of the server itself. */
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Server", description = "Health and settings.")

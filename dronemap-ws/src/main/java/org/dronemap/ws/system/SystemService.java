@@ -18,7 +18,7 @@ import org.dronemap.core.process.ProcessStart;
 import org.dronemap.ws.access.RoleChecks;
 import org.jspecify.annotations.Nullable;
 
-/** Health and settings of the server. Any thread. */
+/** Reports the health of the server, and the settings that its web client needs. Any thread. */
 public final class SystemService {
     private static final String UP = "up";
     private static final String DOWN = "down";

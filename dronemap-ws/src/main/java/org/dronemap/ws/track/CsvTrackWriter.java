@@ -11,7 +11,7 @@ import org.dronemap.ws.reading.Csv;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** A track as a table: a line for each point, a column for each number. */
+/** Writes a drone's recorded track as CSV: one line for each point, one column for each field. */
 final class CsvTrackWriter {
     private CsvTrackWriter() {}
 

@@ -12,7 +12,7 @@ import org.dronemap.ws.reading.WireNames;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A track as GeoJSON: one line with a time for each of its points, and a point for each thing that happened. */
+/** Writes a drone's recorded track as GeoJSON: a line with times, and a point for each event. */
 final class GeoJsonTrackWriter {
     private static final JsonMapper MAPPER = JsonMapper.builder().build();
 

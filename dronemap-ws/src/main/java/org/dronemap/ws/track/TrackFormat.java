@@ -12,7 +12,7 @@ import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.WireNames;
 
-/** Forms of text that a track is taken along in. */
+/** Text formats in which the recorded track of a drone or flight is exported: CSV, GeoJSON, KML and GPX. */
 public enum TrackFormat {
     /** All numbers, for spreadsheets. */
     CSV("text/csv;charset=UTF-8", false) {

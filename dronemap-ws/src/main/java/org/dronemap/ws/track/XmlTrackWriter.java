@@ -14,7 +14,7 @@ import org.dronemap.ws.reading.PositionedPoints;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** A track as KML or GPX. */
+/** Writes a drone's recorded track as KML or GPX. */
 final class XmlTrackWriter {
     private static final String KML = "http://www.opengis.net/kml/2.2";
     private static final String GX = "http://www.google.com/kml/ext/2.2";

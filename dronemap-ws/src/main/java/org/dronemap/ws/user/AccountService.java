@@ -17,7 +17,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases of users around their own accounts. Any thread. */
+/** Lets users change their own password and sign out of their sessions. Any thread. */
 public final class AccountService {
     private final AccessStore store;
     private final AccountChanges accounts;

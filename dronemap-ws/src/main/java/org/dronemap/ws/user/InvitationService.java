@@ -29,7 +29,7 @@ import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Invitations, for administrators. Any thread. */
+/** Creates, lists and withdraws invitations to make an account, for administrators. Any thread. */
 public final class InvitationService {
     private static final int DEFAULT_DAYS = 7;
     static final int MOST_DAYS = 30;

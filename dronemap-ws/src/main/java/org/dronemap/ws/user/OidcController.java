@@ -33,7 +33,7 @@ import org.springframework.web.bind.annotation.RequestParam;
 import org.springframework.web.bind.annotation.RestController;
 import org.springframework.web.util.WebUtils;
 
-/** Signing in with another provider, for browsers: there and back. */
+/** Redirects browsers to the OpenID Connect provider for sign-in, and takes them back. */
 @RestController
 @RequestMapping("/api/v1/session/oidc")
 @Tag(name = "Session")

@@ -21,7 +21,7 @@ import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Making an account of one's own; open to everybody. */
+/** REST handlers by which people make an account for themselves; open to everybody. */
 @RestController
 @RequestMapping("/api/v1/registrations")
 @Tag(name = "Registration", description = "Make an account of one's own, by invitation or to wait for approval.")

@@ -1,6 +1,6 @@
 package org.dronemap.ws.user;
 
-/** Policy for making an account of one's own. */
+/** Who may make an account for themselves: everybody subject to approval, invited people only, or nobody. */
 public enum RegistrationPolicy {
     /** Everybody; an administrator then lets them in, or an invitation does. */
     APPROVAL,

@@ -28,7 +28,10 @@ import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Making an account of one's own. The only use case for people whom nobody knows yet. Any thread. */
+/**
+ * Lets people who are not yet users make an account for themselves, as the registration policy allows. The only use
+ * case for people whom nobody knows yet. Any thread.
+ */
 public final class RegistrationService {
     private static final int MOST_WAITING = 200;
     private static final int TIMES = 10;

@@ -23,7 +23,7 @@ import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Signing in and out of a browser's session. */
+/** REST handlers by which browsers sign in and out, and users change their password. */
 @RestController
 @RequestMapping("/api/v1/session")
 @Tag(name = "Session", description = "Sign in by name and password; the answer's cookie is the session.")

@@ -13,7 +13,7 @@ import org.springframework.web.bind.annotation.PostMapping;
 import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Tickets with which a page opens the stream. */
+/** REST handler that issues a ticket with which a signed-in page opens the WebSocket stream. */
 @RestController
 @RequestMapping("/api/v1/stream-tickets")
 @Tag(name = "Stream", description = "States and commands as they change, over a WebSocket on the stream port.")

@@ -23,7 +23,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Users, for administrators. */
+/** REST handlers by which administrators manage users and their access keys. */
 @RestController
 @RequestMapping("/api/v1/users")
 @Tag(

@@ -23,7 +23,7 @@ import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.SecretGenerator;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases of administrators around users. Any thread. */
+/** Lets administrators create, change, sign out and delete users. Any thread. */
 public final class UserService {
     private static final String STATES = "active or disabled";
 

@@ -17,7 +17,7 @@ import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** Turns the needs that a client wrote into needs, or says which member is wrong. */
+/** Turns a client's requirements on the drone that serves a virtual drone into core ones, or rejects the field. */
 final class NeedsReader {
     private static final String KINDS = names(VehicleKind.values());
     private static final String CAPABILITIES = names(Capability.values());

@@ -31,7 +31,10 @@ import org.dronemap.ws.reading.NameRules;
 import org.dronemap.ws.virtual.VirtualDroneViewMapper.VirtualAction;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around virtual drones: make, plan, start, stop. Each belongs to who made it; supervisors see all. Any thread. */
+/**
+ * Lets users create, change, start and stop virtual drones, which real drones of the warehouse serve. Each belongs to
+ * who made it; supervisors see all. Any thread.
+ */
 public final class VirtualDroneService {
     static final int LONGEST_NAME = 60;
     private static final int MOST_OF_ONE_USER = 50;

@@ -14,7 +14,7 @@ import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.run.RunView;
 import org.jspecify.annotations.Nullable;
 
-/** A virtual drone as clients see it: nothing here tells which drone serves it to those who may not see that drone. */
+/** A virtual drone as clients see it; only those who may see the real drone that serves it learn which it is. */
 @Schema(name = "VirtualDroneView", description = "A virtual drone: drone-shaped, with an id and a name of its own.")
 public record VirtualDroneView(
         String id,

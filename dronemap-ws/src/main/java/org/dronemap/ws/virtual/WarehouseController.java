@@ -15,7 +15,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** The drones that may serve virtual ones. */
+/** REST handlers for the warehouse: the real drones that may serve virtual drones. */
 @RestController
 @RequestMapping("/api/v1/warehouse")
 @Tag(

@@ -20,7 +20,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
-/** Use cases around the warehouse: the drones that may be armed and flown for virtual ones without anybody beside them. */
+/** Puts real drones into the warehouse and takes them out: those that may be flown unattended for virtual drones. */
 public final class WarehouseService {
     private final VirtualDrones virtuals;
     private final DroneService drones;

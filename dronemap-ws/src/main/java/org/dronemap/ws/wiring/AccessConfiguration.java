@@ -9,7 +9,7 @@ import org.springframework.web.servlet.config.annotation.InterceptorRegistry;
 import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
 import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
 
-/** Constructs what knows who may call which handler; the start fails where one does not say so. */
+/** Spring configuration of the access rules of REST handlers; the start fails if one declares none. */
 @Configuration(proxyBeanMethods = false)
 public class AccessConfiguration {
     @Bean

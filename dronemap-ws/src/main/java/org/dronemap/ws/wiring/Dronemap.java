@@ -19,7 +19,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ConfigurableApplicationContext;
 
-/** The server's entry: reads the settings, builds the house, lets vehicles in, starts the faces, and takes all down again at the end. */
+/** Main class of the server: reads the settings, starts endpoints and faces, and shuts all down at the end. */
 public final class Dronemap {
     private static final Logger LOG = LoggerFactory.getLogger(Dronemap.class);
 

@@ -8,8 +8,8 @@ import org.springframework.context.annotation.ComponentScan;
 import org.springframework.context.annotation.Configuration;
 
 /**
- * The web server with all faces: whatever a {@code @Configuration} of this package constructs. Wants a {@link ServerComponents} and
- * {@link ServerSettings} in its context.
+ * Spring Boot application of the web server with all faces, made from the configurations of this package. Wants a
+ * {@link ServerComponents} and {@link ServerSettings} in its context.
  */
 @SpringBootConfiguration(proxyBeanMethods = false)
 @EnableAutoConfiguration

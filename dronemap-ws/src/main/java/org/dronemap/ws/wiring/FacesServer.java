@@ -11,7 +11,7 @@ import org.springframework.boot.builder.SpringApplicationBuilder;
 import org.springframework.context.ConfigurableApplicationContext;
 import org.springframework.context.support.GenericApplicationContext;
 
-/** Starts the faces around a house. */
+/** Starts the web server with the REST, SOAP and stream faces on built {@link ServerComponents}. */
 public final class FacesServer {
     static final String TLS_BUNDLE = "faces";
 

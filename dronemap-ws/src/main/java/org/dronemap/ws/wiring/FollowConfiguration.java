@@ -10,7 +10,7 @@ import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
 
-/** Constructs the use cases around follows, and their part of the REST face. */
+/** Spring configuration of the services and REST handlers for follows. */
 @Configuration(proxyBeanMethods = false)
 @Import(FollowController.class)
 public class FollowConfiguration {

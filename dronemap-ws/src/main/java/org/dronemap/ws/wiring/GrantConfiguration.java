@@ -16,7 +16,7 @@ import org.dronemap.ws.zone.ZoneService;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
-/** Constructs what concerns organisations and grants. */
+/** Spring configuration of the services for organisations, groups, grants and transfers of drones. */
 @Configuration(proxyBeanMethods = false)
 public class GrantConfiguration {
     private static final Duration GRANT_RHYTHM = Duration.ofMillis(200);

@@ -16,7 +16,7 @@ import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.core.Ordered;
 
-/** Opens the ports of the original Dronemap Planner, where that is wanted. */
+/** Spring configuration that opens the ports of the original Dronemap Planner if the settings ask for them. */
 @Configuration(proxyBeanMethods = false)
 public class OriginalAddressConfiguration {
     @Bean

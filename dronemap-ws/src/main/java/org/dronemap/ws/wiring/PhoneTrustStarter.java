@@ -6,7 +6,7 @@ import org.dronemap.ws.plainhttp.PhoneTrustServer;
 import org.dronemap.ws.settings.ServerSettings;
 import org.jspecify.annotations.Nullable;
 
-/** Opens the trust page for phones where the settings ask for it. */
+/** Starts the plain HTTP page from which phones get the certificate authority, if the settings ask for it. */
 final class PhoneTrustStarter {
     private PhoneTrustStarter() {}
 

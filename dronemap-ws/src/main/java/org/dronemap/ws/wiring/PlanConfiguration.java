@@ -13,7 +13,7 @@ import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
 
-/** Constructs the use cases around plans for several drones, and their part of the REST face. */
+/** Spring configuration of the services and REST handlers for plans of several drones. */
 @Configuration(proxyBeanMethods = false)
 @Import({PlanController.class, TourController.class})
 public class PlanConfiguration {

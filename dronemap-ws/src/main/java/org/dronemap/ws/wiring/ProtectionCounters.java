@@ -11,7 +11,7 @@ import org.dronemap.ws.limit.HostConcurrencyFilter;
 import org.dronemap.ws.stream.StreamClientRegistry;
 import org.dronemap.ws.system.ServerMetrics;
 
-/** Counts of what the protections against clients have refused. Any thread. */
+/** Counts, for the metrics, what rate and connection limits have refused to clients. Any thread. */
 final class ProtectionCounters {
     private final Budgets budgets;
     private final HostConcurrencyFilter crowd;

@@ -85,7 +85,7 @@ import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
 import org.springframework.web.servlet.handler.SimpleUrlHandlerMapping;
 import tools.jackson.databind.DeserializationFeature;
 
-/** Constructs the REST face and the filters before it. */
+/** Spring configuration of the REST face and of the servlet filters before it. */
 @Configuration(proxyBeanMethods = false)
 @Import({
     SessionController.class,

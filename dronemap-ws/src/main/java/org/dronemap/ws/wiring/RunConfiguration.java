@@ -14,7 +14,7 @@ import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
 
-/** Constructs the use cases around mission runs, and their part of the REST face. */
+/** Spring configuration of the services and REST handlers for mission runs. */
 @Configuration(proxyBeanMethods = false)
 @Import(RunController.class)
 public class RunConfiguration {

@@ -65,7 +65,7 @@ import org.jspecify.annotations.Nullable;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
-/** Constructs the use cases and the sign-in around a {@link ServerComponents}. */
+/** Spring configuration of the sign-in and of the services that all faces share. */
 @Configuration(proxyBeanMethods = false)
 public class ServiceConfiguration {
 

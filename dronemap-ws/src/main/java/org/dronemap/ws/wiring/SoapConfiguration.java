@@ -27,7 +27,7 @@ import org.springframework.context.annotation.Configuration;
 import org.springframework.web.filter.OncePerRequestFilter;
 import org.springframework.web.servlet.DispatcherServlet;
 
-/** Constructs the SOAP face: all of it follows from what REST says of itself. */
+/** Spring configuration of the SOAP face, which is derived from the REST face. */
 @Configuration(proxyBeanMethods = false)
 public class SoapConfiguration {
     private static final String DESCRIPTION = "/api/openapi.json";

@@ -42,7 +42,7 @@ import org.springframework.beans.factory.ObjectProvider;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
-/** Constructs the WebSocket face. */
+/** Spring configuration of the WebSocket face (the stream). */
 @Configuration(proxyBeanMethods = false)
 public class StreamConfiguration {
 

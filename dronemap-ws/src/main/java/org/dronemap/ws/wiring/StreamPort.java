@@ -1,4 +1,4 @@
 package org.dronemap.ws.wiring;
 
-/** Port at which the stream really listens; it differs from the setting when that is 0. */
+/** Port at which the WebSocket stream actually listens; it differs from the setting when that is 0. */
 public record StreamPort(int number) {}

@@ -12,7 +12,7 @@ import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
 
-/** Constructs the use cases around virtual drones, and their part of the REST face. */
+/** Spring configuration of the services and REST handlers for virtual drones. */
 @Configuration(proxyBeanMethods = false)
 @Import({VirtualDroneController.class, WarehouseController.class})
 public class VirtualConfiguration {

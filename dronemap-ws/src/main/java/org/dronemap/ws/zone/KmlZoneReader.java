@@ -23,7 +23,7 @@ import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 
-/** Reads the areas of a KML file; lines, points and styles in it are passed over, and heights, which KML keeps by corner. */
+/** Reads the polygons of a KML file as zones; lines, points, styles and heights are ignored. */
 final class KmlZoneReader {
     private KmlZoneReader() {}
 

@@ -23,7 +23,7 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** The zones of the cloud, as GeoJSON. */
+/** REST handlers for the zones of the cloud (areas that drones stay in or out of), as GeoJSON. */
 @RestController
 @RequestMapping("/api/v1/zones")
 @Tag(

@@ -19,7 +19,7 @@ import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
-/** A zone as a feature of GeoJSON (RFC 7946), read and written in the same form. */
+/** A zone of the cloud as a GeoJSON feature (RFC 7946), which clients read and write in the same form. */
 @Schema(name = "ZoneFeature", description = "A zone as a GeoJSON feature: a Polygon, or a Point with a radius.")
 public record ZoneFeature(
         @Schema(allowableValues = {"Feature"}) @Nullable String type,

@@ -13,7 +13,7 @@ import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
-/** A geometry of GeoJSON (RFC 7946) as zones have it: degrees, longitude before latitude; one record for each type. */
+/** The GeoJSON geometry of a zone: a polygon, or a point with a radius. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({

@@ -13,10 +13,7 @@ import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 import tools.jackson.databind.json.JsonMapper;
 
-/**
- * Reads GeoJSON (or KML) that others wrote: what is not ours in it is passed over, an area in several parts becomes several, and
- * what has no name gets one.
- */
+/** Reads zones from GeoJSON or KML files made by other programs: ignores what is unknown and splits multipolygons. */
 final class ZoneImport {
     private static final JsonReader LENIENT = new JsonReader(JsonMapper.builder()
             .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)

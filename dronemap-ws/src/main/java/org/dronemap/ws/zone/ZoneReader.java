@@ -16,7 +16,7 @@ import org.dronemap.ws.reading.AreaReader;
 import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
-/** Turns a feature that a client wrote into the parts of a zone, or says which member is wrong. */
+/** Turns a GeoJSON feature that a client wrote into the parts of a zone, or rejects the faulty field. */
 public final class ZoneReader {
     static final int LONGEST_NAME = 80;
     private static final String NOTHING = "nothing";

@@ -23,7 +23,10 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.ValueProblem;
 
-/** Use cases around the zones of the cloud: each change is kept first and binds at once. Any thread. */
+/**
+ * Lets users list, add, import, change and delete zones of the cloud; each change is stored, then binds at once. Any
+ * thread.
+ */
 public final class ZoneService {
     private static final int MOST = 500;
 

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.List;
-import org.dronemap.ws.stream.delivery.TextFrames;
+import org.dronemap.ws.stream.delivery.TextFrameCache;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
@@ -37,9 +37,9 @@ class StreamClientTest {
         client.outbox().add("news");
 
         client.probe();
-        client.pump(1, new WriteReminder(socket -> {}), new TextFrames());
+        client.pump(1, new WriteReminder(socket -> {}), new TextFrameCache());
         client.expel(new StreamClient.ClosingMessage(CloseFrame.NORMAL, "over", "{}"));
-        client.pump(2, new WriteReminder(socket -> {}), new TextFrames());
+        client.pump(2, new WriteReminder(socket -> {}), new TextFrameCache());
 
         assertThat(called).contains(call, "closeConnection");
         assertThat(client.caller()).isEmpty();

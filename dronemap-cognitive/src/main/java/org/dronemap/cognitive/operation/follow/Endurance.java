@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.operation.follow;
 
-/** Estimates how long a drone can follow, and what its return takes, from its battery percentage. */
+/** Estimates from the battery how long a drone can go on following, and how long a relief takes to come. */
 public final class Endurance {
     /** That much is to be in the battery when it is home. */
     static final int RESERVE_PERCENT = 20;

@@ -12,7 +12,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.SetReturnOnCloudLoss;
 import org.dronemap.core.operation.OperationAction;
 
-/** The commands that a drone is given, one after the other. */
+/** Chooses the commands for a drone of a follow, one at a time: arm, take off, change mode, return home. */
 final class FollowCommands {
     /** What it ends with that a follow's only drone is down. */
     static final String IT_IS_OVER = "; it is over.";

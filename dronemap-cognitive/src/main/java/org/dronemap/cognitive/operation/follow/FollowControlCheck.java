@@ -10,7 +10,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.operation.OperationObservation;
 import org.jspecify.annotations.Nullable;
 
-/** Checks who controls a drone of a follow, and decides how the follow goes on without control. */
+/** Checks who controls a drone of a follow, and decides what the follow does without control. */
 final class FollowControlCheck {
     private FollowControlCheck() {}
 

@@ -19,7 +19,10 @@ import org.dronemap.core.operation.OperationGuidance;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.TargetReport;
 
-/** Knows where the phone is, and has the drones of one follow led there. Owned by the conductor's thread. */
+/**
+ * Tracks the phone of a follow from its reports, and computes the setpoints for all of the follow's drones. Owned by
+ * the conductor's thread.
+ */
 final class FollowGuidance implements OperationGuidance<FollowState> {
     private final TargetFilter target;
     private final PhoneClockOffset clock = new PhoneClockOffset();

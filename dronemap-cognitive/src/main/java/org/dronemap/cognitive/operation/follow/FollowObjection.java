@@ -4,7 +4,7 @@ import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.ObjectionCode;
 import org.dronemap.core.operation.ObjectionEntry;
 
-/** Reasons why a follow cannot do at its stage what a user wants. */
+/** Codes of the reasons why a follow cannot do what a user asks at its present stage. */
 public enum FollowObjection implements ObjectionCode {
     RETURNING("follow-returning", "The drone of the follow flies home.", "The drone is on its way home already."),
     NOT_STARTED(

@@ -30,7 +30,7 @@ import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.ReporterState;
 import org.jspecify.annotations.Nullable;
 
-/** Has one drone follow a phone: a function of what it remembers and of what befalls it. */
+/** The state machine of a phone follow: turns each input into a new state and commands to drones. */
 public final class FollowOperation implements Operation<FollowState, FollowInput> {
     private static final Duration RHYTHM = Duration.ofMillis(100);
     /** So long without a position, and whoever watches is told: the drone has held for a second then. */

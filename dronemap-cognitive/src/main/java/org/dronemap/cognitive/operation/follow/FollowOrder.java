@@ -6,7 +6,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
 
 /**
- * The order that a follow begins with: drone, place beside the phone, speed and patience.
+ * The order that a follow begins with: drone, place beside the phone, speed, and how long to wait for positions.
  *
  * @param near where the phone was when it asked
  * @param patienceSeconds without positions, before it flies home

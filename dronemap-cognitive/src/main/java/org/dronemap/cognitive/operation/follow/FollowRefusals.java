@@ -3,7 +3,7 @@ package org.dronemap.cognitive.operation.follow;
 import java.util.Optional;
 import org.dronemap.core.operation.Objection;
 
-/** Reasons why a wish cannot be taken at a stage. */
+/** Decides whether a user's request to a follow is refused at its present stage, and for which reason. */
 final class FollowRefusals {
     private FollowRefusals() {}
 

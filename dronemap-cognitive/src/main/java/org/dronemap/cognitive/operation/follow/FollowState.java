@@ -10,7 +10,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The state of a follow, stored with each decision.
+ * The state of a phone follow: its order, stage, command under way and notices; stored with each decision.
  *
  * @param since when it came to this stage
  * @param waits from when on positions are waited for

@@ -30,7 +30,10 @@ import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.zone.Zone;
 import org.jspecify.annotations.Nullable;
 
-/** Leads one drone beside the phone, or home. Owned by the conductor's thread. */
+/**
+ * Computes the setpoints for one drone of a follow: beside the phone, or on its way home. Owned by the conductor's
+ * thread.
+ */
 final class FollowSteering {
     private static final double LONGEST_AHEAD = 2;
     /** Where nothing is known of the link. */

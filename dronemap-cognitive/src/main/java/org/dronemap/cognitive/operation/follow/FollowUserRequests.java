@@ -2,7 +2,7 @@ package org.dronemap.cognitive.operation.follow;
 
 import java.time.Instant;
 
-/** Applies a user's request to the state of a follow. */
+/** Applies a user's request, such as pause, resume or stop, to the state of a follow. */
 final class FollowUserRequests {
     private FollowUserRequests() {}
 

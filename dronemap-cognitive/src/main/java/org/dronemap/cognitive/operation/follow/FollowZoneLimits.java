@@ -10,7 +10,7 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.Zone;
 
-/** Zones as edges of the room that a drone is led in, at whatever height they begin and end. */
+/** Computes from zones the flyable area and the ceiling for drones that follow a phone. */
 final class FollowZoneLimits {
     private static final double MARGIN_METERS = 5;
     private static final double UNDER_METERS = 2;

@@ -6,7 +6,7 @@ import org.dronemap.cognitive.follow.PlanarMotion;
 import org.dronemap.cognitive.follow.TrackedTarget;
 import org.dronemap.core.geo.PlanePoint;
 
-/** Computes the camera's pitch angle towards the target. */
+/** Computes the pitch at which the camera of a following drone looks at the phone. */
 final class GimbalPitch {
     /** Faces are above the ground that phones are not told to be above. */
     private static final double FACE_METERS = 1.5;

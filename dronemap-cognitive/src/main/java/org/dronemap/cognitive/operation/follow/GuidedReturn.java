@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
-/** Decides when a relieved drone returns by setpoints, and when it is commanded to return by itself. */
+/** Decides whether a replaced drone of a follow flies home by setpoints, or is commanded to return by itself. */
 final class GuidedReturn {
     private static final double NEAR_METERS = 15;
     /** By then it is far from where it set off. */

@@ -4,7 +4,7 @@ import org.dronemap.core.operation.ReporterState;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** The reason why no position fixes of the phone arrive. */
+/** The reason why a followed phone's position fixes do not arrive, such as no network or a closed page. */
 @Stored(names = "BLIND VAGUE ASLEEP CUT GONE SILENT")
 public enum MissingFixReason {
     /** It is there, and finds no position. */

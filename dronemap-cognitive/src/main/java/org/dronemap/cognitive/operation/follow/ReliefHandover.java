@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.cognitive.follow.FollowSeparation;
 
-/** Hands a follow over from one drone to the relief drone, and ends the part of those that were replaced. */
+/** Hands a follow over from its drone to a relief drone, and sends replaced drones home. */
 final class ReliefHandover {
     private ReliefHandover() {}
 

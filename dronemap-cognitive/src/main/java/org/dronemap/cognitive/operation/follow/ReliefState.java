@@ -7,7 +7,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * The drones of a follow besides the one that leads it.
+ * The state of a follow's other drones: reliefs on their way to take over, and replaced drones flying home.
  *
  * @param number which drone of the follow leads, or is this one, from 0 in the order in which they came
  * @param sent how many came after the first one

@@ -13,7 +13,10 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** Estimates the velocities of drones from their successive positions. Owned by the conductor's thread. */
+/**
+ * Estimates the velocities of a following drone and of drones near it from their successive reported positions. Owned
+ * by the conductor's thread.
+ */
 final class VelocityEstimates {
     private static final double FAR_METERS = 300;
 

@@ -16,7 +16,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The smallest step out of the others' way, for one whose standing still would not help.
+ * The smallest evasive move of a mission run's drone that would be too near to others even if it held still.
  *
  * @param to where it goes
  * @param seconds how long that takes at most

@@ -15,7 +15,7 @@ import org.dronemap.cognitive.problem.Start;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/** Drones as a new plan finds them. */
+/** Describes a mission run's drones to the planner as they are now, for a re-planning. */
 final class CraftSnapshots {
     /** Who hovers goes on when its new mission is on board. */
     private static final double UNTIL_ON_BOARD_SECONDS = 2;

@@ -21,7 +21,7 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
 
-/** Drones that stand in the air and are not ours to move: whoever waits for them to pass waits for ever, so plans lead round them. */
+/** Turns drones that hover where a mission run cannot move them into barriers, so that new plans lead round them. */
 final class DroneObstacles {
     private static final Duration STANDS = Duration.ofSeconds(5);
     /** Beside the least distance, so that nobody is held again for it: what the look ahead asks for, and a little. */

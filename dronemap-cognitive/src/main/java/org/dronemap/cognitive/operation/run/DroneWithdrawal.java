@@ -4,7 +4,7 @@ import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 
-/** A drone does not go on: what it had to do is offered to the others. */
+/** Withdraws a drone from its part in a mission run, and offers its unvisited waypoints to the other drones. */
 final class DroneWithdrawal {
     private DroneWithdrawal() {}
 

@@ -17,7 +17,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodesy;
 import org.jspecify.annotations.Nullable;
 
-/** Checks a drone in flight: falling, standing still, off its path, late, or short of charge. */
+/** Checks a mission run's drone in flight: falling, standing still, off its path, late, or short of charge. */
 final class FlightHealth {
     static final double CLEARLY_UP_METERS = 3;
 

@@ -19,7 +19,7 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.safety.SafetyTimes;
 import org.jspecify.annotations.Nullable;
 
-/** Drones that are not heard: what they may still do, and what they did when they are heard again. */
+/** Handles drones of a mission run that are not heard: which waypoints stay theirs, and what they did meanwhile. */
 final class LostDrones {
     /** Vehicles that miss the cloud go home, if they were told to. */
     private static final Duration UNTIL_FAIL_SAFE = SafetyTimes.CORRIDOR_KEPT;

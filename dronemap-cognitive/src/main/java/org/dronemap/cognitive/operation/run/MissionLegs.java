@@ -12,7 +12,7 @@ import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/** Computes where a mission leads from a drone's present item, and the distance and energy left. */
+/** Computes for a drone in a mission run which places are ahead, how far it is off its leg, and the energy to go. */
 final class MissionLegs {
     private MissionLegs() {}
 

@@ -18,10 +18,7 @@ import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.operation.OperationObservation;
 
-/**
- * Flies a plan with several drones, and changes it when something happens to them: a function of what it remembers and of
- * what befalls it.
- */
+/** The state machine of a mission run: several drones fly a plan, which changes when something happens to them. */
 public final class MissionRunOperation implements Operation<RunState, RunInput> {
     private static final Duration RHYTHM = Duration.ofMillis(250);
     /** After a restart, until drones that are there have been heard. */

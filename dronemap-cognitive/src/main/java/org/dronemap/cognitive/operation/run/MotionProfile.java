@@ -2,7 +2,10 @@ package org.dronemap.cognitive.operation.run;
 
 import org.dronemap.cognitive.problem.Speeds;
 
-/** A straight way over ground that ends in a stand: how far a drone is on it when. Speeds in m/s, metres, seconds. */
+/**
+ * Speed profile of a straight leg that ends at rest: how far along it a run's drone is at each time. Speeds in m/s,
+ * metres, seconds.
+ */
 final class MotionProfile {
     private final double meters;
     private final double begins;

@@ -19,7 +19,7 @@ import org.dronemap.cognitive.replan.ReplanResult;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** Adopts a computed plan: checks that it is fresh and flyable, then proposes or applies it. */
+/** Decides what becomes of a computed re-planning of a mission run: computed again, proposed to users, or applied. */
 final class PlanAdoption {
     private static final Duration BETWEEN_TRIES = Duration.ofSeconds(3);
     private static final int MOST_MISSES = 20;

@@ -14,7 +14,7 @@ import org.dronemap.cognitive.replan.ReplanResult;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** Writes for users what a new plan changes and why. */
+/** Writes for users what a re-planning changes in a mission run, and why. */
 final class PlanChangeMessages {
     private PlanChangeMessages() {}
 

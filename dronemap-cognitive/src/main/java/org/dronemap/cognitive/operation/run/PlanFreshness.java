@@ -15,7 +15,9 @@ import org.dronemap.cognitive.replan.ReassignedWaypoint;
 import org.dronemap.cognitive.replan.ReplanResult;
 import org.dronemap.core.drone.DroneId;
 
-/** Checks whether a plan still fits what has happened since it was requested. */
+/**
+ * Checks whether a re-planning still fits its mission run after what drones and waypoints did while it was computed.
+ */
 final class PlanFreshness {
     private PlanFreshness() {}
 

@@ -14,7 +14,7 @@ import org.dronemap.core.time.Pool;
 import org.dronemap.core.time.Time;
 
 /**
- * A plan for a situation.
+ * The background computation of a re-planning for a mission run: its situation, seed and time limit.
  *
  * @param request the number that its result comes back with
  * @param limit how long a better one is looked for; zero: the one at once

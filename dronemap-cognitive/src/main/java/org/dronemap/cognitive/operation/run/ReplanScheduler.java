@@ -27,7 +27,7 @@ import org.dronemap.cognitive.replan.ReplanSituation;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** Asks for a plan when one is needed, for how things stand now. */
+/** Requests a re-planning of a mission run when there is cause for one, from how things stand now. */
 final class ReplanScheduler {
     /** Till a plan at once can be flown. */
     private static final Duration AT_ONCE = Duration.ofSeconds(2);

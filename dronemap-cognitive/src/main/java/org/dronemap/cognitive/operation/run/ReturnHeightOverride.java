@@ -11,7 +11,7 @@ import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.ReturnHeight;
 import org.jspecify.annotations.Nullable;
 
-/** Sets a drone's return height for the run, and restores the owner's value afterwards. */
+/** Sets a drone's return height for a mission run, and restores the owner's value afterwards. */
 final class ReturnHeightOverride {
     private static final double SAME_METERS = 0.5;
     private static final int MOST_TRIES = 3;

@@ -16,7 +16,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
-/** Assigns each drone a return layer of its own, above all planned flight. */
+/** Assigns each drone of a mission run an altitude layer of its own to return in, above all planned flight. */
 final class ReturnLayers {
     /** What vehicles climb to where nobody says otherwise, in m over their homes. */
     private static final double LEAST_METERS = 15;

@@ -9,7 +9,7 @@ import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 
-/** Handles drones that flew without the cloud: waits for their reports, and accepts a fail-safe return. */
+/** Has a mission run wait for its drones' reports after a server restart, and accept that some return by fail-safe. */
 final class RunCloudLoss {
     /** Noted of a drone that has not said all since the restart. */
     private static final RunTrigger UNCLEAR = RunTrigger.RESTARTED;

@@ -10,7 +10,7 @@ import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.core.command.Outcome;
 
-/** Applies the outcome of a command to its drone. */
+/** Applies the outcome of a command to the drone of a mission run that it was given to. */
 final class RunCommandResults {
     private static final int MOST_TRIES = 3;
     private static final Duration BETWEEN_TRIES = Duration.ofSeconds(2);

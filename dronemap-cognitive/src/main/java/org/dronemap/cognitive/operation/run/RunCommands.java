@@ -14,8 +14,8 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.command.Command;
 
 /**
- * Chooses the next command of one drone by its stage and orders; commands nothing that is so already. What is already
- * so is never commanded.
+ * Chooses the next command for one drone of a mission run by its stage and the waypoints it is to visit. What is
+ * already so is never commanded.
  */
 final class RunCommands {
     /** Before it is called home once more. */

@@ -8,7 +8,7 @@ import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 
-/** Ends a run when all drones are at rest and nothing is left to do. */
+/** Ends a mission run when all drones are at rest and nothing is left to do. */
 final class RunCompletion {
     private RunCompletion() {}
 

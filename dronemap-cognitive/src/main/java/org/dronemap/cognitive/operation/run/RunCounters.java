@@ -1,6 +1,6 @@
 package org.dronemap.cognitive.operation.run;
 
-/** Counts on while a decision is made. Owned by its thread. */
+/** Counts a mission run's commands, re-plannings and other numbered items during one decision. Owned by its thread. */
 final class RunCounters {
     private int commands;
     private int requests;

@@ -9,7 +9,7 @@ import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.Sortie;
 
-/** Monitors one drone by each observation: control, link, and whether it is still in the air. */
+/** Monitors one drone of a mission run by each observation: control, link, and whether it is still in the air. */
 final class RunDroneMonitor {
     /** For control of a drone that has just come to the run, or was resumed. */
     private static final Duration UNTIL_HELD = Duration.ofSeconds(10);

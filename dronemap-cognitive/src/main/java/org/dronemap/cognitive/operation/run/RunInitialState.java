@@ -20,7 +20,7 @@ import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 
-/** A run that nothing has happened to yet. */
+/** Creates the initial state of a mission run from its order. */
 final class RunInitialState {
     private RunInitialState() {}
 

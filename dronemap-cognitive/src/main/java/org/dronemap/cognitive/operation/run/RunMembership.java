@@ -6,7 +6,7 @@ import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 
-/** Drones that come, come back, go, and are all called home. */
+/** Lets drones join, rejoin and leave a mission run, and calls all of them home when a user stops it. */
 final class RunMembership {
     private RunMembership() {}
 

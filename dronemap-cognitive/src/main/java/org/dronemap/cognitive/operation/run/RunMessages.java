@@ -3,7 +3,7 @@ package org.dronemap.cognitive.operation.run;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Formats counts and lists for texts of a run. */
+/** Formats counts and lists for a mission run's messages to users. */
 final class RunMessages {
     private static final int MOST_NAMED = 8;
 

@@ -24,7 +24,7 @@ import org.dronemap.core.mission.MissionComparison;
 import org.dronemap.core.operation.OperationObservation;
 import org.jspecify.annotations.Nullable;
 
-/** Reads observations of the run's drones from the scene. */
+/** Builds a mission run's observations of its drones from their live states. */
 final class RunObservations {
     private RunObservations() {}
 

@@ -12,7 +12,7 @@ import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.core.command.Command;
 
-/** Pauses and resumes a run: drones in the air hold, drones on the ground stay, landings go on. */
+/** Pauses and resumes a mission run: drones in the air hold, drones on the ground stay, landings go on. */
 final class RunPause {
     private RunPause() {}
 

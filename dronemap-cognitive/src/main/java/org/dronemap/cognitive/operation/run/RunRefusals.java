@@ -19,7 +19,7 @@ import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.OperationObjection;
 
-/** Reasons why a run cannot do now what somebody wants. */
+/** Decides whether a user's request to a mission run is refused now, and for which reason. */
 final class RunRefusals {
     private static final int MOST_DRONES = 100;
 

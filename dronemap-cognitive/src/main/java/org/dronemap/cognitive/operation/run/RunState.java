@@ -18,7 +18,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The state of a run, stored with each decision.
+ * The state of a mission run: drones, waypoints, settings and pending re-planning; stored with each decision.
  *
  * @param clock what it goes by
  * @param request the plan that is being computed

@@ -25,7 +25,10 @@ import org.dronemap.core.operation.OperationAction;
 import org.dronemap.core.operation.OperationDecision;
 import org.jspecify.annotations.Nullable;
 
-/** The next state while it is being worked out, and what is to be done. Made for one decision, owned by its thread. */
+/**
+ * A decision of a mission run in the making: the next state, and the actions to carry out. Made for one decision, owned
+ * by its thread.
+ */
 final class RunTransition {
     private final RunState before;
     private final Instant now;

@@ -9,7 +9,7 @@ import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.problem.Waypoint;
 
-/** Applies a user's request to a run. */
+/** Applies a user's request to the state of a mission run. */
 final class RunUserRequests {
     private RunUserRequests() {}
 

@@ -24,7 +24,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.mission.Altitude;
 
 /**
- * Looks some seconds ahead: plans keep drones apart, but who was held, called home or blown back is not where its plan says.
+ * Keeps the drones of a mission run apart in flight: looks seconds ahead, and holds or moves one of those in conflict.
  * Of two that would come too near to each other one waits until the other has passed.
  */
 final class SeparationGuard {

@@ -21,7 +21,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.WaypointTask;
 import org.jspecify.annotations.Nullable;
 
-/** Tracks the results of waypoint tasks by what drones report, so that no task is done twice. */
+/** Tracks by what drones report which waypoint tasks of a mission run are done, so that none is done twice. */
 final class TaskReports {
     /** What a drone says later is not said of this task. */
     private static final Duration LATEST = Duration.ofSeconds(10);

@@ -16,7 +16,7 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/** Gives a drone its part of a plan; who flies just that already is left in peace. */
+/** Gives a drone of a mission run its tour of a new plan, unless it flies just that already. */
 final class TourAssignment {
     private static final double SAME_METERS = 1.5;
     private static final double SAME_HEIGHT_METERS = 0.5;

@@ -17,7 +17,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.safety.SafetyTimes;
 import org.jspecify.annotations.Nullable;
 
-/** Forecasts trajectories of drones in the air over the next seconds. */
+/** Forecasts the trajectories of a mission run's drones over the next seconds, to find conflicts between them. */
 final class TrajectoryForecast {
     static final double STRIDE_SECONDS = 0.5;
     /** Vehicles that were told no other height climb to this before they fly home, in m over it. */

@@ -11,7 +11,7 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.mission.MissionItem;
 
-/** Coming to a waypoint: who is stopped just before it stands there, has not told of it, and somebody comes to it again. */
+/** Tells whether a mission run's drone will reach its next waypoint before it can stop, or has stopped just short. */
 final class WaypointArrival {
     /** It is there before it would stand: less than a second. */
     private static final double JUST_METERS = 4;

@@ -5,7 +5,7 @@ import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.plan.Stop;
 
-/** Keeps a waypoint from being on its way to two drones at once, while it passes from one to another. */
+/** Keeps a waypoint that passes from one drone of a mission run to another from being flown to by both. */
 final class WaypointTransfer {
     private WaypointTransfer() {}
 

@@ -7,7 +7,7 @@ import org.dronemap.core.command.Refusal;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Turns internal faults, such as an unhandled case, into refusals of that one command, and logs them. */
+/** Turns an internal error in handling one command into a refusal of that command, and logs it. */
 public final class InternalFaults {
     private static final Logger LOG = LoggerFactory.getLogger(InternalFaults.class);
     private static final Refusal WHY = new Refusal(

@@ -14,8 +14,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One thread that owns the state of a share of the drones. Tasks run in order; ticks run between them every 20 ms.
- * The queue is bounded: telemetry is refused above three quarters (counted), discrete tasks only when it is full.
+ * A thread with a task queue that owns the state of a share of the drones. Tasks run in order; ticks run between them
+ * every 20 ms. The queue is bounded: telemetry is refused above three quarters (counted), discrete tasks only when it
+ * is full.
  */
 public final class Lane implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Lane.class);

@@ -3,8 +3,8 @@ package org.dronemap.core.cloud.lane;
 import org.dronemap.core.drone.LinkState;
 
 /**
- * Last reception from one drone and the silence that is normal for it. Owned by the drone's lane, {@code silence} by
- * none.
+ * Measures how long nothing came from one drone, and how long silences on its link usually are. Owned by the drone's
+ * lane, {@code silence} by none.
  */
 public final class Liveness {
     /** A silence that a link once showed is normal for it for about so long. */

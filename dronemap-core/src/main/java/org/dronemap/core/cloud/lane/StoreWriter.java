@@ -11,7 +11,7 @@ import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One thread that writes to the store in order, so that no lane ever waits for a disk. Bounded; refusals are counted. */
+/** A thread that runs writes to the store in order, so that no lane waits for a disk. Bounded; refusals are counted. */
 public final class StoreWriter implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(StoreWriter.class);
     private static final int CAPACITY = 10_000;

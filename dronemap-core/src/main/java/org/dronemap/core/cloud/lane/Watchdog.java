@@ -4,7 +4,8 @@ import java.time.Duration;
 import org.dronemap.core.drone.LinkState;
 
 /**
- * Judges silence. Any valid message is life; a link that is never silent for long becomes suspect sooner.
+ * Time limits after which a drone's link counts as suspect or lost; judges a silence by them. Any valid message is
+ * life; a link that is never silent for long becomes suspect sooner.
  *
  * @param soonestSuspicion no shorter silence is suspect, however steady the link was
  * @param suspectAfter so long a silence is, whatever is normal for the link

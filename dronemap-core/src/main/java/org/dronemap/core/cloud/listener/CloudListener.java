@@ -6,7 +6,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.ControlState;
 
-/** Hears what changes, on a lane or on the journal's thread; must return at once. */
+/** Is told by the cloud manager of changes of drones, commands and control; must return at once. */
 public interface CloudListener {
     default void droneChanged(DroneState state) {}
 

@@ -7,7 +7,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.ControlState;
 
-/** Passes each change on to every listener. */
+/** A CloudListener that passes each change on to several listeners. */
 public record CompositeCloudListener(List<CloudListener> listeners) implements CloudListener {
     @Override
     public void droneChanged(DroneState state) {

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dronemap.core.drone.DroneId;
 
-/** Composite of all {@link UserPresence} ports: a user is present if any face says so; any thread. Any thread. */
+/** A UserPresence that asks several others: a user is present if any of them says so. Any thread. */
 public final class CompositeUserPresence implements UserPresence {
     private final List<UserPresence> faces = new CopyOnWriteArrayList<>();
 

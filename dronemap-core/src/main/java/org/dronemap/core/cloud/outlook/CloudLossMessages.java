@@ -9,7 +9,7 @@ import org.dronemap.core.drone.ParameterOverrides;
 import org.dronemap.core.safety.ReturnEnding;
 import org.jspecify.annotations.Nullable;
 
-/** Messages about what a drone does without the cloud. */
+/** Texts for users about what a drone does by itself when it loses the cloud. */
 public final class CloudLossMessages {
     public static final String CANNOT_BE_SET = "What this vehicle does without the cloud cannot be set.";
     private static final String CROSSING =

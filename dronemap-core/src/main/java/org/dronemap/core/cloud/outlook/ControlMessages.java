@@ -5,7 +5,7 @@ import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.LeaseHolder;
 import org.jspecify.annotations.Nullable;
 
-/** Messages about changes of control, for users who watch the drone. */
+/** Texts for users about changes of control of a drone. */
 public final class ControlMessages {
     private ControlMessages() {}
 

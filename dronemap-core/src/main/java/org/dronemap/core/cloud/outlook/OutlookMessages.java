@@ -10,7 +10,7 @@ import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.safety.ReturnEnding;
 import org.jspecify.annotations.Nullable;
 
-/** Messages on what happens to a drone in the air when control of it ends. */
+/** Texts for users about what happens to a flying drone when control of it ends. */
 public final class OutlookMessages {
     private final LeaseRules rules;
 

@@ -20,7 +20,7 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
-/** Rules by which the state of a drone allows or forbids a command; the gate and all pages share them. */
+/** Rules by which the state of a drone allows or forbids a command; used to check commands and to offer buttons. */
 public final class CommandRules {
     private static final Refusal ALREADY_ARMED = new Refusal(OutcomeCode.ALREADY_ARMED, "It is already armed.");
     private static final Refusal NOT_ARMED = new Refusal(OutcomeCode.NOT_ARMED, "It is not armed.");

@@ -7,7 +7,7 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 
 /**
- * A command whose outcome is not known, or not written yet. Owned by the drone's lane; the records may be read from
+ * Progress of one command under way, up to its stored outcome. Owned by the drone's lane; the records may be read from
  * anywhere.
  */
 public final class CommandTracker {

@@ -6,7 +6,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.drone.DroneId;
 
-/** Rules for commands that need no control of the drone. */
+/** Rules for which commands need no control of the drone: reading, safety, supervisors' interventions. */
 public final class ControlRules {
     private ControlRules() {}
 

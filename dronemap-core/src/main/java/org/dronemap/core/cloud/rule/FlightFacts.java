@@ -6,7 +6,7 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 
-/** Predicates on how a drone flies, also for vehicles without motors to arm or without modes. */
+/** Tests on a drone's state, such as whether it flies, also for vehicles without arming or without modes. */
 public final class FlightFacts {
     private FlightFacts() {}
 

@@ -5,8 +5,8 @@ import org.dronemap.core.drone.Position;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The height of the ground that a vehicle left, in metres above sea level: what bounds "above home" are measured from, since
- * users move homes. It goes with the vehicle while that stands, and stays as it is in the air. Owned by the drone's lane.
+ * Elevation above sea level of the ground that one drone took off from; bounds above home are measured from it. It goes
+ * with the vehicle while that stands, and stays as it is in the air. Owned by the drone's lane.
  */
 public final class GroundElevation {
     /** What an estimate of height wanders by while a vehicle stands; so near, home is that ground. */

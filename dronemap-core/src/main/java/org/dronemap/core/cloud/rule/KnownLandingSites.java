@@ -13,7 +13,8 @@ import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.safety.LandingSite;
 
 /**
- * Landing sites known for one drone: where it stood since the start, and its rally points. Owned by the drone's lane.
+ * Places where one drone can land: where it stood since the server started, and its rally points. Owned by the drone's
+ * lane.
  */
 public final class KnownLandingSites {
     private static final int MOST = 8;

@@ -14,7 +14,10 @@ import org.dronemap.core.mission.MissionComparison;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/** Follows the mission on one vehicle and notices what changed without the cloud. Owned by the drone's lane. */
+/**
+ * Tracks the mission on board one vehicle and its progress, and notices changes made outside this cloud. Owned by the
+ * drone's lane.
+ */
 public final class MissionTracker {
     private final Consumer<KnownMission> remember;
     private final TreeSet<Integer> reached = new TreeSet<>();

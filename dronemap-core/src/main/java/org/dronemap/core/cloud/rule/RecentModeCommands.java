@@ -10,7 +10,9 @@ import org.dronemap.core.command.Contention;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 
-/** Recently ended commands to one drone that may still change its mode; any thread. Any thread. */
+/**
+ * Commands to one drone that just ended and may still change its mode, so that no pilot is suspected of it. Any thread.
+ */
 public final class RecentModeCommands {
     private static final long EFFECT_NANOS = Duration.ofSeconds(5).toNanos();
     private static final int MOST = 16;

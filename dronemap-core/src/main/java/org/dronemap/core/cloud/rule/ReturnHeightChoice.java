@@ -4,7 +4,9 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.DoublePredicate;
 
-/** Picks how high one drone flies home so that its way crosses none of the others' at their height. All in metres. */
+/**
+ * Chooses a height at which one drone flies home without meeting other drones flying home; in metres. All in metres.
+ */
 public final class ReturnHeightChoice {
     static final double APART_METERS = 5;
     public static final double NEAR_METERS = 2_000;

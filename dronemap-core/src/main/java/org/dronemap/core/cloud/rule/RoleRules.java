@@ -9,7 +9,7 @@ import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 
-/** Rules for the kinds of commands that each role may give; the gate and all pages share them. */
+/** Rules for which kinds of commands each user role may give. */
 public final class RoleRules {
     private static final Refusal MAY_NOT_COMMAND = new Refusal(
             OutcomeCode.ROLE_MAY_NOT_COMMAND,

@@ -7,10 +7,7 @@ import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandCancel;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Carries one MAV_CMD out: sent with rising confirmation, as often as its retry class allows, until it is acknowledged or
- * seen to be done; a refusal waits for the sentence that the vehicle says about it.
- */
+/** Sends one MAV_CMD to a vehicle, repeated as its retry class allows, until acknowledged or seen to be done. */
 public final class CommandExchange implements Exchange {
     private static final long DEADLINE_NANOS = 8_000_000_000L;
     private static final long VERIFIED_DEADLINE_NANOS = 15_000_000_000L;

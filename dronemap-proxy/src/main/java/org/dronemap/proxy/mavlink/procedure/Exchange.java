@@ -6,8 +6,8 @@ import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A procedure under way with one vehicle, fed on the drone's lane until it has an outcome; times are monotonic ns. Fed
- * on the drone's lane until it has an outcome; times are monotonic ns.
+ * A request-response procedure with one MAVLink vehicle (a command or a transfer), which ends with an outcome. Fed on
+ * the drone's lane until it has an outcome; times are monotonic ns.
  */
 public interface Exchange {
     void start(long nowNanos);

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.mavlink.procedure;
 
-/** Hears how far an exchange is. */
+/** Is told of the acceptance and progress of an exchange with a vehicle. */
 public interface ExchangeObserver {
     ExchangeObserver NONE = new ExchangeObserver() {};
 

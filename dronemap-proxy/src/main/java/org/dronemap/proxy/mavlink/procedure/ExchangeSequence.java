@@ -9,7 +9,7 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
-/** Runs exchanges one after the other and ends at the first that does not succeed, unless a step says otherwise. */
+/** Runs several exchanges with a vehicle one after the other, and ends at the first that fails. */
 public final class ExchangeSequence implements Exchange {
     private final ArrayDeque<Step> steps;
     private @Nullable Step step;

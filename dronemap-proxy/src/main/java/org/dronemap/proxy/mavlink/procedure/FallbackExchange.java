@@ -7,7 +7,7 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
-/** Runs a second exchange when the first one ends with an outcome that {@code tryOther} accepts. */
+/** Runs a second exchange with a vehicle when the first one ends with a certain outcome. */
 public final class FallbackExchange implements Exchange {
     private final Predicate<Outcome> tryOther;
     private @Nullable Supplier<Exchange> other;

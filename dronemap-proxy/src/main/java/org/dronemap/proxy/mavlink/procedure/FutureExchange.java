@@ -5,7 +5,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
-/** Waits for something of the cloud's own, which the vehicle has no part in. */
+/** An exchange that sends nothing to the vehicle, but waits for work of the cloud, such as a write to the store. */
 public final class FutureExchange implements Exchange {
     private static final long LONGEST_NANOS = 3_000_000_000L;
 

@@ -9,9 +9,9 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.GimbalManagerSetPitchyaw;
 
 /**
- * Points the camera of a vehicle that is led, if it has told of a gimbal, and lets go of it when nobody says any more where it
- * shall look. Says nothing to vehicles without one, and nothing once somebody else has control: where the camera looks is
- * theirs then. Owned by the drone's lane.
+ * Points the camera gimbal of a steered MAVLink vehicle where setpoints look, and releases it when they end. Says
+ * nothing to vehicles without one, and nothing once somebody else has control: where the camera looks is theirs then.
+ * Owned by the drone's lane.
  */
 public final class GimbalControl {
     private static final long SECOND_NANOS = 1_000_000_000L;

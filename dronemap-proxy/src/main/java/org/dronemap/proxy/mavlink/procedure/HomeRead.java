@@ -9,8 +9,8 @@ import org.dronemap.mavlink.message.HomePosition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Asks a vehicle where its home is until it says the one that is waited for; a vehicle that keeps saying another one has
- * not taken it. What was under way before the question may be said still.
+ * Requests a vehicle's home position until it reports the expected one, or keeps reporting another. What was under way
+ * before the question may be said still.
  */
 public final class HomeRead implements Exchange {
     private static final int REQUEST_MESSAGE = 512;

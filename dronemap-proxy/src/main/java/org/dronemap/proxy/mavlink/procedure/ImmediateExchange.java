@@ -5,7 +5,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 
-/** An exchange without a wire: its outcome is known when it begins. */
+/** An exchange that sends nothing to the vehicle: its outcome is known when it begins. */
 public final class ImmediateExchange implements Exchange {
     private final Supplier<Outcome> verdict;
     private @Nullable Outcome outcome;

@@ -4,8 +4,8 @@ import org.dronemap.mavlink.message.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
 
 /**
- * MISSION_ITEM, with degrees as floats, and MISSION_ITEM_INT, with ten millionths of a degree, turned into each other. What
- * is no place, since its frame is none of the globe's or its command has numbers there, stays the number that it is.
+ * Converts between MAVLink's old MISSION_ITEM (degrees as floats) and MISSION_ITEM_INT (1e-7 degrees). What is no
+ * place, since its frame is none of the globe's or its command has numbers there, stays the number that it is.
  */
 public final class LegacyMissionItems {
     private static final double E7 = 1e7;

@@ -10,10 +10,7 @@ import org.dronemap.mavlink.message.LogRequestData;
 import org.dronemap.mavlink.message.LogRequestEnd;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Fetches a log block by block: the vehicle pours a block out, then its gaps are asked for; goes on after a break of the
- * link, and where an earlier attempt ended.
- */
+/** Downloads one onboard log of a vehicle block by block, and resumes after a break of the link. */
 public final class LogDownload implements Exchange {
     private static final int PIECE = LogSink.PIECE_BYTES;
     private static final int BLOCK_PIECES = 512;

@@ -13,8 +13,8 @@ import org.dronemap.mavlink.message.LogRequestList;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lists the logs of a vehicle and asks again for those that did not arrive. Never asks for 0 to 0, of which some
- * autopilots never recover.
+ * Downloads the list of a vehicle's onboard logs, and asks again for entries that did not arrive. Never asks for 0 to
+ * 0, of which some autopilots never recover.
  */
 public final class LogListDownload implements Exchange {
     private static final int LAST = 0xFFFF;

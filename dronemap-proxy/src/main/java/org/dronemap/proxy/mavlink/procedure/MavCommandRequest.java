@@ -8,7 +8,7 @@ import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 
 /**
- * One MAV_CMD to be carried out.
+ * One MAV_CMD to be sent to a vehicle, with its retry class and how its completion is recognised.
  *
  * @param message the message for the given confirmation count
  * @param command the MAV_CMD that the acknowledgement names

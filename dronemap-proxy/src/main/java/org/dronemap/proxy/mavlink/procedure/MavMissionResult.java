@@ -3,7 +3,7 @@ package org.dronemap.proxy.mavlink.procedure;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
 
-/** MAV_MISSION_RESULT in words. */
+/** Translates MAV_MISSION_RESULT, a vehicle's answer in the mission protocol, into words and refusals. */
 final class MavMissionResult {
     static final int ACCEPTED = 0;
     static final int ERROR = 1;

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.mavlink.procedure;
 
-/** MAV_MISSION_TYPE: what a list of items on a vehicle is. */
+/** MAV_MISSION_TYPE: whether a list of items on a vehicle is its mission, its fence or its rally points. */
 public enum MavMissionType {
     MISSION(0),
     FENCE(1),

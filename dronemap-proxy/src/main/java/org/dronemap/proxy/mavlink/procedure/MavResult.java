@@ -3,7 +3,7 @@ package org.dronemap.proxy.mavlink.procedure;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
 
-/** MAV_RESULT in words. */
+/** Translates MAV_RESULT, a vehicle's answer to a command, into words and refusals. */
 final class MavResult {
     static final int ACCEPTED = 0;
     static final int UNSUPPORTED = 3;

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.dronemap.mavlink.Message;
 
 /**
- * The vehicle that a procedure talks to: ids, send path, round trip time and the send times of commands.
+ * The MAVLink vehicle that exchanges are sent to: its ids, send path, round trip time and command send times.
  *
  * @param way gives how long its answers take on the link that is in use now
  * @param ledger which commands crossed the wire when

@@ -18,8 +18,8 @@ import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.VfrHud;
 
 /**
- * Asks a vehicle for the messages that the cloud lives on, again when they do not flow, and in the old way where the new
- * one is not known. Owned by the drone's lane.
+ * Asks a MAVLink vehicle for the telemetry messages that the cloud needs, again when they stop or were refused. Owned
+ * by the drone's lane.
  */
 public final class MessageRates {
     private static final int SET_MESSAGE_INTERVAL = 511;

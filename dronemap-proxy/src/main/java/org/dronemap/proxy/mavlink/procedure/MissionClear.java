@@ -6,7 +6,7 @@ import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionClearAll;
 import org.jspecify.annotations.Nullable;
 
-/** Asks a vehicle to forget its mission (or fence, or rally points); whether it did is for a read-back to say. */
+/** Asks a vehicle to delete its mission, fence or rally points; a read-back has to confirm it. */
 public final class MissionClear implements Exchange {
     private static final long LEAST_PAUSE_NANOS = 500_000_000L;
 

@@ -14,8 +14,8 @@ import org.dronemap.mavlink.message.MissionRequestList;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the mission of a vehicle (or its fence, or rally points), whole or a part: list, count, each item in order,
- * thanks; goes on where it was after a break of the link. Vehicles without integer items are heard too.
+ * Downloads the mission, fence or rally points of a vehicle, whole or in part; resumes after a break of the link.
+ * Vehicles without integer items are heard too.
  */
 public final class MissionDownload implements Exchange {
     private static final long LEAST_PAUSE_NANOS = 500_000_000L;

@@ -5,7 +5,7 @@ import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionCurrent;
 
-/** The number that some vehicles give their mission anew whenever it changes; it says nothing about what is in it. */
+/** Reads MAVLink's opaque mission id, a number that some vehicles change whenever their mission changes. */
 public final class MissionOpaqueId {
     /** The vehicle gives none. */
     public static final long NONE = 0;

@@ -14,7 +14,7 @@ import org.dronemap.mavlink.message.MissionWritePartialList;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes a mission (or fence, or rally points) to a vehicle, whole or a part, which asks for the items one by one. Items
+ * Uploads a mission, fence or rally points, whole or in part, to a vehicle, which requests the items one by one. Items
  * given are the wire's, numbered from 0. A transfer that stalls is begun again; when only the last acknowledgement is
  * missing, a read-back must tell.
  */

@@ -8,7 +8,7 @@ import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.ParamValue;
 import org.jspecify.annotations.Nullable;
 
-/** Reads a whole-number parameter, changes it where it must, and sees that the change came about. */
+/** Reads one integer parameter of a vehicle, sets it to a value computed from the old one, and verifies it. */
 public final class ParameterChange implements Exchange {
     private static final int TRIES = 3;
     private static final long BETWEEN_TRIES_NANOS = 500_000_000L;

@@ -6,7 +6,7 @@ import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.mavlink.message.ParamValue;
 
 /**
- * Numbers of parameters in the float that carries them.
+ * Encodes and decodes parameter values in the float that carries them, as ArduPilot (value) or PX4 (bits) does.
  *
  * @param bytewise whole numbers travel as their bits (PX4), not as their value (ArduPilot)
  */

@@ -12,7 +12,7 @@ import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamValue;
 import org.jspecify.annotations.Nullable;
 
-/** Reads all parameters of a vehicle: asks for the list, then for its gaps one by one; goes on after a break of the link. */
+/** Downloads all parameters of a vehicle: requests the list, then each one that is missing. */
 public final class ParameterDownload implements Exchange {
     static final int MOST_PARAMETERS = 10_000;
     private static final long IDLE_NANOS = 1_000_000_000L;

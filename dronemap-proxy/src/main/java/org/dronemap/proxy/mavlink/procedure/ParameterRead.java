@@ -12,8 +12,8 @@ import org.dronemap.mavlink.message.ParamValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Asks for a few parameters all at once. A vehicle says nothing to a name that it does not know: what it has not told after some
- * tries, while it told others, it does not have.
+ * Reads a few parameters of a vehicle by name, all at once. A vehicle says nothing to a name that it does not know:
+ * what it has not told after some tries, while it told others, it does not have.
  */
 public final class ParameterRead implements Exchange {
     private static final int TRIES = 4;

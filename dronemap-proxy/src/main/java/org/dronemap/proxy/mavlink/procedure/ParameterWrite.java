@@ -18,8 +18,8 @@ import org.dronemap.mavlink.message.ParamValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes parameters and reads each back: first asks for those whose type is not known, then sets, lets the wire settle,
- * reads again, and repeats for what is not yet as wanted. Goes on after a break of the link.
+ * Writes parameters to a vehicle and reads each one back, with retries until all are as wanted. Goes on after a break
+ * of the link.
  */
 public final class ParameterWrite implements Exchange {
     private static final int IN_FLIGHT = 16;

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.mavlink.procedure;
 
-/** One part of a longer whole: what it tells of its progress counts on from the steps before it. */
+/** Observer of one step of a longer exchange, which reports its progress as a part of the whole. */
 public record PartialProgress(ExchangeObserver whole, int stepsBefore, int stepsInAll) implements ExchangeObserver {
     @Override
     public void accepted() {

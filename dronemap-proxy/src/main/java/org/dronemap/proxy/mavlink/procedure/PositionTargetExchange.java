@@ -6,7 +6,7 @@ import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.jspecify.annotations.Nullable;
 
-/** Sends a place to fly to as a position target, which is never acknowledged: said three times, then believed. */
+/** Sends a place to fly to as a position target, three times, since a vehicle never acknowledges it. */
 public final class PositionTargetExchange implements Exchange {
     private static final int TIMES = 3;
     private static final long BETWEEN_NANOS = 300_000_000L;

@@ -5,7 +5,7 @@ import java.util.Map;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.jspecify.annotations.Nullable;
 
-/** Items of a mission that were asked for before all in front of them had come, and those of them that came early. */
+/** The mission items that a download requested ahead of their turn, and those that arrived early. */
 final class PrefetchedItems {
     private final Map<Integer, Long> askedNanos = new HashMap<>();
     private final Map<Integer, MissionItemInt> early = new HashMap<>();

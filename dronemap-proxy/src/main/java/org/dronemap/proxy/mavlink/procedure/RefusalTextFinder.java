@@ -7,7 +7,7 @@ import java.util.Set;
 import org.dronemap.core.drone.Severity;
 import org.jspecify.annotations.Nullable;
 
-/** Finds the sentence with which a vehicle explains a refusal; it may come shortly before or after it. */
+/** Finds the STATUSTEXT by which a vehicle explains why it refused a command, shortly before or after. */
 final class RefusalTextFinder {
     private static final long BEFORE_NANOS = 500_000_000L;
     private static final long AFTER_NANOS = 1_000_000_000L;

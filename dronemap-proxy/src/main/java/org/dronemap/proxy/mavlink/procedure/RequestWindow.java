@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 
-/** Many questions of one kind, a few of them on the wire at a time, each asked again until it is answered. */
+/** A sliding window of requests to a vehicle (such as missing parameters), each repeated until it is answered. */
 final class RequestWindow<K> {
     private final int width;
     private final RetrySchedule pace;

@@ -3,8 +3,8 @@ package org.dronemap.proxy.mavlink.procedure;
 import java.util.Locale;
 
 /**
- * The retry schedule of one request, fitted to the round trip of the link and at most nine tries long. Fixed when the
- * question is first asked, so that the stated deadline holds.
+ * When a request to a vehicle is repeated and given up, from the round trip time of its link; at most nine tries. Fixed
+ * when the question is first asked, so that the stated deadline holds.
  */
 record RetrySchedule(long firstNanos, long longestNanos, long deadlineNanos) {
     private static final int TRIES = 9;

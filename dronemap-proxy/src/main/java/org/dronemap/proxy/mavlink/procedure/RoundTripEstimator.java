@@ -3,8 +3,8 @@ package org.dronemap.proxy.mavlink.procedure;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An estimate of the round trip time on one link, smoothed as in RFC 6298, section 2; times in ns. Measure only answers
- * that belong to one question without doubt. Owned by the session's lane.
+ * Estimates the round trip time of one vehicle link, smoothed as in RFC 6298, section 2; times in ns. Measure only
+ * answers that belong to one question without doubt. Owned by the session's lane.
  */
 public final class RoundTripEstimator {
     private static final double SMOOTHING = 1.0 / 8;

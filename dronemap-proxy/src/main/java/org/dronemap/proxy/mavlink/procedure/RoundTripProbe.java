@@ -5,8 +5,8 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Timesync;
 
 /**
- * Measures the round trip with TIMESYNC questions, which autopilots answer at once with the time that was in them; on a
- * vehicle that never answers it asks rarely. Owned by the session's lane.
+ * Measures the round trip time to a vehicle by TIMESYNC requests, rarely where they are never answered. Owned by the
+ * session's lane.
  */
 public final class RoundTripProbe {
     private static final long BETWEEN_NANOS = 2_000_000_000L;

@@ -7,7 +7,7 @@ import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionSetCurrent;
 import org.jspecify.annotations.Nullable;
 
-/** Makes a vehicle head for a mission item, seen by its MISSION_CURRENT. */
+/** Makes a vehicle continue its mission at a given item, and waits until its MISSION_CURRENT shows it. */
 public final class SetCurrentItem implements Exchange {
     private static final int TRIES = 4;
     private static final long BETWEEN_TRIES_NANOS = 500_000_000L;

@@ -3,10 +3,7 @@ package org.dronemap.proxy.mavlink.procedure;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Timesync;
 
-/**
- * Answers a vehicle that wants to know how its clock stands to the cloud's: with the monotonic time in ns that the cloud
- * asks with, too. Owned by the session's lane.
- */
+/** Answers the TIMESYNC requests of a vehicle with the server's monotonic time. Owned by the session's lane. */
 public final class TimesyncResponder {
     /** Who asks more often than this is not after the time. */
     private static final long BETWEEN_NANOS = 20_000_000L;

@@ -4,8 +4,8 @@ import org.dronemap.core.command.Outcome;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The timeout of a transfer: short while the vehicle is heard but does not answer, long while the link is cut. Times in
- * ns.
+ * Decides when a transfer with a vehicle is given up: soon if it is heard but silent on it, later if the link is cut.
+ * Times in ns.
  */
 final class TransferTimeout {
     /** A break of the link may last so long. */

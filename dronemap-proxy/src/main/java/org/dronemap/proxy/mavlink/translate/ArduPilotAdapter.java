@@ -32,10 +32,7 @@ import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.dronemap.proxy.mavlink.procedure.PositionTargetExchange;
 import org.jspecify.annotations.Nullable;
 
-/**
- * ArduPilot's ways: numbered modes, GUIDED before take-off and go-to, home as mission item 0, a mission that is
- * overwritten in place.
- */
+/** The adapter for ArduPilot vehicles: translates commands into exchanges that suit ArduPilot's modes and missions. */
 final class ArduPilotAdapter implements AutopilotAdapter {
     private static final String AUTO = "AUTO";
     private static final String GUIDED = "GUIDED";

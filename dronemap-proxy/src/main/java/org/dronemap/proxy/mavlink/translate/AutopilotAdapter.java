@@ -14,8 +14,8 @@ import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An adapter for one autopilot family: its modes, capabilities, and commands as message exchanges. Stateless; any
- * thread.
+ * Adapts the server to one autopilot family: flight modes, capabilities, and commands as MAVLink exchanges. Stateless;
+ * any thread.
  */
 public interface AutopilotAdapter {
     /** The family of a MAV_AUTOPILOT number. */

@@ -17,7 +17,7 @@ import org.dronemap.proxy.mavlink.procedure.ImmediateExchange;
 import org.dronemap.proxy.mavlink.procedure.MavCommandRequest;
 import org.dronemap.proxy.mavlink.procedure.ParameterChange;
 
-/** The parts that the plans of all autopilots are made of. */
+/** Makes the exchanges (arm, change mode, take a picture) that the adapters of all autopilots share. */
 final class BasicExchanges {
     static final int DO_SET_MODE = 176;
     static final int DO_REPOSITION = 192;

@@ -23,7 +23,9 @@ import org.dronemap.proxy.mavlink.procedure.ParameterRead;
 import org.dronemap.proxy.mavlink.procedure.ParameterWrite;
 import org.jspecify.annotations.Nullable;
 
-/** Sets what a vehicle does by itself when no ground station is heard any more, and puts back what was there before. */
+/**
+ * Makes the exchanges that set a vehicle's own reaction to losing the ground station, and restore its old parameters.
+ */
 final class CloudLossExchanges {
     private CloudLossExchanges() {}
 

@@ -9,9 +9,9 @@ import org.dronemap.proxy.mavlink.translate.CloudLossParameters.Setting;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The parameter sets by which each kind of vehicle comes home or lands when it loses the cloud. Only what concerns
- * nothing but the ground station gets its time; what a vehicle does without its remote control as well is made
- * stricter, never laxer.
+ * The parameter values by which each kind of vehicle returns or lands by itself when it loses the ground station. Only
+ * what concerns nothing but the ground station gets its time; what a vehicle does without its remote control as well is
+ * made stricter, never laxer.
  */
 final class CloudLossParameterSets {
     private static final String HOME = "it returns home";

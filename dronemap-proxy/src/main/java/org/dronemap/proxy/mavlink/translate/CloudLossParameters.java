@@ -9,7 +9,7 @@ import org.dronemap.core.drone.CloudLossAction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The parameters of one kind of vehicle for the loss of the ground station, and the values they are set to.
+ * The parameters of one kind of vehicle that govern loss of the ground station, and the values to set.
  *
  * @param settings of the cloud's loss
  * @param height how high it flies home; null: it cannot be set

@@ -7,7 +7,7 @@ import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 
 /**
- * The context in which one command is carried out: vehicle status, parameters, target and listeners.
+ * The context of one command to a MAVLink vehicle: its status and parameters, the target, and the listeners.
  *
  * @param parameters what the vehicle said of its parameters
  * @param news hears what was found out on the way

@@ -9,7 +9,7 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MavMissionType;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 
-/** Fences and rally points to items of the wire and back; items of other kinds are left out. */
+/** Converts fences and rally points between the cloud's model and MAVLink mission items. */
 public final class FenceCodec {
     private static final int POLYGON_INSIDE = 5001;
     private static final int POLYGON_OUTSIDE = 5002;

@@ -16,7 +16,7 @@ import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.PartialProgress;
 
-/** Fences and rally points: written like missions, read back and compared. */
+/** Makes the exchanges that upload fences and rally points to a vehicle, or read them back and compare them. */
 final class FenceExchanges {
     private FenceExchanges() {}
 

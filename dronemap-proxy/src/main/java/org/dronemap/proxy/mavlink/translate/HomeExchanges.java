@@ -18,7 +18,7 @@ import org.dronemap.proxy.mavlink.procedure.HomeRead;
 import org.dronemap.proxy.mavlink.procedure.MavCommandRequest;
 import org.jspecify.annotations.Nullable;
 
-/** Makes the exchanges that set a vehicle's home and read it until the vehicle reports it. */
+/** Makes the exchanges that set or read a vehicle's home position. */
 final class HomeExchanges {
     private static final int DO_SET_HOME = 179;
     private static final int FRAME_GLOBAL = 0;

@@ -6,7 +6,7 @@ import org.dronemap.core.drone.Identification;
 import org.dronemap.mavlink.message.AutopilotVersion;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the identification of a vehicle out of its AUTOPILOT_VERSION, type and autopilot. */
+/** Derives a vehicle's identification (hardware id, firmware, kind) from its AUTOPILOT_VERSION and heartbeat. */
 public final class IdentificationReader {
     private IdentificationReader() {}
 

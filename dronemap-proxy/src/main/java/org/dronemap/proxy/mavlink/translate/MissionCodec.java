@@ -11,7 +11,7 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.jspecify.annotations.Nullable;
 
-/** Missions to items of the wire and back. */
+/** Converts missions between the cloud's model and MAVLink mission items. */
 public final class MissionCodec {
     static final int FRAME_GLOBAL = 0;
     static final int FRAME_RELATIVE = 3;

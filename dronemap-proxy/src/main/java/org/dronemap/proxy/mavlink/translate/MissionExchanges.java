@@ -19,7 +19,10 @@ import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload.Span;
 import org.dronemap.proxy.mavlink.procedure.PartialProgress;
 
-/** Missions written, whole or where they differ, read back and compared; and taken away. Made for one command. */
+/**
+ * Makes the exchanges that upload a mission to a vehicle, whole or only where it differs, verify or clear it. Made for
+ * one command.
+ */
 final class MissionExchanges {
     private final CommandContext cockpit;
     private final int itemsBefore;

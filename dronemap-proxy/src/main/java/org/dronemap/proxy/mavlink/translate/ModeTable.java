@@ -9,7 +9,10 @@ import java.util.Set;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.jspecify.annotations.Nullable;
 
-/** Flight modes of one firmware: the number in custom_mode and the name that users know, both ways. Immutable. */
+/**
+ * The flight modes of one ArduPilot vehicle type: the number in custom_mode and the name, in both directions.
+ * Immutable.
+ */
 final class ModeTable {
     static final ModeTable EMPTY = new ModeTable(Map.of());
 

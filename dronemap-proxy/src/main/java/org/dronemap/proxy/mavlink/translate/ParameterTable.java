@@ -12,7 +12,8 @@ import org.dronemap.proxy.mavlink.procedure.ParameterCodec;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The parameters that a vehicle has reported, whoever asked for them; publishes each change. Owned by the drone's lane.
+ * The parameters that one vehicle has reported to the server; publishes each change as a drone event. Owned by the
+ * drone's lane.
  */
 public final class ParameterTable {
     private static final int MOST = 10_000;

@@ -11,7 +11,7 @@ import org.dronemap.mavlink.message.NamedValueFloat;
 import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.jspecify.annotations.Nullable;
 
-/** Translates messages about cameras, servos and sensors into drone events. Stateless. */
+/** Translates MAVLink messages about cameras, servos and sensors of a vehicle into drone events. Stateless. */
 final class PayloadTranslator {
     private static final int AUXILIARY = 1;
 

@@ -33,7 +33,7 @@ import org.dronemap.proxy.mavlink.procedure.ParameterChange;
 import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
 import org.jspecify.annotations.Nullable;
 
-/** PX4's ways: main and sub mode, take-off and go-to at altitudes above mean sea level, no home in the mission. */
+/** The adapter for PX4 vehicles: translates commands into exchanges that suit PX4's modes and altitudes. */
 final class Px4Adapter implements AutopilotAdapter {
     private static final int NAV_TAKEOFF = 22;
     private static final int FRAME_GLOBAL_INT = 5;

@@ -15,7 +15,7 @@ import org.dronemap.proxy.mavlink.procedure.ImmediateExchange;
 import org.dronemap.proxy.mavlink.procedure.ParameterRead;
 import org.dronemap.proxy.mavlink.procedure.ParameterWrite;
 
-/** Sets the parameter that says how high a copter flies home, and tells what it was before. */
+/** Makes the exchange that sets the height at which a copter flies home, and reports the height set before. */
 final class ReturnHeightExchanges {
     private ReturnHeightExchanges() {}
 

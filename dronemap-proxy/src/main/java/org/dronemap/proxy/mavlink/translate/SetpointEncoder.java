@@ -11,10 +11,11 @@ import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 
 /**
- * Says setpoints in MAVLink. Speeds and places are position targets whose mask says what counts
- * (<a href="https://mavlink.io/en/messages/common.html#POSITION_TARGET_TYPEMASK">POSITION_TARGET_TYPEMASK</a>), sticks are
- * MANUAL_CONTROL, whose middle of the throttle is 500; ground vehicles take their throttle from z and their steering from y.
- * Immutable.
+ * Encodes the cloud's setpoints as MAVLink messages to a vehicle: position targets and MANUAL_CONTROL. Speeds and
+ * places are position targets whose mask says what counts (<a
+ * href="https://mavlink.io/en/messages/common.html#POSITION_TARGET_TYPEMASK">POSITION_TARGET_TYPEMASK</a>), sticks are
+ * MANUAL_CONTROL, whose middle of the throttle is 500; ground vehicles take their throttle from z and their steering
+ * from y. Immutable.
  */
 final class SetpointEncoder {
     private static final int FRAME_LOCAL_NED = 1;

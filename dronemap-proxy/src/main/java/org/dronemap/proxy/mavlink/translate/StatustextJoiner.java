@@ -5,7 +5,7 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Statustext;
 
-/** Joins the chunks of long STATUSTEXTs to whole sentences. Owned by the drone's lane. */
+/** Joins the chunks of long STATUSTEXT messages of a vehicle into whole sentences. Owned by the drone's lane. */
 final class StatustextJoiner {
     private static final int CHUNK = 50;
     private static final int LONGEST = 500;

@@ -20,7 +20,10 @@ import org.dronemap.mavlink.message.Wind;
 import org.dronemap.mavlink.message.WindCov;
 import org.jspecify.annotations.Nullable;
 
-/** Raw fields to facts; what MAVLink marks as unknown becomes unknown, never 0. Owned by the drone's lane. */
+/**
+ * Decodes the fields of MAVLink telemetry into the cloud's values; what is marked unknown stays unknown, never 0. Owned
+ * by the drone's lane.
+ */
 final class TelemetryDecoder {
     private static final double E7 = 1e7;
     private static final int UNKNOWN_U16 = 65_535;

@@ -23,7 +23,10 @@ import org.dronemap.mavlink.message.Wind;
 import org.dronemap.mavlink.message.WindCov;
 import org.jspecify.annotations.Nullable;
 
-/** Turns what an autopilot says into events, and keeps what commands depend on. Owned by the drone's lane. */
+/**
+ * Translates the telemetry of a MAVLink vehicle into drone events, and updates the status that commands depend on.
+ * Owned by the drone's lane.
+ */
 public final class TelemetryTranslator {
     private final AutopilotAdapter autopilot;
     private final VehicleStatus status;

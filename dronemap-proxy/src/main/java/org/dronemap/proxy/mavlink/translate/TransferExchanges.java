@@ -12,7 +12,7 @@ import org.dronemap.proxy.mavlink.procedure.LogListDownload;
 import org.dronemap.proxy.mavlink.procedure.ParameterDownload;
 import org.dronemap.proxy.mavlink.procedure.ParameterWrite;
 
-/** Makes the exchanges for parameters and logs, which are the same for every autopilot. */
+/** Makes the exchanges that read and write parameters and download logs, the same for every autopilot. */
 final class TransferExchanges {
     private TransferExchanges() {}
 

@@ -16,7 +16,7 @@ import org.dronemap.proxy.mavlink.procedure.ImmediateExchange;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.jspecify.annotations.Nullable;
 
-/** An autopilot whose ways are not known here: shown, not commanded. */
+/** The adapter for vehicles with an unsupported autopilot: they are shown, but not commanded. */
 final class UnknownAutopilotAdapter implements AutopilotAdapter {
     private final int number;
 

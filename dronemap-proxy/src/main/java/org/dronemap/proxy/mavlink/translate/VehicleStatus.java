@@ -9,7 +9,10 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.jspecify.annotations.Nullable;
 
-/** The last reported status of one vehicle, as far as commands depend on it. Owned by the drone's lane. */
+/**
+ * The last reported status of one MAVLink vehicle (mode, armed, position, home, mission), for its commands. Owned by
+ * the drone's lane.
+ */
 public final class VehicleStatus {
     private static final int ARMED_FLAG = 128;
     private static final double CLEARLY_ABOVE_METERS = 1;

@@ -4,7 +4,7 @@ import java.util.Set;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.mavlink.message.Heartbeat;
 
-/** MAV_TYPE: which are vehicles, and of what kind. */
+/** Tells from MAV_TYPE whether a MAVLink component is a vehicle, and of what kind. */
 public final class VehicleType {
     static final int FIXED_WING = 1;
     static final int QUADROTOR = 2;

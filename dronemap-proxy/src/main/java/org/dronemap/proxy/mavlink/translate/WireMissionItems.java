@@ -11,7 +11,7 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload.Span;
 import org.jspecify.annotations.Nullable;
 
-/** Mission items as they are on the wire, compared and boiled down to a hash; every setting of an item counts. */
+/** Hashes and compares missions as MAVLink items, to tell whether a vehicle still has the mission that is known. */
 public final class WireMissionItems {
     private static final double SAME_VALUE = 0.05;
     private static final int SAME_PLACE_E7 = 1;

@@ -3,7 +3,7 @@ package org.dronemap.proxy.roslink.wire;
 import java.util.Base64;
 import java.util.Optional;
 
-/** Base64 as bridges write it: in one piece, or broken into lines. */
+/** Decodes Base64 as ROSLink bridges send it, on one line or broken into several. */
 public final class Base64Text {
     private Base64Text() {}
 

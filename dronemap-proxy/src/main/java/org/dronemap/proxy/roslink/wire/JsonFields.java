@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 
-/** The fields of a JSON object as bridges fill them: numbers perhaps in strings, anything missing, null or not finite. */
+/** Reads JSON fields leniently, as ROSLink bridges fill them: numbers as strings, missing, null or not finite. */
 record JsonFields(JsonNode object) {
     private static final int LONGEST_TEXT = 64;
     private static final double LARGEST_WHOLE = 1L << 53;

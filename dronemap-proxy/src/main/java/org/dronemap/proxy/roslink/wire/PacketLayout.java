@@ -1,6 +1,6 @@
 package org.dronemap.proxy.roslink.wire;
 
-/** The two ways in which robots lay out a message; each is answered in its own. */
+/** The two JSON layouts of ROSLink messages that robots use; each robot is answered in its own. */
 public enum PacketLayout {
     /** The header in an object {@code header}, the body beside it: what public bridges send. */
     NESTED_HEADER,

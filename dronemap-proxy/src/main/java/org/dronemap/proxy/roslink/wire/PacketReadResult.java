@@ -1,6 +1,6 @@
 package org.dronemap.proxy.roslink.wire;
 
-/** The result of reading bytes as a ROSLink packet. */
+/** The result of parsing bytes from a robot: a ROSLink packet, or the reason why there is none. */
 public sealed interface PacketReadResult {
     record Good(RoslinkPacket packet) implements PacketReadResult {}
 

@@ -4,9 +4,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A message from a robot; a field that is missing, no number or not finite is null. A field that is missing, is no
- * number or is not finite is null: each bridge leaves out others. Metres, radians and seconds where nothing else is
- * said.
+ * A ROSLink message from a robot to the server; fields that are missing or invalid are null. A field that is missing,
+ * is no number or is not finite is null: each bridge leaves out others. Metres, radians and seconds where nothing else
+ * is said.
  */
 public sealed interface RobotMessage {
     /** {@code type} says what machine it is. */

@@ -5,7 +5,7 @@ import org.dronemap.proxy.roslink.wire.RobotMessage.Triple;
 import org.dronemap.proxy.roslink.wire.RobotMessage.View;
 import org.jspecify.annotations.Nullable;
 
-/** The bodies of messages by their ids. */
+/** Parses the bodies of ROSLink messages from robots by message id. */
 final class RobotMessageReader {
     private static final int HEARTBEAT = 0;
     private static final int STATUS = 1;

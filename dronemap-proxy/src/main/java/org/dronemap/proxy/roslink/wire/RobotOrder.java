@@ -1,6 +1,6 @@
 package org.dronemap.proxy.roslink.wire;
 
-/** A message from the cloud to a robot, never acknowledged, in metres, m/s and rad/s. Metres, m/s, rad/s. */
+/** A ROSLink message from the server to a robot, never acknowledged, in metres, m/s and rad/s. Metres, m/s, rad/s. */
 public sealed interface RobotOrder {
     /** The number that the wire knows it by. */
     int messageId();

@@ -6,7 +6,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes orders for one robot, in the shape and with the words of its newest message, and numbers them from 1. Owned by the
+ * Writes the server's ROSLink orders to one robot as JSON, in the layout of that robot's newest message. Owned by the
  * session's lane.
  */
 public final class RobotOrderWriter {

@@ -4,8 +4,9 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Finds copies and gaps in the sequence numbers of one robot on one link. Old bridges number all messages in one row, newer
- * ones each kind of message for itself, round and round; which it is shows in the first numbers. Not thread-safe.
+ * Finds duplicates and gaps in the sequence numbers of the messages from one robot over one link. Old bridges number
+ * all messages in one row, newer ones each kind of message for itself, round and round; which it is shows in the first
+ * numbers. Not thread-safe.
  */
 public final class RobotSequenceTracker {
     /** A number further away than this says that the counting began anew. */

@@ -3,7 +3,7 @@ package org.dronemap.proxy.roslink.wire;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The header of a ROSLink message: its sender, its kind and its sequence number.
+ * The header of a ROSLink message: system id, message id, sequence number, key and owner.
  *
  * @param systemId 0 to 65535
  * @param sequence counts one way or another, or starts again: null where there is none

@@ -1,4 +1,4 @@
 package org.dronemap.proxy.roslink.wire;
 
-/** One message of a robot. */
+/** One ROSLink message from a robot: header and body. */
 public record RoslinkPacket(RoslinkHeader header, RobotMessage message) {}

@@ -15,8 +15,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Reads what robots send, in both shapes, as leniently as the bridges in the field need: what cannot be read is a value, never
- * an exception, and what it may cost is bounded. Thread-safe.
+ * Parses ROSLink messages from robots, in both layouts and leniently; errors are results, not exceptions. Thread-safe.
  */
 public final class RoslinkPacketReader {
     /** Twice the largest image that bridges send, in Base64. */

@@ -7,7 +7,7 @@ import org.dronemap.sim.flight.NavigationEstimator;
 import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
 
-/** The arming checks of ArduCopter, in its own sentences without "Arm: " or "PreArm: ". */
+/** The pre-arm checks of the simulated ArduCopter, in ArduCopter's own words without "Arm: " or "PreArm: ". */
 final class ArmingChecks {
     private final SimulatedCraft craft;
     private final Parameters parameters;

@@ -5,7 +5,7 @@ import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.jspecify.annotations.Nullable;
 
-/** Watches voltage and charge; low and critical each trip once, after BATT_LOW_TIMER seconds, until reset. */
+/** The battery fail-safe of the simulated ArduCopter: low and critical each trip once, after BATT_LOW_TIMER seconds. */
 final class BatteryFailsafe {
     /** A tripped battery fail-safe and its action: 0 only warns, 1 lands, 2 returns. */
     record Trip(String text, int action) {}

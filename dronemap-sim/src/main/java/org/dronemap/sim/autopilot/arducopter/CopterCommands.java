@@ -18,7 +18,9 @@ import org.dronemap.sim.flight.VelocityManoeuvre;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** Executes MAV_CMDs and position targets as ArduCopter does. Each copy of an order is acted on. */
+/**
+ * Executes the MAV_CMDs and position targets that the simulated ArduCopter receives. Each copy of an order is acted on.
+ */
 final class CopterCommands {
     private static final int IGNORE_POSITION = 7;
     private static final int IGNORE_VELOCITY = 7 << 3;

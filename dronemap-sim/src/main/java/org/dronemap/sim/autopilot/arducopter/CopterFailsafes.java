@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot.arducopter;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
 
-/** The fail-safes of ArduCopter for the loss of battery, ground station, GPS or a motor. */
+/** The fail-safes of the simulated ArduCopter for battery, ground station, GPS or motor loss. */
 final class CopterFailsafes {
     private static final int CONTINUE_AUTO_WITHOUT_GCS = 2;
     private static final int CONTINUE_LANDING = 8;

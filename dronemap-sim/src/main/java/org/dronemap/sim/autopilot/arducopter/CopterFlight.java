@@ -21,7 +21,7 @@ import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
-/** The mode that an ArduCopter is in and what it flies because of it. */
+/** The current mode of the simulated ArduCopter, and the manoeuvre that it flies in it. */
 final class CopterFlight {
     private static final int STICK_MID = 1500;
     private static final int STICK_LOW = 1100;

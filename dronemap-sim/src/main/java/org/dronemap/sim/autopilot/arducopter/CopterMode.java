@@ -2,7 +2,7 @@ package org.dronemap.sim.autopilot.arducopter;
 
 import org.jspecify.annotations.Nullable;
 
-/** ArduCopter's flight modes with their custom_mode numbers. */
+/** The flight modes of the simulated ArduCopter with ArduCopter's custom_mode numbers. */
 enum CopterMode {
     STABILIZE(0, false, false, true),
     ALT_HOLD(2, false, false, true),

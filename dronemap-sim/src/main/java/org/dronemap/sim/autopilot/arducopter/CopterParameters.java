@@ -7,7 +7,7 @@ import static org.dronemap.sim.flight.Parameters.REAL32;
 
 import org.dronemap.sim.flight.Parameters;
 
-/** The parameters of ArduCopter that the simulated one heeds, with ArduCopter's defaults. */
+/** The parameters that the simulated ArduCopter heeds, with ArduCopter's defaults. */
 final class CopterParameters {
     private CopterParameters() {}
 

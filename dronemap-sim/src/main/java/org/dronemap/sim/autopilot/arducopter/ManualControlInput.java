@@ -5,7 +5,7 @@ import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.VelocityManoeuvre;
 import org.jspecify.annotations.Nullable;
 
-/** The stick input of a ground station in place of the radio's, for three seconds (RC_OVERRIDE_TIME). */
+/** MANUAL_CONTROL input that overrides the radio of the simulated ArduCopter for three seconds (RC_OVERRIDE_TIME). */
 final class ManualControlInput {
     private static final long FRESH_MILLIS = 3_000;
     private static final double FULL = 1000;

@@ -18,7 +18,9 @@ import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
 
-/** An ArduCopter: checks before arming, modes, fail-safes. Orders are taken apart by {@link CopterCommands}. */
+/**
+ * A simulated ArduCopter: arming checks, flight modes and fail-safes. Orders are taken apart by {@link CopterCommands}.
+ */
 public final class SimulatedArduCopter implements SimulatedAutopilot {
     private static final MissionProtocolStyle STYLE =
             new MissionProtocolStyle(true, true, false, 1_000, 8_000, 650, true);

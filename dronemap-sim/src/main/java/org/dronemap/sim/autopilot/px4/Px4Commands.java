@@ -11,7 +11,7 @@ import org.dronemap.sim.flight.TextSeverity;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
 
-/** Executes MAV_CMDs as PX4 does: take-off and go-to by modes of their own, altitudes AMSL. */
+/** Executes the MAV_CMDs that the simulated PX4 receives: take-off and go-to by modes, altitudes AMSL. */
 final class Px4Commands {
     private final SimulatedPx4 px4;
     private final Px4Flight flight;

@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot.px4;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
 
-/** The fail-safes of PX4 for the loss of data link, battery or position. */
+/** The fail-safes of the simulated PX4 for data link, battery or position loss. */
 final class Px4Failsafes {
     private static final int RETURN_AT_CRITICAL = 3;
     private static final int LAND_AT_CRITICAL = 2;

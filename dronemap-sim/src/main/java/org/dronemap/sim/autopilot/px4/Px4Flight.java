@@ -18,7 +18,7 @@ import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
-/** The mode that a PX4 vehicle is in and what it flies because of it. */
+/** The current mode of the simulated PX4 vehicle, and the manoeuvre that it flies in it. */
 final class Px4Flight {
     private final SimulatedCraft craft;
     private final FlightPlan plan;

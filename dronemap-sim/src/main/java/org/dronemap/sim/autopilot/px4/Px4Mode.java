@@ -2,7 +2,7 @@ package org.dronemap.sim.autopilot.px4;
 
 import org.jspecify.annotations.Nullable;
 
-/** PX4's flight modes: main mode in the third byte of custom_mode, sub mode in the fourth. */
+/** The flight modes of the simulated PX4: main mode in the third byte of custom_mode, sub mode in the fourth. */
 enum Px4Mode {
     MANUAL(1, 0, false, "Manual"),
     ALTITUDE(2, 0, false, "Altitude"),

@@ -5,7 +5,7 @@ import static org.dronemap.sim.flight.Parameters.REAL32;
 
 import org.dronemap.sim.flight.Parameters;
 
-/** The parameters of PX4 that the simulated one heeds, with PX4's defaults. */
+/** The parameters that the simulated PX4 heeds, with PX4's defaults. */
 final class Px4Parameters {
     private Px4Parameters() {}
 

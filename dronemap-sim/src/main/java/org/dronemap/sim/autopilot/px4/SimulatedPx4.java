@@ -25,7 +25,7 @@ import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
 
-/** A PX4 multicopter: what it accepts by which order, and when it acts by itself. */
+/** A simulated PX4 multicopter: the commands it accepts, its flight modes and fail-safes. */
 public final class SimulatedPx4 implements SimulatedAutopilot {
     private static final MissionProtocolStyle STYLE =
             new MissionProtocolStyle(false, false, true, 500, 5_000, 500, false);

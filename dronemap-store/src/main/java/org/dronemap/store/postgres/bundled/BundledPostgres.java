@@ -21,9 +21,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The PostgreSQL that a server runs itself, in a directory that it holds alone. A database that outlived a killed
- * server is taken over, unless other programs than ours run it: their weaknesses may be why there are new ones. One that
- * crashed recovers at its start. Thread-safe.
+ * The PostgreSQL that a server starts and stops itself when it is given no database. A database that outlived a killed
+ * server is taken over, unless other programs than ours run it: their weaknesses may be why there are new ones. One
+ * that crashed recovers at its start. Thread-safe.
  */
 public final class BundledPostgres implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(BundledPostgres.class);

@@ -16,7 +16,10 @@ import org.dronemap.store.StoreException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The files of the database and the tools that create, start and stop it. Not thread-safe; its owner serializes. */
+/**
+ * The files of the bundled PostgreSQL, and the tools that create, start and stop it. Not thread-safe; its owner
+ * serializes.
+ */
 final class DatabaseCluster {
     private static final Logger LOG = LoggerFactory.getLogger(DatabaseCluster.class);
     private static final Duration INITDB_LIMIT = Duration.ofMinutes(3);

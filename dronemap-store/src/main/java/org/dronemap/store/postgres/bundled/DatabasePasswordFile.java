@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.dronemap.store.secret.RandomFile;
 
-/** The random password of the server's own database, in a file that only its owner reads. */
+/** The random password of the bundled PostgreSQL, in a file that only its owner can read. */
 final class DatabasePasswordFile {
     private static final int BYTES = 32;
 

@@ -11,7 +11,10 @@ import java.nio.file.StandardOpenOption;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
 
-/** One server per data directory. The kernel frees the lock when the process dies, however it dies. */
+/**
+ * Locks the bundled PostgreSQL's data directory, so that only one server uses it. The kernel frees the lock when the
+ * process dies, however it dies.
+ */
 final class DirectoryLock implements AutoCloseable {
     private final FileChannel channel;
 

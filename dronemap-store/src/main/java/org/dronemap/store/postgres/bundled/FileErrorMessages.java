@@ -6,7 +6,7 @@ import java.nio.file.FileSystemException;
 import java.util.Objects;
 import org.dronemap.store.StoreException;
 
-/** Says what a file error means and what to do about it. */
+/** Explains file errors of the bundled PostgreSQL to the server's operator, and says what to do about them. */
 final class FileErrorMessages {
     private FileErrorMessages() {}
 

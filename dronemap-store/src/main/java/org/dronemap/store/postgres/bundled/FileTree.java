@@ -8,7 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Deletes whole directories, or changes their owner. */
+/** Deletes whole directories of the bundled PostgreSQL, or changes their owner. */
 final class FileTree {
     private FileTree() {}
 

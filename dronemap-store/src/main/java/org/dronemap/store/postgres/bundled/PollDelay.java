@@ -3,7 +3,7 @@ package org.dronemap.store.postgres.bundled;
 import java.time.Duration;
 import org.dronemap.store.StoreException;
 
-/** A wait between two looks at a process that tells nobody when it is ready. */
+/** Sleeps between two looks at a PostgreSQL process that is starting or stopping. */
 final class PollDelay {
     private PollDelay() {}
 

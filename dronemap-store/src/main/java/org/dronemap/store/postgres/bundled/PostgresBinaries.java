@@ -18,7 +18,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.tukaani.xz.XZInputStream;
 
-/** PostgreSQL's own programs, unpacked once from the product's jars into a directory named by their checksum. */
+/** The bundled PostgreSQL's programs, unpacked once from Dronemap's jars into a directory named by their checksum. */
 record PostgresBinaries(Path directory) {
     private static final Logger LOG = LoggerFactory.getLogger(PostgresBinaries.class);
 

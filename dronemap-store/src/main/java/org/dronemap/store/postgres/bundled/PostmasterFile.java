@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** The process id and port in the {@code postmaster.pid} of a running or killed PostgreSQL. */
+/** The process id and port that the bundled PostgreSQL, running or killed, left in its {@code postmaster.pid}. */
 record PostmasterFile(long pid, int port) {
     private static final int PORT_LINE = 3;
 

@@ -12,7 +12,7 @@ import org.dronemap.store.StoreException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The account that PostgreSQL runs as, since it refuses to run as root. */
+/** The operating-system user that the bundled PostgreSQL runs as, since it refuses to run as root. */
 sealed interface ProcessAccount {
     /** The command as that user runs it. */
     List<String> wrap(List<String> command);

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.dronemap.store.StoreException;
 
-/** One run of a command-line tool to its end: its exit code and what it said. */
+/** The result of a command-line tool of the bundled PostgreSQL, run to its end: exit code and output. */
 record ToolResult(int exitCode, String output) {
     /** Exit code when the program is not there at all, as in a shell. */
     private static final int NOT_FOUND = 127;

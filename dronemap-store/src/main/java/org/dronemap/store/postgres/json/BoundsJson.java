@@ -12,7 +12,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Bounds to JSON and back, the widest first; null: there are none. */
+/** Converts the flight bounds of an access key to JSON and back, for the database; null: there are none. */
 public final class BoundsJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 

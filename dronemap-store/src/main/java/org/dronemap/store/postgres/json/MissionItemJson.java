@@ -12,7 +12,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Mission items to JSON and back, spelled out so that a renamed record component never changes stored data. */
+/** Converts mission items to JSON and back, for the database, so that renamed code never changes stored data. */
 public final class MissionItemJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 

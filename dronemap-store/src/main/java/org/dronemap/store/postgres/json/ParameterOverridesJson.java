@@ -9,7 +9,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 
-/** Converts parameter values of owners to JSON and back. */
+/** Converts overridden parameter values of drones' owners to JSON and back, for the database. */
 public final class ParameterOverridesJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 

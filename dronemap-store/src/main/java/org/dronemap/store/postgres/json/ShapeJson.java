@@ -12,7 +12,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Areas and heights as members of a JSON object, and back. */
+/** Converts areas and altitude bands to members of a JSON object and back, for the database. */
 final class ShapeJson {
     private ShapeJson() {}
 

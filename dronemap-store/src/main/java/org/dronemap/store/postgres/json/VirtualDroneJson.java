@@ -33,7 +33,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Virtual drones to JSON and back, spelled out so that a renamed record component never changes stored data. */
+/** Converts virtual drones to JSON and back, for the database, so that renamed code never changes stored data. */
 public final class VirtualDroneJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 

@@ -17,7 +17,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Zones to JSON and back, spelled out so that a renamed record component never changes stored data. */
+/** Converts zones to JSON and back, for the database, spelled out so that renamed code never changes stored data. */
 public final class ZoneJson {
     private static final JsonMapper MAPPER = JsonMapper.shared();
 

@@ -38,7 +38,10 @@ import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** The provider over the network: where people are sent, and what its answer says of them once all of it is proved. Any thread. */
+/**
+ * Client of an OpenID Connect provider: makes the sign-in address, and verifies the ID token that comes back. Any
+ * thread.
+ */
 final class OidcProvider {
     private static final int PATIENCE_MILLIS = 5_000;
     private static final int LARGEST_KEYS_BYTES = 256 * 1024;

@@ -7,7 +7,7 @@ import org.dronemap.core.access.Role;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The provider that users may sign in with.
+ * Settings of the OpenID Connect provider with which users may sign in.
  *
  * @param callback where the provider sends people back to
  * @param label what the button of the page names

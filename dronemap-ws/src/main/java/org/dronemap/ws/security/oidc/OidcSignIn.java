@@ -25,8 +25,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Signing in by an OpenID Connect provider: authorisation code with PKCE, state and nonce, each good once, for ten minutes
- * and in the browser that began. Any thread.
+ * Signs users in by an OpenID Connect provider, with PKCE, state and nonce, in the browser that began within 10 min.
+ * Any thread.
  */
 public final class OidcSignIn {
     private static final Logger LOG = LoggerFactory.getLogger(OidcSignIn.class);

@@ -1,6 +1,6 @@
 package org.dronemap.ws.security.oidc;
 
-/** A sign-in by the provider that failed; for the log, as it tells of configurations and attacks. */
+/** Thrown when a sign-in by an OpenID Connect provider fails; its message is for the log, not for the user. */
 final class OidcSignInException extends Exception {
     private static final long serialVersionUID = 1L;
 

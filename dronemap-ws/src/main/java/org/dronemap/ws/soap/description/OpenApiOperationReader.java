@@ -21,10 +21,7 @@ import org.dronemap.ws.soap.xml.XmlTypes;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 
-/**
- * Reads the services of SOAP from the OpenAPI description of the same server, so that SOAP has each operation of REST, by the
- * same names of members.
- */
+/** Derives the SOAP services and operations from the server's OpenAPI description, one for each operation of REST. */
 public final class OpenApiOperationReader {
     private static final String API = "/api/v1";
     private static final String JSON = "application/json";

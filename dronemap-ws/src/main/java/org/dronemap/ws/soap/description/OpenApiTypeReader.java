@@ -12,7 +12,7 @@ import org.dronemap.ws.soap.xml.XmlType;
 import org.dronemap.ws.soap.xml.XmlTypes;
 import tools.jackson.databind.JsonNode;
 
-/** Reads the types of XML from the schemas of an OpenAPI description. */
+/** Derives the XML types of SOAP from the schemas of the server's OpenAPI description. */
 final class OpenApiTypeReader {
     private static final String SCHEMAS = "#/components/schemas/";
 

@@ -9,7 +9,7 @@ import org.dronemap.ws.soap.xml.XmlTypes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An operation of SOAP, which is one of REST.
+ * One operation of SOAP, and how it maps to its operation of REST.
  *
  * @param name the element that a call is; an answer is {@code nameResponse}
  * @param of its operation of REST

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronemap.ws.soap.xml.XmlTypes;
 
-/** All services with all their operations, as an OpenAPI description has them. Immutable. */
+/** All SOAP services with their operations and types, derived from the OpenAPI description. Immutable. */
 public record SoapServices(Map<String, SoapService> services, XmlTypes types, Map<String, String> without) {
 
     /** The services that the paper on the Dronemap Planner names. */

@@ -10,7 +10,7 @@ import org.dronemap.ws.soap.xml.XmlTextWriter;
 import org.dronemap.ws.soap.xml.XmlType;
 import org.dronemap.ws.soap.xml.XmlTypes;
 
-/** Writes the description of a service: WSDL 1.1, document/literal, SOAP 1.1 and 1.2 at the same address. */
+/** Writes the WSDL 1.1 of a SOAP service: document/literal, SOAP 1.1 and 1.2 at the same address. */
 public final class WsdlWriter {
     /** Of the namespace of operations, where one is written. */
     public static final String PREFIX = "ns1";

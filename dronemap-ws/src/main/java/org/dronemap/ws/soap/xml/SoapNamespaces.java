@@ -1,6 +1,6 @@
 package org.dronemap.ws.soap.xml;
 
-/** The XML namespaces of the services. */
+/** The XML namespaces of the SOAP services and their types. */
 public final class SoapNamespaces {
     /** Of services and operations. */
     public static final String URI = "http://cloud.dronemap.org/wsdl";

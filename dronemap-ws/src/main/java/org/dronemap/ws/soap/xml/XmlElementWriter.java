@@ -6,7 +6,7 @@ import javax.xml.XMLConstants;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes values as elements by their types, in the order in which they come. Members without a value are left out, as their
+ * Writes values as XML elements of a SOAP message by their types, in the order in which they come. Members without a value are left out, as their
  * schema allows, and so are those that it does not have. Owned by who makes it.
  */
 final class XmlElementWriter {

@@ -25,7 +25,7 @@ import tools.jackson.core.util.JacksonFeatureSet;
 import tools.jackson.core.util.SimpleStreamWriteContext;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Has Jackson write XML, by the types of a description, of anything that it would write as JSON. */
+/** Jackson generator that writes any value as XML elements of a SOAP message, by their described types. */
 public final class XmlGenerator extends GeneratorBase {
     private static final String STRING = "string";
     private static final String NUMBER = "number";

@@ -1,7 +1,7 @@
 package org.dronemap.ws.soap.xml;
 
 /**
- * One element within another.
+ * A child element of an XML type in SOAP: its name and type, and whether it is required or nullable.
  *
  * @param required it is always there
  * @param nullable it may be without a value

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
-/** Writes types as XML Schema. */
+/** Writes the types of SOAP as XML Schema into a WSDL. */
 public final class XmlSchemaWriter {
     public static final String PREFIX = "t";
 

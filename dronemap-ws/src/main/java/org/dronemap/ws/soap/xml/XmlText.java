@@ -1,6 +1,6 @@
 package org.dronemap.ws.soap.xml;
 
-/** Text as XML 1.0 carries it. */
+/** Escapes text for XML 1.0, and replaces characters that it cannot carry. */
 final class XmlText {
     private static final int UNKNOWN = 0xFFFD;
 

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
-/** Writes XML for people to read: an element a line, indented. Owned by who makes it. */
+/** Writes indented XML text, one element on each line, for WSDL documents. Owned by who makes it. */
 public final class XmlTextWriter {
     private final StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     private final Deque<String> open = new ArrayDeque<>();

@@ -17,7 +17,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 import tools.jackson.databind.node.StringNode;
 
-/** Makes JSON from elements by their types. */
+/** Turns XML elements of a SOAP call into JSON for REST, by their types. */
 public final class XmlToJson {
     static final String ITEM = "item";
     static final String ENTRY = "entry";

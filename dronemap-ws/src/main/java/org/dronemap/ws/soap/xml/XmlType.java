@@ -2,7 +2,7 @@ package org.dronemap.ws.soap.xml;
 
 import java.util.List;
 
-/** The type of a value in XML, and how it is written as JSON. */
+/** The type of a value in SOAP, both as XML and as JSON. */
 public sealed interface XmlType {
 
     /**

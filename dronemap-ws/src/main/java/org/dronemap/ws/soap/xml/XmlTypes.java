@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** The types with names that operations take and answer with. Immutable. */
+/** All named XML types that SOAP operations take and return. Immutable. */
 public record XmlTypes(Map<String, Complex> named) {
 
     /** Something with elements of its own. */

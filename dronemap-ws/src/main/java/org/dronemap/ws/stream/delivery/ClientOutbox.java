@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** Bounded outbox of one client: only the newest state of each thing, all commands and answers in order. Any thread. */
+/**
+ * Bounded queue of messages to one stream client: only the newest state of each thing, all commands and answers. Any
+ * thread.
+ */
 public final class ClientOutbox {
     public static final int MOST_DISCRETE = 1_000;
 

@@ -12,7 +12,10 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.ControlState;
 
-/** Hands what the cloud says of drones to the topics that it concerns. Heard on lanes; rounds belong to the pump. */
+/**
+ * Listens to the cloud manager, and passes changes of drones, commands and control to the stream topics. Heard on
+ * lanes; rounds belong to the pump.
+ */
 public final class CloudEventRouter implements CloudListener {
     private static final long MOVES_GAP_NANOS = 250_000_000L;
 

@@ -2,7 +2,7 @@ package org.dronemap.ws.stream.delivery;
 
 import org.dronemap.core.drone.DroneId;
 
-/** Subject of a stream message: a kind and an id that is unique within it. */
+/** What a stream message is about: a kind, such as drone, and an id that is unique within it. */
 public record MessageSubject(String kind, String id) {
     public static final String DRONE = "drone";
 

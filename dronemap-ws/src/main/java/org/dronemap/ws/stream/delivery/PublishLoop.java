@@ -5,7 +5,10 @@ import java.util.concurrent.locks.LockSupport;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One thread that works off rounds: soon after somebody asks for one, or when the last one said. Any thread may ask. */
+/**
+ * The thread that sends updates to stream clients: it runs when woken, or when the last round asked to. Any thread may
+ * ask.
+ */
 public final class PublishLoop implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(PublishLoop.class);
     private static final long LONGEST_NANOS = 40_000_000L;

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * Schedule by which the newest state of each thing is sent, adapted to the size of the fleet. Small fleets are shown as
- * fast as they report, big ones five times a second. Owned by the pump.
+ * Decides when the newest state of each thing is sent to stream clients; less often for larger fleets. Small fleets are
+ * shown as fast as they report, big ones five times a second. Owned by the pump.
  *
  * @param <P> a picture
  */

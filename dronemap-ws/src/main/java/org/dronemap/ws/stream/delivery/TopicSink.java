@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Takes changes from the source of a topic; things go by the ids that the topic gives them. Any thread. */
+/** Takes changes from the source of a stream topic, to be sent to clients. Any thread. */
 public interface TopicSink<T> {
     /** Its newest state is told at its next turn; {@code thing} is asked then, empty: nothing is told. */
     void changed(String id, Supplier<Optional<T>> thing);

@@ -4,8 +4,9 @@ import java.util.function.Consumer;
 import org.java_websocket.WebSocket;
 
 /**
- * Tells the socket library again that something waits. It forgets, when a message comes between its last write and its
- * turning to reading, and would then leave all that follows lying until its own sign of life, half a minute later.
+ * Asks again for messages that wait for a stream client to be written by the WebSocket library. It forgets, when a
+ * message comes between its last write and its turning to reading, and would then leave all that follows lying until
+ * its own sign of life, half a minute later.
  */
 public final class WriteReminder {
     private final Consumer<WebSocket> demand;

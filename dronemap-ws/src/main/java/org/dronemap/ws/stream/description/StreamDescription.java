@@ -23,7 +23,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** The stream as AsyncAPI 3 describes it: what is told of each topic, and what may be said. Any thread. */
+/** Writes the AsyncAPI 3 description of the WebSocket stream: its topics, messages and requests. Any thread. */
 public final class StreamDescription {
     private static final String CHANNEL = "#/channels/stream";
     private static final Map<String, Class<?>> HEARD =

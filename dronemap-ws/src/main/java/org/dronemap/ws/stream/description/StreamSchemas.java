@@ -29,7 +29,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** The JSON schemas of all messages of the stream, made as those of REST are: by the same readers of records. */
+/** Makes the JSON schemas of all messages of the WebSocket stream, in the same way as those of REST. */
 final class StreamSchemas {
     private static final String REFERENCE = "#/components/schemas/";
     private static final String SAID = "StreamMessage";

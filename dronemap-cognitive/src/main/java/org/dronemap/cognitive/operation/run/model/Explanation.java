@@ -9,7 +9,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One decision as people read it.
+ * A decision of a mission run explained to users: its trigger, waypoints that changed drones, and the plan's figures.
  *
  * @param number from 1
  * @param drone whom it began with; null: nobody in particular

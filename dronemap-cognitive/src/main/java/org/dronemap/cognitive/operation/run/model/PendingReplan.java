@@ -7,7 +7,7 @@ import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.core.stored.Stored;
 
 /**
- * A plan that was asked for.
+ * A re-planning that a mission run has requested and waits for.
  *
  * @param number of all that were asked for, from 1
  * @param better whether a better one than the present one is looked for, else one at once

@@ -6,7 +6,7 @@ import org.dronemap.cognitive.replan.ReplanResult;
 import org.dronemap.core.stored.Stored;
 
 /**
- * A plan that waits for somebody's word.
+ * A new plan for a mission run that waits for a user's approval.
  *
  * @param number of all of this run, from 1
  * @param at zero of the plan's clock

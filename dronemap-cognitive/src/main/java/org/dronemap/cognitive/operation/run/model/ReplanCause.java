@@ -8,7 +8,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A cause for replanning, with the drone concerned and the waypoints that it leaves.
+ * A cause for re-planning a mission run, with the drone concerned and the waypoints that it leaves.
  *
  * @param words a sentence
  * @param orphans the waypoints that the drone had until then

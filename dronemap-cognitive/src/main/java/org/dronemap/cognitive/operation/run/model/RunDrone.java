@@ -12,7 +12,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One drone of the run.
+ * The state of one drone in a mission run: stage, waypoints to visit, mission on board and command under way.
  *
  * @param since when it came to this stage
  * @param orders the waypoints that it is to visit, in order, without those that it has visited

@@ -2,7 +2,7 @@ package org.dronemap.cognitive.operation.run.model;
 
 import org.dronemap.core.stored.Stored;
 
-/** The stage of one drone of a run. */
+/** The stage of one drone of a mission run. */
 @Stored(
         names = "LANDED UPLOADING READY ARMING STARTING FLYING HOLDING REPLACING CONTINUING RESUMING "
                 + "RETURNING SILENT SUSPENDED CRASHED GONE LEFT")

@@ -13,7 +13,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
-/** An input of a run: an observation, a command's outcome, a new plan, a restart or a user's request. */
+/** An input of a mission run: an observation, a command's outcome, a new plan, a restart or a user's request. */
 public sealed interface RunInput {
     Instant at();
 

@@ -4,7 +4,7 @@ import org.dronemap.core.operation.Objection.Subject;
 import org.dronemap.core.operation.ObjectionCode;
 import org.dronemap.core.operation.ObjectionEntry;
 
-/** Reasons why a mission run cannot do now what a user wants. */
+/** Codes of the reasons why a mission run cannot do now what a user asks. */
 public enum RunObjection implements ObjectionCode {
     STOPPING(
             "run-stopping",

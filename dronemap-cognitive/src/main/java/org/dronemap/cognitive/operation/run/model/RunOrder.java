@@ -12,7 +12,7 @@ import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.stored.Stored;
 
 /**
- * The order that a run begins with: problem, accepted plan, drones and settings.
+ * The order that a mission run begins with: problem, accepted plan, drones and settings.
  *
  * @param id its commands are named after it: at most 48 characters, without dots
  * @param plan the accepted one, which the independent checker found no fault with

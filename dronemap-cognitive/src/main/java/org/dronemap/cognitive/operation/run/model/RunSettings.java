@@ -10,7 +10,7 @@ import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.stored.Stored;
 
-/** Settings of a run: zones, wind, objective, rules, approval mode and time to search. */
+/** Settings of a mission run: zones, wind, objective, rules, approval mode and time to search. */
 @Stored(names = "barriers wind objective rules mode onCloudLoss seed search")
 public record RunSettings(
         List<Barrier> barriers,

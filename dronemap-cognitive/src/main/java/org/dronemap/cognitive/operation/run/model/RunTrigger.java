@@ -2,7 +2,7 @@ package org.dronemap.cognitive.operation.run.model;
 
 import org.dronemap.core.stored.Stored;
 
-/** The event that a decision or a replanning follows from. */
+/** The event that a decision or a re-planning of a mission run follows from. */
 @Stored(
         names = "START TAKEN_OVER LOST HEARD_AGAIN GONE CRASHED LOW_BATTERY WENT_HOME CAME_DOWN "
                 + "REMOVED OFF_PATH LATE COMMAND_FAILED WAYPOINTS_ADDED WAYPOINT_MOVED "

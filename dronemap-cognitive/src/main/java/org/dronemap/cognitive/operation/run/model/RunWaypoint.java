@@ -11,7 +11,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A waypoint of the run.
+ * The state of a waypoint in a mission run: which drone has it, visits, and the results of its tasks.
  *
  * @param drone whose it is, while it is {@link State#ASSIGNED} or {@link State#RESERVED}
  * @param visits the first is the one that counts; a further one only by a drone that was out of contact

@@ -19,7 +19,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.stored.Stored;
 
 /**
- * One drone's mission with the tour that it flies, its arrivals and its task items.
+ * One drone's mission in a mission run, with the tour that it flies and which of its items do which tasks.
  *
  * @param number of all of the run
  * @param tour on a clock whose zero is {@code zero}

@@ -8,10 +8,10 @@ import org.java_websocket.framing.Framedata;
 import org.java_websocket.framing.TextFrame;
 
 /**
- * Makes WebSocket frames of texts: a text that goes to many clients in one round is encoded once for all of them. Owned by the
+ * Encodes texts of the stream as WebSocket frames, once for all clients that a text goes to in one round. Owned by the
  * pump.
  */
-public final class TextFrames {
+public final class TextFrameCache {
     private final IdentityHashMap<String, Framedata> made = new IdentityHashMap<>();
 
     /** The same text, by identity, is the same frame until {@link #clear}. */

@@ -9,10 +9,10 @@ import org.java_websocket.framing.Framedata;
 import org.junit.jupiter.api.Test;
 
 /** A text is encoded once a round, and every client gets all of it. */
-class TextFramesTest {
+class TextFrameCacheTest {
     private static final String WORDS = "{\"name\":\"Zürich 北 🚁\"}";
 
-    private final TextFrames frames = new TextFrames();
+    private final TextFrameCache frames = new TextFrameCache();
 
     @Test
     void encodesATextOnceUntilCleared() {
