@@ -105,7 +105,7 @@ public final class FrameReader {
                 }
                 skip();
             } else {
-                take(need, frames);
+                emit(need, frames);
             }
         }
     }
@@ -149,7 +149,7 @@ public final class FrameReader {
         return Frame.HEADER_2 + (bytes[at + 1] & 0xFF) + 2 + (flags != 0 ? Frame.SIGNATURE_BYTES : 0);
     }
 
-    private void take(int length, Consumer<Frame> frames) {
+    private void emit(int length, Consumer<Frame> frames) {
         boolean v2 = (pending[start] & 0xFF) == Frame.MAGIC_2;
         MessageTable.Entry entry = MessageTable.find(messageIdAt(pending, start, v2));
         if (entry == null ? !isBelievable(start + length) : !checksumHolds(pending, start, v2, entry)) {

@@ -25,7 +25,7 @@ public final class TestKeyrings implements LinkSecurityStore {
                         drone -> cloud.drone(drone)
                                 .map(state -> state.link().key().systemId())
                                 .orElse(-1),
-                        (drone, sentence) -> cloud.say(drone, Severity.WARNING, sentence)),
+                        (drone, sentence) -> cloud.publishMessage(drone, Severity.WARNING, sentence)),
                 new RealTime());
     }
 

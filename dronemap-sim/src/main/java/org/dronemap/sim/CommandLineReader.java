@@ -20,7 +20,7 @@ final class CommandLineReader {
         return left.remove(name);
     }
 
-    private @Nullable String take(String name) {
+    private @Nullable String removeValue(String name) {
         int at = left.indexOf(name);
         if (at < 0) {
             return null;
@@ -33,7 +33,7 @@ final class CommandLineReader {
     }
 
     long integer(String name, long otherwise, long least, long most) {
-        String text = take(name);
+        String text = removeValue(name);
         if (text == null) {
             return otherwise;
         }
@@ -49,7 +49,7 @@ final class CommandLineReader {
     }
 
     double number(String name, double otherwise, double least, double most) {
-        String text = take(name);
+        String text = removeValue(name);
         if (text == null) {
             return otherwise;
         }
@@ -71,7 +71,7 @@ final class CommandLineReader {
     /** As often as it is given, each NAME=VALUE. */
     Map<String, Double> numbersByName(String name) {
         Map<String, Double> given = new LinkedHashMap<>();
-        for (String text = take(name); text != null; text = take(name)) {
+        for (String text = removeValue(name); text != null; text = removeValue(name)) {
             int equals = text.indexOf('=');
             if (equals < 1) {
                 throw new IllegalArgumentException(name + " wants NAME=VALUE, not '" + text + "'");
@@ -82,7 +82,7 @@ final class CommandLineReader {
     }
 
     String choice(String name, String otherwise, List<String> choices) {
-        String text = take(name);
+        String text = removeValue(name);
         if (text == null) {
             return otherwise;
         }
@@ -94,17 +94,17 @@ final class CommandLineReader {
     }
 
     String text(String name, String otherwise) {
-        String text = take(name);
+        String text = removeValue(name);
         return text == null ? otherwise : text;
     }
 
     ServerAddress server(String name, ServerAddress otherwise) {
-        String text = take(name);
+        String text = removeValue(name);
         return text == null ? otherwise : ServerAddress.parse(text);
     }
 
     LocalFrame home(String name, LocalFrame otherwise) {
-        String text = take(name);
+        String text = removeValue(name);
         if (text == null) {
             return otherwise;
         }

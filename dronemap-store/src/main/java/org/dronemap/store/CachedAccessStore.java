@@ -46,7 +46,7 @@ public final class CachedAccessStore implements AccessStore {
 
     private final AccessStore store;
     private final LongSupplier nanoTime;
-    private final ExecutorService questions;
+    private final ExecutorService queryExecutor;
     private final Map<String, User> users = bounded();
     private final Map<String, SignIn> signIns = bounded();
     private final Map<String, AccessKey> keys = bounded();
@@ -60,11 +60,11 @@ public final class CachedAccessStore implements AccessStore {
     public CachedAccessStore(AccessStore store, LongSupplier nanoTime) {
         this.store = store;
         this.nanoTime = nanoTime;
-        this.questions = questions();
+        this.queryExecutor = queryExecutor();
     }
 
     /** They end when nothing was asked for a while. */
-    private static ExecutorService questions() {
+    private static ExecutorService queryExecutor() {
         ThreadPoolExecutor threads = new ThreadPoolExecutor(
                 MOST_QUESTIONS, MOST_QUESTIONS, 10, TimeUnit.SECONDS, new ArrayBlockingQueue<>(MOST), work -> {
                     Thread thread = FatalErrors.onDuty(new Thread(work, "access"));
@@ -130,7 +130,7 @@ public final class CachedAccessStore implements AccessStore {
         if (last(() -> from.get(key)) == null) {
             return ask(from, key, asked);
         }
-        Optional<Optional<T>> answer = soon(() -> ask(from, key, asked));
+        Optional<Optional<T>> answer = withTimeout(() -> ask(from, key, asked));
         if (answer.isPresent()) {
             return answer.get();
         }
@@ -151,20 +151,20 @@ public final class CachedAccessStore implements AccessStore {
     }
 
     /** The answer, unless the store does not give one soon: whoever is remembered must not wait for a store that hangs. */
-    private <T> Optional<T> soon(Callable<T> question) {
+    private <T> Optional<T> withTimeout(Callable<T> question) {
         Future<T> answer;
         try {
-            answer = questions.submit(question);
+            answer = queryExecutor.submit(question);
         } catch (RejectedExecutionException e) {
-            return isAway(e);
+            return markAway(e);
         }
         try {
             return Optional.of(answer.get(PATIENCE.toNanos(), TimeUnit.NANOSECONDS));
         } catch (TimeoutException e) {
-            return isAway(e);
+            return markAway(e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            return isAway(e);
+            return markAway(e);
         } catch (ExecutionException e) {
             if (e.getCause() instanceof RuntimeException failed) {
                 throw failed;
@@ -173,7 +173,7 @@ public final class CachedAccessStore implements AccessStore {
         }
     }
 
-    private synchronized <T> Optional<T> isAway(Exception why) {
+    private synchronized <T> Optional<T> markAway(Exception why) {
         LOG.warn("The store does not say who may do what; who was recognised lately is recognised from memory", why);
         awayNanos = nanoTime.getAsLong();
         return Optional.empty();
@@ -199,7 +199,7 @@ public final class CachedAccessStore implements AccessStore {
 
     /** Fails as the store did where nothing is remembered, or where it is not only away. */
     private synchronized <T> T remembered(StoreException failed, Supplier<@Nullable T> known) {
-        T last = failed.isPassing() ? known.get() : null;
+        T last = failed.isTransient() ? known.get() : null;
         if (last == null) {
             throw failed;
         }
@@ -211,7 +211,7 @@ public final class CachedAccessStore implements AccessStore {
         return generation;
     }
 
-    private synchronized void forget() {
+    private synchronized void clear() {
         generation++;
         users.clear();
         signIns.clear();
@@ -221,11 +221,11 @@ public final class CachedAccessStore implements AccessStore {
 
     /** What is read while it changes is not remembered either. */
     private <T> T changing(Supplier<T> change) {
-        forget();
+        clear();
         try {
             return change.get();
         } finally {
-            forget();
+            clear();
         }
     }
 
@@ -285,7 +285,7 @@ public final class CachedAccessStore implements AccessStore {
     /** Not worth refusing anything for, nor waiting. */
     @Override
     public void accessKeyUsed(String id, Instant at) {
-        Optional<Boolean> written = soon(() -> isWritten(id, at));
+        Optional<Boolean> written = withTimeout(() -> isWritten(id, at));
         if (!written.orElse(false)) {
             LOG.info("That the key {} was used is not written down: the store is away", id);
         }
@@ -296,7 +296,7 @@ public final class CachedAccessStore implements AccessStore {
             store.accessKeyUsed(id, at);
             return true;
         } catch (StoreException failed) {
-            if (!failed.isPassing()) {
+            if (!failed.isTransient()) {
                 throw failed;
             }
             return false;

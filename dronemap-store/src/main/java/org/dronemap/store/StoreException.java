@@ -28,7 +28,7 @@ public final class StoreException extends RuntimeException implements TransientF
     }
 
     @Override
-    public boolean isPassing() {
+    public boolean isTransient() {
         return passing;
     }
 }

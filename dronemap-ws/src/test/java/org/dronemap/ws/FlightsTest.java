@@ -92,7 +92,7 @@ class FlightsTest {
 
     private void heardOnTheWire() {
         byte[] heartbeat = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
-        new FrameReader().read(ByteBuffer.wrap(heartbeat), wire::heard);
+        new FrameReader().read(ByteBuffer.wrap(heartbeat), wire::received);
     }
 
     @Test

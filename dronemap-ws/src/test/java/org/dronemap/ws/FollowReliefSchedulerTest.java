@@ -158,7 +158,7 @@ class FollowReliefSchedulerTest {
         falcon.isOnGround();
         await(follow, "Falcon is free", seen -> holderOf(falcon).isEmpty());
         JournalReplay<?, ?> replay = new JournalReplay<>(house.runs().follows());
-        replay.take(house.runs().operations().journal(new OperationId(id), 0, 200));
+        replay.replay(house.runs().operations().journal(new OperationId(id), 0, 200));
         assertThat(replay.difference()).isEmpty();
     }
 

@@ -272,7 +272,7 @@ class FollowsTest {
         List<JournalEntry> journal =
                 house.runs().operations().journal(new OperationId(follow.substring(PATH.length() + 1)), 0, 200);
         JournalReplay<?, ?> replay = new JournalReplay<>(house.runs().follows());
-        replay.take(journal);
+        replay.replay(journal);
         assertThat(replay.difference()).isEmpty();
         // Neither positions nor setpoints are decisions.
         assertThat(journal.size()).isBetween(8, 20);

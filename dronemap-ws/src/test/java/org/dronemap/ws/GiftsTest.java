@@ -246,7 +246,7 @@ class GiftsTest {
         FrameTap wire = house.recorder().open(1);
         wire.bound(new DroneId(kite.id()));
         byte[] heartbeat = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
-        new FrameReader().read(ByteBuffer.wrap(heartbeat), wire::heard);
+        new FrameReader().read(ByteBuffer.wrap(heartbeat), wire::received);
         assertThat(by.http().post(drone + "/control/take", "").status()).isEqualTo(200);
         String command = by.http()
                 .post(drone + "/commands?wait=30", "{\"type\":\"arm\"}")

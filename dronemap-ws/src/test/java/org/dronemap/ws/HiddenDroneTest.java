@@ -229,7 +229,7 @@ class HiddenDroneTest {
         FrameTap tap = house.recorder().open(1);
         tap.bound(new DroneId(falcon.id()));
         byte[] heartbeat = new FrameWriter(key.systemId(), 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
-        new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::heard);
+        new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::received);
         ConditionWait.until(
                 "it is recorded",
                 () -> Optional.of(newest("/api/v1/recordings?drone=" + falcon.id(), "recordings"))

@@ -319,7 +319,7 @@ class ListedRefusalsTest {
 
     /** Until there are as many as there may be. */
     private void copyTheGrant() {
-        OrganisationDirectory now = house.grants().holdings();
+        OrganisationDirectory now = house.grants().directory();
         Grant one = now.grants().get(0);
         List<Grant> copies = IntStream.range(0, MOST_OF_A_SERVER)
                 .mapToObj(number -> new Grant(

@@ -126,9 +126,9 @@ class ReplayGatewayTest {
     void aDriveIsDownloadedInLinesByItsOwnersAloneAndNotPlayed() {
         LineTap tap = house.recorder().openLines();
         tap.bound(new DroneId("rover"));
-        tap.heard("{\"vx\":0}", 8);
+        tap.received("{\"vx\":0}", 8);
         tap.working(true);
-        tap.said("{\"vx\":0.4}", 10, SendAuthority.HOUSEKEEPING);
+        tap.sent("{\"vx\":0.4}", 10, SendAuthority.HOUSEKEEPING);
         String path = PATH + "/" + idOf("rover");
         TestHttpClient.Answer file = viewer.get(path + "/file");
         assertThat(file.raw().headers().firstValue("Content-Disposition"))
@@ -171,7 +171,7 @@ class ReplayGatewayTest {
         FrameTap tap = house.recorder().open(1);
         tap.bound(new DroneId(drone));
         byte[] heartbeat = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
-        new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::heard);
+        new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::received);
         return tap;
     }
 

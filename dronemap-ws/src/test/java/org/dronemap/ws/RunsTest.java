@@ -393,7 +393,7 @@ class RunsTest {
 
         JournalReplay<RunState, RunInput> replay =
                 new JournalReplay<>(house.runs().kind());
-        replay.take(journal);
+        replay.replay(journal);
 
         assertThat(replay.difference()).contains(new JournalReplay.Difference(last.number(), changed, last.decision()));
     }

@@ -53,9 +53,9 @@ final class AnnealingSearch {
         reconnections = Math.max(1, Math.min(MOST_RECONNECTIONS, tours.waypoints / tours.drones / 100));
         tours.set(orders);
         worth.rescale();
-        worth.now();
+        worth.current();
         insertion.insertAll();
-        tours.keep();
+        tours.commit();
         if (ExactSearch.suits(tours)) {
             tours.set(ExactSearch.best(tours, ground.costs(), worth));
         }
@@ -65,18 +65,18 @@ final class AnnealingSearch {
     }
 
     Allocation run(SearchBudget budget, Consumer<Allocation> improved) {
-        tell(improved);
-        double current = worth.now();
+        publish(improved);
+        double current = worth.current();
         double heat = 0;
         while (!ExactSearch.suits(tours)) {
             if (iterations % BETWEEN_LOOKS == 0) {
-                tell(improved);
+                publish(improved);
                 double used = budget.used(iterations);
                 if (used >= 1) {
                     break;
                 }
                 heat = cooling.heat(cooled + (1 - cooled) * used);
-                current = lookAnew();
+                current = rescale();
             }
             iterations++;
             current = step(current, heat);
@@ -84,19 +84,19 @@ final class AnnealingSearch {
         return allocation();
     }
 
-    private void tell(Consumer<Allocation> improved) {
+    private void publish(Consumer<Allocation> improved) {
         if (bestExact < toldExact - WORTH_TELLING * Math.abs(toldExact) || Double.isInfinite(toldExact)) {
             toldExact = bestExact;
             improved.accept(allocation());
         }
     }
 
-    private double lookAnew() {
+    private double rescale() {
         if (iterations % BETWEEN_SURVEYS == 0) {
             tours.surveyAll();
         }
         worth.rescale();
-        return worth.now();
+        return worth.current();
     }
 
     /** What it changes stays so; not while the tours are the only copy of the best ones. */
@@ -106,7 +106,7 @@ final class AnnealingSearch {
             double now = reconnection.tryOne(current, current - heat * Math.log(random.nextDouble()));
             if (now != current) {
                 current = now;
-                tours.keep();
+                tours.commit();
                 noteIfBest();
             }
         }
@@ -117,20 +117,20 @@ final class AnnealingSearch {
         double current = reconnect(start, heat);
         removal.remove();
         insertion.insertAbsent();
-        double candidate = worth.now();
+        double candidate = worth.current();
         if (candidate >= current - heat * Math.log(random.nextDouble())) {
-            tours.takeBack();
+            tours.rollback();
             return current;
         }
         boolean better = isBest();
         if (!better && atBest) {
             // Copied when it is left, not each time that it gets better; the step away is given up for that.
-            tours.takeBack();
+            tours.rollback();
             best = tours.orders();
             atBest = false;
             return current;
         }
-        tours.keep();
+        tours.commit();
         noteIfBest();
         return candidate;
     }

@@ -9,7 +9,7 @@ final class NearestItems {
     /** Takes an item and the square of its distance. */
     @FunctionalInterface
     interface Visitor {
-        void take(int item, double squared);
+        void visit(int item, double squared);
     }
 
     NearestItems(int most) {
@@ -59,7 +59,7 @@ final class NearestItems {
 
     void forEach(Visitor taker) {
         for (int rank = 0; rank < count; rank++) {
-            taker.take(items[rank], squares[rank]);
+            taker.visit(items[rank], squares[rank]);
         }
     }
 }

@@ -26,8 +26,8 @@ final class NeighbourFinder {
     /** The waypoints in order from west to east, and where among them the one in the middle is. */
     int[] look(int[] eastward, int at) {
         for (int step = 1; step <= MOST_LOOKED_AT; step++) {
-            boolean eastGoesOn = take(eastward, at + step);
-            boolean westGoesOn = take(eastward, at - step);
+            boolean eastGoesOn = collect(eastward, at + step);
+            boolean westGoesOn = collect(eastward, at - step);
             if (!eastGoesOn && !westGoesOn) {
                 break;
             }
@@ -36,7 +36,7 @@ final class NeighbourFinder {
     }
 
     /** False when nothing from there on can be near enough. */
-    private boolean take(int[] eastward, int index) {
+    private boolean collect(int[] eastward, int index) {
         if (index < 0 || index >= eastward.length) {
             return false;
         }

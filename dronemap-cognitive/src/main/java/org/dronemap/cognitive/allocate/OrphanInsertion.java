@@ -31,7 +31,7 @@ final class OrphanInsertion {
 
     void insertAll(BitSet closed) {
         worth.rescale();
-        worth.now();
+        worth.current();
         for (int i = 0; i < tours.absent().size(); i++) {
             lookEverywhere(tours.absent().get(i), closed);
         }
@@ -39,7 +39,7 @@ final class OrphanInsertion {
             int r = tours.drone(afters[next]);
             tours.insert(next, afters[next]);
             worth.rescale();
-            worth.now();
+            worth.current();
             lookAgain(r, closed);
         }
     }
@@ -75,7 +75,7 @@ final class OrphanInsertion {
                 choice.everywhere(orphan, r);
             }
         }
-        note(orphan);
+        recordBest(orphan);
     }
 
     /** One tour has changed: those that were best in it may be best elsewhere now. */
@@ -99,11 +99,11 @@ final class OrphanInsertion {
             choice.everywhere(orphan, changed);
         }
         if (choice.change() < changes[orphan]) {
-            note(orphan);
+            recordBest(orphan);
         }
     }
 
-    private void note(int orphan) {
+    private void recordBest(int orphan) {
         changes[orphan] = choice.change();
         afters[orphan] = choice.after();
     }

@@ -75,7 +75,7 @@ final class SearchCost {
     }
 
     /** The worth of the tours as they are. */
-    double now() {
+    double current() {
         double norm = 0;
         double sum = 0;
         for (int r = 0; r < tours.drones; r++) {
@@ -91,7 +91,7 @@ final class SearchCost {
     }
 
     /**
-     * By how much the worth would change about, judged by the tours when {@link #now()} was last asked; infinite when that
+     * By how much the worth would change about, judged by the tours when {@link #current()} was last asked; infinite when that
      * is surely no less than a limit.
      */
     double insertion(int r, double moreSeconds, double moreSum, double limit) {

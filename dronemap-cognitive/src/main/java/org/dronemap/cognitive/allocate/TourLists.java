@@ -5,7 +5,7 @@ import org.dronemap.cognitive.cost.AllocationProblem;
 
 /**
  * The tours of all drones as the search changes them: linked lists of places, with what each tour takes. What was
- * changed since the last {@link #keep()} can be taken back.
+ * changed since the last {@link #commit()} can be taken back.
  */
 final class TourLists {
     static final int NONE = -1;
@@ -76,7 +76,7 @@ final class TourLists {
             size[r] = orders[r].length;
         }
         surveyAll();
-        keep();
+        commit();
     }
 
     int[][] orders() {
@@ -267,12 +267,12 @@ final class TourLists {
         join(yoursIsEmpty ? one : lastYours, end(r));
         join(other, mineIsEmpty ? end(s) : mine);
         join(mineIsEmpty ? other : lastMine, end(s));
-        takeOver(r);
-        takeOver(s);
+        assignChain(r);
+        assignChain(s);
     }
 
     /** All that is linked up between a drone's start and its end is its own. */
-    private void takeOver(int r) {
+    private void assignChain(int r) {
         int count = 0;
         for (int place = next[start(r)]; place != end(r); place = next[place]) {
             drone[place] = r;
@@ -321,8 +321,8 @@ final class TourLists {
     }
 
     private void link(int place, int after, double secondsBetween) {
-        journal.note(FIELDS * place + NEXT, next[place], out[place]);
-        journal.note(FIELDS * after + PREV, prev[after], 0);
+        journal.record(FIELDS * place + NEXT, next[place], out[place]);
+        journal.record(FIELDS * after + PREV, prev[after], 0);
         join(place, after);
         out[place] = secondsBetween;
     }
@@ -333,7 +333,7 @@ final class TourLists {
     }
 
     private void assign(int waypoint, int r) {
-        journal.note(FIELDS * waypoint + DRONE, drone[waypoint], 0);
+        journal.record(FIELDS * waypoint + DRONE, drone[waypoint], 0);
         put(waypoint, r);
     }
 
@@ -347,13 +347,13 @@ final class TourLists {
     }
 
     /** What was changed stays so. */
-    void keep() {
+    void commit() {
         journal.clear();
         touched.clear();
     }
 
-    /** Everything is again as at the last {@link #keep()}. */
-    void takeBack() {
+    /** Everything is again as at the last {@link #commit()}. */
+    void rollback() {
         for (int i = journal.count() - 1; i >= 0; i--) {
             int place = journal.slot(i) / FIELDS;
             int value = journal.value(i);
@@ -373,6 +373,6 @@ final class TourLists {
             sums[r] = oldSums[r];
             joules[r] = oldJoules[r];
         }
-        keep();
+        commit();
     }
 }

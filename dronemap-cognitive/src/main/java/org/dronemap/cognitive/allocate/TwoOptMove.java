@@ -63,12 +63,12 @@ final class TwoOptMove {
         int from = forward ? afterOne : afterOther;
         int to = forward ? other : one;
         tours.turn(from, to);
-        double now = worth.now();
+        double now = worth.current();
         if (now < limit && isFeasible(r)) {
             return now;
         }
         tours.turn(to, from);
-        worth.now();
+        worth.current();
         return current;
     }
 
@@ -86,12 +86,12 @@ final class TwoOptMove {
             return current;
         }
         tours.exchangeTails(one, other);
-        double now = worth.now();
+        double now = worth.current();
         if (now < limit && isFeasible(r) && isFeasible(s)) {
             return now;
         }
         tours.exchangeTails(one, other);
-        worth.now();
+        worth.current();
         return current;
     }
 

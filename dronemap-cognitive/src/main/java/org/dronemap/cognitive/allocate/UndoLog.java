@@ -9,7 +9,7 @@ final class UndoLog {
     private double[] seconds = new double[256];
     private int count;
 
-    void note(int slot, int value, double secondsThen) {
+    void record(int slot, int value, double secondsThen) {
         if (count == slots.length) {
             slots = Arrays.copyOf(slots, 2 * count);
             values = Arrays.copyOf(values, 2 * count);

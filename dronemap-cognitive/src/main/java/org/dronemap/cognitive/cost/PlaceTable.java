@@ -45,7 +45,7 @@ final class PlaceTable {
         }
         for (int r = 0; r < problem.crafts().size(); r++) {
             Craft craft = problem.crafts().get(r);
-            set(waypoints + 2 * r, craft.start().place(), craft.takesOff());
+            set(waypoints + 2 * r, craft.start().place(), craft.beginsWithTakeOff());
             set(waypoints + 2 * r + 1, craft.finish().place(), craft.lands());
         }
     }

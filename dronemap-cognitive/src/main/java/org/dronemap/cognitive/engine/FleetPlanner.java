@@ -36,7 +36,7 @@ public final class FleetPlanner {
      */
     public static PlanResult plan(
             PlanningProblem problem, long seed, SearchBudget budget, Consumer<SearchProgress> progress) {
-        return watched(problem, seed, budget, (better, orders) -> progress.accept(better));
+        return planObserved(problem, seed, budget, (better, orders) -> progress.accept(better));
     }
 
     /**
@@ -44,14 +44,15 @@ public final class FleetPlanner {
      *
      * @param watcher hears of better plans, on this thread, and for each drone of the numbers of its waypoints in order
      */
-    public static PlanResult watched(
+    public static PlanResult planObserved(
             PlanningProblem problem, long seed, SearchBudget budget, BiConsumer<SearchProgress, int[][]> watcher) {
         CostModel costs = CostModel.of(problem);
         AllocationObjective aim = costs.instance().aim();
         double bound = LowerBound.of(costs.instance(), boundRounds(problem));
         Allocation found = new Allocator(costs.instance())
                 .search(seed, budget, better -> watcher.accept(progress(better, aim, bound), better.orders()));
-        Plan apart = PlanDeconflicter.apart(problem, costs.plan(found.orders())).plan();
+        Plan apart =
+                PlanDeconflicter.deconflict(problem, costs.plan(found.orders())).plan();
         return new PlanResult(apart, progress(found, aim, bound), PlanChecker.faults(problem, apart));
     }
 

@@ -13,7 +13,7 @@ final class MotionKalmanFilter {
 
     private final MotionModel manner;
     private double[] mean = new double[SIZE];
-    private double[][] spread = new double[SIZE][SIZE];
+    private double[][] covariance = new double[SIZE][SIZE];
 
     /**
      * A motion model: how fast speed changes, and the lateral acceleration in bends. Whoever walks, runs or rides leans
@@ -32,24 +32,24 @@ final class MotionKalmanFilter {
     /** It is there, within so many metres, and may move with so many m/s. */
     void begin(double east, double north, double meters, double speed) {
         mean = new double[] {east, north, 0, 0, 0};
-        spread = new double[SIZE][SIZE];
+        covariance = new double[SIZE][SIZE];
         for (int i = 0; i < LEAN; i++) {
-            spread[i][i] = i < 2 ? meters * meters : speed * speed;
+            covariance[i][i] = i < 2 ? meters * meters : speed * speed;
         }
-        lean();
+        resetTurn();
     }
 
     void set(double[] newMean, double[][] newSpread) {
         mean = newMean;
-        spread = newSpread;
+        covariance = newSpread;
     }
 
     double[] mean() {
         return mean;
     }
 
-    double[][] spread() {
-        return spread;
+    double[][] covariance() {
+        return covariance;
     }
 
     /** How it moves after so many seconds. */
@@ -68,8 +68,8 @@ final class MotionKalmanFilter {
     }
 
     /** Lets time pass; {@code wander}: what the phone's error changes by meanwhile, in metres an axis for a second. */
-    void pass(double seconds, double wander) {
-        lean();
+    void predict(double seconds, double wander) {
+        resetTurn();
         double[][] change = new double[SIZE][SIZE];
         for (int column = 0; column < SIZE; column++) {
             double[] more = mean.clone();
@@ -83,28 +83,28 @@ final class MotionKalmanFilter {
             }
         }
         mean = moved(mean, seconds);
-        spread = product(product(change, spread), transposed(change));
+        covariance = product(product(change, covariance), transposed(change));
         double pushed = manner.push() * manner.push();
         for (int axis = 0; axis < 2; axis++) {
-            spread[axis][axis] += (pushed * seconds * seconds / 3 + wander * wander) * seconds;
-            spread[axis][axis + 2] += pushed * seconds * seconds / 2;
-            spread[axis + 2][axis] += pushed * seconds * seconds / 2;
-            spread[axis + 2][axis + 2] += pushed * seconds;
+            covariance[axis][axis] += (pushed * seconds * seconds / 3 + wander * wander) * seconds;
+            covariance[axis][axis + 2] += pushed * seconds * seconds / 2;
+            covariance[axis + 2][axis] += pushed * seconds * seconds / 2;
+            covariance[axis + 2][axis + 2] += pushed * seconds;
         }
     }
 
     /** What was learnt of it before counts no longer: it may lean otherwise from one fix to the next. */
-    private void lean() {
+    private void resetTurn() {
         mean[LEAN] = manner.lean();
         for (int i = 0; i < SIZE; i++) {
-            spread[LEAN][i] = 0;
-            spread[i][LEAN] = 0;
+            covariance[LEAN][i] = 0;
+            covariance[i][LEAN] = 0;
         }
-        spread[LEAN][LEAN] = manner.leanSpread() * manner.leanSpread();
+        covariance[LEAN][LEAN] = manner.leanSpread() * manner.leanSpread();
     }
 
     /** How many sigmas a place is from where it is expected. */
-    double surprise(double east, double north, double meters) {
+    double normalizedInnovation(double east, double north, double meters) {
         return Math.sqrt(squared(east - mean[0], north - mean[1], meters));
     }
 
@@ -114,31 +114,31 @@ final class MotionKalmanFilter {
 
     /** {@code first}: the first of the two that something is known of now. */
     private double squared(int first, double east, double north, double sigma) {
-        double a = spread[first][first] + sigma * sigma;
-        double b = spread[first][first + 1];
-        double c = spread[first + 1][first + 1] + sigma * sigma;
+        double a = covariance[first][first] + sigma * sigma;
+        double b = covariance[first][first + 1];
+        double c = covariance[first + 1][first + 1] + sigma * sigma;
         return (c * east * east - 2 * b * east * north + a * north * north) / (a * c - b * b);
     }
 
     /** Takes a place into account; returns how likely it was. */
-    double learn(double east, double north, double meters) {
-        return learn(0, east, north, meters);
+    double update(double east, double north, double meters) {
+        return update(0, east, north, meters);
     }
 
     /** The same for a velocity in m/s. */
-    double learnSpeed(double eastward, double northward, double metersPerSecond) {
-        return learn(2, eastward, northward, metersPerSecond);
+    double updateVelocity(double eastward, double northward, double metersPerSecond) {
+        return update(2, eastward, northward, metersPerSecond);
     }
 
-    private double learn(int first, double one, double other, double sigma) {
-        double a = spread[first][first] + sigma * sigma;
-        double b = spread[first][first + 1];
-        double c = spread[first + 1][first + 1] + sigma * sigma;
+    private double update(int first, double one, double other, double sigma) {
+        double a = covariance[first][first] + sigma * sigma;
+        double b = covariance[first][first + 1];
+        double c = covariance[first + 1][first + 1] + sigma * sigma;
         double size = a * c - b * b;
         double offOne = one - mean[first];
         double offOther = other - mean[first + 1];
         double likelihood = Math.exp(-squared(first, offOne, offOther, sigma) / 2) / (2 * Math.PI * Math.sqrt(size));
-        double[][] before = spread;
+        double[][] before = covariance;
         double[][] after = new double[SIZE][SIZE];
         for (int i = 0; i < SIZE; i++) {
             double gainOne = (before[i][first] * c - before[i][first + 1] * b) / size;
@@ -148,7 +148,7 @@ final class MotionKalmanFilter {
                 after[i][j] = before[i][j] - gainOne * before[first][j] - gainOther * before[first + 1][j];
             }
         }
-        spread = evened(after);
+        covariance = evened(after);
         return likelihood;
     }
 

@@ -32,7 +32,7 @@ final class NoiseHypothesis {
     private final List<MotionKalmanFilter> beliefs =
             MANNERS.stream().map(MotionKalmanFilter::new).toList();
     private double[] weights = BEGINS;
-    private double credit;
+    private double logLikelihood;
 
     /**
      * The noise of a phone's fixes, as shares of the accuracy that it reports.
@@ -52,9 +52,9 @@ final class NoiseHypothesis {
         weights = BEGINS;
     }
 
-    void pass(double seconds, double accuracyMeters) {
+    void predict(double seconds, double accuracyMeters) {
         mix(seconds);
-        beliefs.forEach(belief -> belief.pass(seconds, phone.wander() * accuracyMeters));
+        beliefs.forEach(belief -> belief.predict(seconds, phone.wander() * accuracyMeters));
     }
 
     /** Each opinion begins from what all think, by how likely it is that the target changed over to it. */
@@ -73,7 +73,7 @@ final class NoiseHypothesis {
                 shares[from] /= next[to];
             }
             means[to] = mean(shares);
-            spreads[to] = spread(shares, means[to]);
+            spreads[to] = covariance(shares, means[to]);
         }
         for (int to = 0; to < count; to++) {
             beliefs.get(to).set(means[to], spreads[to]);
@@ -100,14 +100,14 @@ final class NoiseHypothesis {
         return mean;
     }
 
-    private double[][] spread(double[] shares, double[] mean) {
+    private double[][] covariance(double[] shares, double[] mean) {
         double[][] spread = new double[MotionKalmanFilter.SIZE][MotionKalmanFilter.SIZE];
         for (int from = 0; from < shares.length; from++) {
             MotionKalmanFilter belief = beliefs.get(from);
             for (int i = 0; i < MotionKalmanFilter.SIZE; i++) {
                 for (int j = 0; j < MotionKalmanFilter.SIZE; j++) {
                     double apart = (belief.mean()[i] - mean[i]) * (belief.mean()[j] - mean[j]);
-                    spread[i][j] += shares[from] * (belief.spread()[i][j] + apart);
+                    spread[i][j] += shares[from] * (belief.covariance()[i][j] + apart);
                 }
             }
         }
@@ -115,26 +115,26 @@ final class NoiseHypothesis {
     }
 
     /** How many sigmas a place is from where it is expected. */
-    double surprise(PlanePoint spot, double accuracyMeters) {
+    double normalizedInnovation(PlanePoint spot, double accuracyMeters) {
         double meters = Math.max(LEAST_METERS, phone.fresh() * accuracyMeters);
         return beliefs.stream()
-                .mapToDouble(belief -> belief.surprise(spot.eastMeters(), spot.northMeters(), meters))
+                .mapToDouble(belief -> belief.normalizedInnovation(spot.eastMeters(), spot.northMeters(), meters))
                 .min()
                 .orElseThrow();
     }
 
-    void learn(PlanePoint spot, double accuracyMeters) {
+    void update(PlanePoint spot, double accuracyMeters) {
         double meters = phone.fresh() * accuracyMeters;
-        double likelihood = learn(belief -> belief.learn(spot.eastMeters(), spot.northMeters(), meters));
-        credit = credit * (1 - 1 / REMEMBERED_FIXES) + Math.log(likelihood);
+        double likelihood = update(belief -> belief.update(spot.eastMeters(), spot.northMeters(), meters));
+        logLikelihood = logLikelihood * (1 - 1 / REMEMBERED_FIXES) + Math.log(likelihood);
     }
 
-    void learnSpeed(PhoneFix.Course course, double metersPerSecond) {
-        double unused = learn(belief -> belief.learnSpeed(course.eastward(), course.northward(), metersPerSecond));
+    void updateVelocity(PhoneFix.Course course, double metersPerSecond) {
+        double unused = update(belief -> belief.updateVelocity(course.eastward(), course.northward(), metersPerSecond));
     }
 
     /** Whoever found it likelier counts for more; returns how likely it was on the whole. */
-    private double learn(ToDoubleFunction<MotionKalmanFilter> likelihood) {
+    private double update(ToDoubleFunction<MotionKalmanFilter> likelihood) {
         double sum = 0;
         double[] learnt = new double[weights.length];
         for (int i = 0; i < weights.length; i++) {
@@ -149,8 +149,8 @@ final class NoiseHypothesis {
     }
 
     /** How well it foretold the last fixes: the logarithm of a likelihood. */
-    double credit() {
-        return credit;
+    double logLikelihood() {
+        return logLikelihood;
     }
 
     /** So many seconds after the newest fix. */

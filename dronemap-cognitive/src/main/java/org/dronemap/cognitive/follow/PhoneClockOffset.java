@@ -20,7 +20,7 @@ public final class PhoneClockOffset {
     private final Deque<OffsetSample> exchanges = new ArrayDeque<>();
 
     /** {@code slowness}: by what it is compared with others. */
-    private record OffsetSample(Instant heard, Duration ahead, Duration slowness) {}
+    private record OffsetSample(Instant receivedAt, Duration ahead, Duration slowness) {}
 
     /**
      * A message of the phone.
@@ -29,9 +29,9 @@ public final class PhoneClockOffset {
      * @param heard by the cloud's
      * @param roundTrip from sending one to its answer, as the phone measured it lately; null: it did not
      */
-    public void heard(Instant sent, Instant heard, @Nullable Duration roundTrip) {
+    public void messageReceived(Instant sent, Instant heard, @Nullable Duration roundTrip) {
         OffsetSample before = exchanges.peekLast();
-        if (before != null && before.heard().equals(heard)) {
+        if (before != null && before.receivedAt().equals(heard)) {
             // Several positions in one message.
             return;
         }
@@ -41,7 +41,7 @@ public final class PhoneClockOffset {
         Duration slowness = roundTrip == null ? Duration.ofDays(10_000).plus(apart) : roundTrip;
         exchanges.addLast(new OffsetSample(heard, apart.minus(way), slowness));
         while (exchanges.size() > MOST
-                || Duration.between(exchanges.getFirst().heard(), heard).compareTo(REMEMBERED) > 0) {
+                || Duration.between(exchanges.getFirst().receivedAt(), heard).compareTo(REMEMBERED) > 0) {
             exchanges.removeFirst();
         }
     }

@@ -69,7 +69,7 @@ public final class StandOffGuidance {
     }
 
     /** Begins anew from where the drone is, as when somebody else flew it meanwhile. */
-    public void letGo() {
+    public void reset() {
         carrot = null;
         before = null;
         risen = false;
@@ -80,7 +80,7 @@ public final class StandOffGuidance {
      *
      * @param heard when the newest fix of the target came; null: none did
      */
-    public GuidanceSetpoint lead(
+    public GuidanceSetpoint guide(
             Instant now,
             StandOff standOff,
             GuidanceLimits limits,
@@ -92,8 +92,8 @@ public final class StandOffGuidance {
         Instant there = now.plusNanos((long) (limits.downlinkSeconds() * NANOS));
         PlanePoint expected = expected(drone, there);
         ReferencePoint loose = carrot == null ? begun(drone) : carrot;
-        ReferenceLimit leash = leash(loose, drone, there);
-        ReferencePoint from = leashed(loose, leash, expected);
+        ReferenceLimit leash = referenceLimit(loose, drone, there);
+        ReferencePoint from = limited(loose, leash, expected);
         StandOffPosition.Wanted wanted = stance.at(there, standOff, seconds);
         Cycle step = new Cycle(seconds, limits, Math.min(limits.speed(), leash.speed()), around, expected);
         FlyableArea room = around.room();
@@ -115,12 +115,12 @@ public final class StandOffGuidance {
         }
         next = levelled(next, standOff, step);
         carrot = next;
-        look(wanted, next);
-        return aim(next, told(from, next, step), doing);
+        updateHeading(wanted, next);
+        return aim(next, commandedVelocity(from, next, step), doing);
     }
 
     /** Turned on by what it turns meanwhile, slowed by half of what it brakes, and no faster. */
-    private static TrafficAvoidance.Velocity told(ReferencePoint from, ReferencePoint next, Cycle step) {
+    private static TrafficAvoidance.Velocity commandedVelocity(ReferencePoint from, ReferencePoint next, Cycle step) {
         double speed = Math.hypot(next.eastward(), next.northward());
         if (step.seconds() == 0 || speed == 0) {
             return new TrafficAvoidance.Velocity(next.eastward(), next.northward());
@@ -136,7 +136,7 @@ public final class StandOffGuidance {
         TrafficAvoidance.Velocity apart = step.around()
                 .others()
                 .allowed(List.of(next.spot(), step.drone()), next.up(), new TrafficAvoidance.Velocity(east, north));
-        double free = freely(step.around().room(), next.spot(), apart.eastward(), apart.northward());
+        double free = brakingShare(step.around().room(), next.spot(), apart.eastward(), apart.northward());
         return new TrafficAvoidance.Velocity(apart.eastward() * free, apart.northward() * free);
     }
 
@@ -156,7 +156,7 @@ public final class StandOffGuidance {
                 plane.spot(drone.point()), drone.eastward(), drone.northward(), drone.altitudeAmslMeters(), 0);
     }
 
-    private ReferenceLimit leash(ReferencePoint from, DroneFix drone, Instant there) {
+    private ReferenceLimit referenceLimit(ReferencePoint from, DroneFix drone, Instant there) {
         return ReferenceLimit.of(
                 expected(drone, there).distanceMeters(from.spot()),
                 Math.hypot(drone.eastward(), drone.northward()),
@@ -164,7 +164,7 @@ public final class StandOffGuidance {
     }
 
     /** The drone may be blown away, or be slower than it should: then the carrot waits for it. */
-    private static ReferencePoint leashed(ReferencePoint from, ReferenceLimit leash, PlanePoint expected) {
+    private static ReferencePoint limited(ReferencePoint from, ReferenceLimit leash, PlanePoint expected) {
         double apart = expected.distanceMeters(from.spot());
         double speed = Math.hypot(from.eastward(), from.northward());
         double slower = speed > leash.speed() ? leash.speed() / speed : 1;
@@ -230,7 +230,8 @@ public final class StandOffGuidance {
         FlyableArea room = step.around().room();
         // The drone may be some metres beside its carrot, and does not turn sooner for a fence that is in its own way
         // only.
-        double free = Math.min(freely(room, from.spot(), east, north), freely(room, step.drone(), east, north));
+        double free =
+                Math.min(brakingShare(room, from.spot(), east, north), brakingShare(room, step.drone(), east, north));
         return new ReferencePoint(
                 new PlanePoint(
                         from.spot().eastMeters() + east * free * step.seconds(),
@@ -242,7 +243,7 @@ public final class StandOffGuidance {
     }
 
     /** The share of a speed at which whoever hears no more comes to a stand before any fence. */
-    private static double freely(FlyableArea room, PlanePoint from, double east, double north) {
+    private static double brakingShare(FlyableArea room, PlanePoint from, double east, double north) {
         double speed = Math.hypot(east, north);
         double seconds = DEAF_SECONDS + speed / (2 * DEAF_BRAKING);
         double share = room.clearShare(
@@ -272,7 +273,7 @@ public final class StandOffGuidance {
         return Math.max(lowest, Math.min(limits.highestAmslMeters(), amslMeters));
     }
 
-    private void look(StandOffPosition.@Nullable Wanted wanted, ReferencePoint now) {
+    private void updateHeading(StandOffPosition.@Nullable Wanted wanted, ReferencePoint now) {
         if (wanted == null) {
             return;
         }

@@ -56,7 +56,7 @@ public final class TargetFilter implements TrackedTarget {
         plane = new LocalPlane(near);
     }
 
-    public FixResult take(PhoneFix fix) {
+    public FixResult update(PhoneFix fix) {
         if (fix.accuracyMeters() > VAGUE_METERS) {
             return FixResult.VAGUE;
         }
@@ -71,10 +71,10 @@ public final class TargetFilter implements TrackedTarget {
             return FixResult.LATE;
         }
         PlanePoint spot = plane.spot(fix.point());
-        hypotheses.forEach(hypothesis -> hypothesis.pass(seconds, meters));
+        hypotheses.forEach(hypothesis -> hypothesis.predict(seconds, meters));
         last = fix.at();
-        boolean expected =
-                hypotheses.stream().anyMatch(hypothesis -> hypothesis.surprise(spot, meters) < FAR_OFF_SIGMAS);
+        boolean expected = hypotheses.stream()
+                .anyMatch(hypothesis -> hypothesis.normalizedInnovation(spot, meters) < FAR_OFF_SIGMAS);
         if (!expected && ++outliers < BELIEVED_AFTER) {
             return FixResult.OUTLIER;
         }
@@ -83,10 +83,10 @@ public final class TargetFilter implements TrackedTarget {
             return FixResult.TAKEN;
         }
         outliers = 0;
-        hypotheses.forEach(hypothesis -> hypothesis.learn(spot, meters));
+        hypotheses.forEach(hypothesis -> hypothesis.update(spot, meters));
         PhoneFix.Course course = fix.course();
         if (course != null) {
-            hypotheses.forEach(hypothesis -> hypothesis.learnSpeed(course, SPEED_ACCURACY));
+            hypotheses.forEach(hypothesis -> hypothesis.updateVelocity(course, SPEED_ACCURACY));
         }
         return FixResult.TAKEN;
     }
@@ -114,12 +114,14 @@ public final class TargetFilter implements TrackedTarget {
             return null;
         }
         double seconds = Math.max(0, Math.min(LONGEST_SECONDS, seconds(from, time)));
-        double best =
-                hypotheses.stream().mapToDouble(NoiseHypothesis::credit).max().orElseThrow();
+        double best = hypotheses.stream()
+                .mapToDouble(NoiseHypothesis::logLikelihood)
+                .max()
+                .orElseThrow();
         double all = 0;
         PlanarMotion sum = PlanarMotion.NONE;
         for (NoiseHypothesis hypothesis : hypotheses) {
-            double likelihood = Math.exp(hypothesis.credit() - best);
+            double likelihood = Math.exp(hypothesis.logLikelihood() - best);
             sum = sum.plus(hypothesis.after(seconds), likelihood);
             all += likelihood;
         }
@@ -127,7 +129,7 @@ public final class TargetFilter implements TrackedTarget {
     }
 
     /** Where it was by its newest fixes, without a look ahead; null: nothing is known of it. */
-    public @Nullable Geodetic where() {
+    public @Nullable Geodetic position() {
         PlanarMotion now = last == null ? null : at(last);
         return now == null ? null : plane.place(now.spot());
     }

@@ -154,7 +154,7 @@ public final class TrafficAvoidance {
             return wanted;
         }
         if (!other.led() && most < 0 && comes > 0) {
-            return outOfTheWay(other, here, wanted, new Velocity(east, north), -most, right);
+            return sidestep(other, here, wanted, new Velocity(east, north), -most, right);
         }
         double fastest = other.led() && meters > horizontalMeters + NEAR_METERS ? FASTEST_FROM_LED : FASTEST_AWAY;
         double less = closer - Math.max(-fastest, most);
@@ -170,7 +170,7 @@ public final class TrafficAvoidance {
      * @param away from the other to here, of length 1
      * @param excess m/s that it comes on beyond what it may
      */
-    private Velocity outOfTheWay(
+    private Velocity sidestep(
             Neighbor other, PlanePoint here, Velocity wanted, Velocity away, double excess, boolean right) {
         double side = right ? 1 : -1;
         Velocity aside =

@@ -43,7 +43,7 @@ final class AltitudeLayers {
     }
 
     private boolean rises(int number) {
-        return number == 0 && craft.takesOff();
+        return number == 0 && craft.beginsWithTakeOff();
     }
 
     private boolean lands(int number) {

@@ -133,7 +133,7 @@ public final class MissionWriter {
 
     /** With which fix it goes on after a take-off. */
     private int begin(List<MissionItem> items, List<TimedPlace> fixes, boolean last) {
-        if (!craft.takesOff()) {
+        if (!craft.beginsWithTakeOff()) {
             return 1;
         }
         takeOff(items, fixes.get(1).place());

@@ -38,7 +38,7 @@ public final class PlanDeconflicter {
     }
 
     /** The drones of {@code plan} must be those of the problem. */
-    public static DeconflictedPlan apart(PlanningProblem problem, Plan plan) {
+    public static DeconflictedPlan deconflict(PlanningProblem problem, Plan plan) {
         if (SeparationCheck.conflicts(problem, plan).isEmpty()) {
             return new DeconflictedPlan(plan, List.of());
         }

@@ -58,7 +58,7 @@ final class ReferenceFlightModel {
         double vertical = climb > 0 ? climb / speeds.climb() : climb / -speeds.descent();
         double meters = length(from, to);
         Air air = meters == 0 ? new Air(speeds.cruise(), speeds.cruise()) : air(from, to);
-        double level = meters == 0 ? 0 : level(meters, air.overGround());
+        double level = meters == 0 ? 0 : levelSeconds(meters, air.overGround());
         double extra = climb > 0 ? Math.max(0, power.climb() - power.hover()) * vertical : 0;
         double hovering = vertical > level ? (vertical - level) * power.hover() : 0;
         return new Effort(Math.max(level, vertical), level * watts(air.through()) + hovering + extra);
@@ -92,7 +92,7 @@ final class ReferenceFlightModel {
         return new Air(speeds.cruise(), Math.hypot(speeds.cruise() - along, across));
     }
 
-    private double level(double meters, double overGround) {
+    private double levelSeconds(double meters, double overGround) {
         double runUp = overGround * overGround / (2 * speeds.acceleration());
         if (2 * runUp >= meters) {
             return 2 * Math.sqrt(meters / speeds.acceleration());

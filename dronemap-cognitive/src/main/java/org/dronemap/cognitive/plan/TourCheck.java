@@ -101,7 +101,7 @@ final class TourCheck {
         expect(isSame(way.from(), from), "sets off " + words + " from where it is not");
         expect(way.departsSeconds() >= free - SAME_SECONDS, "sets off " + words + " before it is free to");
         int last = way.fixes().size() - 1;
-        boolean rises = way.equals(tour.way(0)) && craft.takesOff();
+        boolean rises = way.equals(tour.way(0)) && craft.beginsWithTakeOff();
         boolean lands = way.equals(tour.last()) && craft.lands();
         for (int i = 0; i < last; i++) {
             TimedPlace one = way.fixes().get(i);

@@ -64,7 +64,7 @@ public record Craft(
     }
 
     /** Whether its first way begins with a take-off. */
-    public boolean takesOff() {
+    public boolean beginsWithTakeOff() {
         return !start.airborne() && performance.response() != WindResponse.UNTOUCHED;
     }
 

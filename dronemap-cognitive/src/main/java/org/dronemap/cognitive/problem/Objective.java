@@ -28,7 +28,7 @@ public record Objective(double longestWeight, Measure measure, double sumWeight,
     }
 
     /** The same where drones may be left where they are. */
-    public Objective leavingDrones() {
+    public Objective withIdleDronesAllowed() {
         return new Objective(longestWeight, measure, sumWeight, false);
     }
 

@@ -91,7 +91,7 @@ public final class Replanner {
 
     private ReplanResult replanned(Allocation allocation, long iterations) {
         int[][] orders = continuation.whole(allocation.orders());
-        Plan plan = PlanDeconflicter.apart(problem, costs.plan(orders)).plan();
+        Plan plan = PlanDeconflicter.deconflict(problem, costs.plan(orders)).plan();
         return new ReplanResult(
                 plan,
                 standing.changes(orders),

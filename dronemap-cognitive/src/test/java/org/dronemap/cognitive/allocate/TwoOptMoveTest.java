@@ -33,9 +33,9 @@ class TwoOptMoveTest {
         SearchCost worth = new SearchCost(tours, costs, instance.aim(), new OmissionPenalties(instance, costs));
         NeighbourLists near = new NeighbourLists(instance.legs(), tours.waypoints);
         new GreedyInsertion(tours, worth, costs, near, random).insertAll();
-        tours.keep();
+        tours.commit();
         worth.rescale();
-        double current = worth.now();
+        double current = worth.current();
         TwoOptMove reconnection = new TwoOptMove(tours, worth, costs, near, random);
         AllocationOracle judge = new AllocationOracle(instance);
         int changed = 0;

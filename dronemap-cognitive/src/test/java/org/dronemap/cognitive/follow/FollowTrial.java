@@ -191,10 +191,10 @@ public final class FollowTrial {
     }
 
     private void hear(Report report, Instant now) {
-        clock.heard(
+        clock.messageReceived(
                 report.sent(), now, Duration.ofMillis(Math.round(setup.link().seconds() * 2_000)));
         PhoneFix fix = new PhoneFix(clock.toCloud(report.sent()), report.point(), REPORTED_ACCURACY, report.course());
-        filter.take(fix);
+        filter.update(fix);
         if (newest == null || report.sent().isAfter(newest.sent())) {
             newest = report;
             last.take(fix);
@@ -220,7 +220,7 @@ public final class FollowTrial {
 
     private void say(double now) {
         if (setup.way() != Way.FORWARDED) {
-            GuidanceSetpoint aim = guidance.lead(
+            GuidanceSetpoint aim = guidance.guide(
                     at(now),
                     setup.standOff(),
                     limits,

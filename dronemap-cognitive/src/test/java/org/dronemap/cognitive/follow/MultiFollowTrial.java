@@ -151,7 +151,7 @@ final class MultiFollowTrial {
 
         void hear(double now) {
             up.deliver(now, fix -> {
-                filter.take(fix);
+                filter.update(fix);
                 heard = at(now);
             });
             telemetry.deliver(now, there -> seen = there.at().isAfter(seen.at()) ? there : seen);
@@ -162,7 +162,7 @@ final class MultiFollowTrial {
                     12, SimDrone.HOME_AMSL + FollowTrial.LOWEST_METERS, SimDrone.HOME_AMSL + 120, LINK.seconds());
             down.send(
                     now,
-                    guidance.lead(
+                    guidance.guide(
                             at(now),
                             standOff,
                             limits,

@@ -56,7 +56,7 @@ class StandOffGuidanceTest {
             StandOff standOff, GuidanceLimits limits, StandOffGuidance.Environment around, boolean heard) {
         now += STEP;
         GuidanceSetpoint aim =
-                guidance.lead(moment(now), standOff, limits, around, drone, heard ? moment(now) : moment(now - 2.1));
+                guidance.guide(moment(now), standOff, limits, around, drone, heard ? moment(now) : moment(now - 2.1));
         drone = new DroneFix(moment(now), aim.point(), aim.altitudeAmslMeters(), aim.eastward(), aim.northward());
         return aim;
     }
@@ -198,7 +198,7 @@ class StandOffGuidanceTest {
         double lowest = low;
         for (int step = 0; step < 100; step++) {
             now += STEP;
-            GuidanceSetpoint aim = guidance.lead(
+            GuidanceSetpoint aim = guidance.guide(
                     moment(now),
                     new StandOff(new StandOffSide.Fixed(0), 10, low),
                     LIMITS,

@@ -22,7 +22,7 @@ class TargetFilterTest {
     }
 
     private FixResult heard(double seconds, double east, double north, double accuracy) {
-        return filter.take(new PhoneFix(at(seconds), filter.plane().place(new PlanePoint(east, north)), accuracy));
+        return filter.update(new PhoneFix(at(seconds), filter.plane().place(new PlanePoint(east, north)), accuracy));
     }
 
     private static Instant at(double seconds) {
@@ -144,7 +144,7 @@ class TargetFilterTest {
         double[] ways = {0.9, 0.3, 1.4, 0.7};
         for (int second = 0; second < ways.length; second++) {
             Instant sent = at(second).plus(ahead);
-            clock.heard(sent, at(second + ways[second]), Duration.ofMillis((long) (ways[second] * 2_000)));
+            clock.messageReceived(sent, at(second + ways[second]), Duration.ofMillis((long) (ways[second] * 2_000)));
         }
         assertThat(Duration.between(at(10), clock.toCloud(at(10).plus(ahead))).abs())
                 .isLessThan(Duration.ofMillis(5));
@@ -153,8 +153,8 @@ class TargetFilterTest {
     @Test
     void tellsAPhonesTimesRoughlyWhenItMeasuresNothing() {
         PhoneClockOffset clock = new PhoneClockOffset();
-        clock.heard(at(100), at(0.9), null);
-        clock.heard(at(101), at(1.2), null);
+        clock.messageReceived(at(100), at(0.9), null);
+        clock.messageReceived(at(101), at(1.2), null);
         assertThat(Duration.between(at(2), clock.toCloud(at(102))).abs()).isLessThan(Duration.ofMillis(200));
         assertThat(new PhoneClockOffset().toCloud(at(5))).isEqualTo(at(5));
     }

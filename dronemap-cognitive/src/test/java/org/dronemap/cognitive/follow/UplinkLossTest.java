@@ -51,7 +51,7 @@ class UplinkLossTest {
             Instant at = runner.at(now);
             if (now < deaf) {
                 StandOffGuidance.Environment around = new StandOffGuidance.Environment(ROOM, TrafficAvoidance.NONE);
-                drone.hear(guidance.lead(at, BESIDE, LIMITS, around, drone.whereabouts(at), at));
+                drone.hear(guidance.guide(at, BESIDE, LIMITS, around, drone.whereabouts(at), at));
             }
             drone.live(STEP);
             least = Math.min(

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
 /** Drones are kept apart by waiting and by layers, and a plain walk through time finds nothing to object. */
 class PlanDeconflicterTest {
     private static DeconflictedPlan arranged(PlanningProblem problem, int[][] orders) {
-        return PlanDeconflicter.apart(problem, CostModel.of(problem).plan(orders));
+        return PlanDeconflicter.deconflict(problem, CostModel.of(problem).plan(orders));
     }
 
     private static void isRight(PlanningProblem problem, DeconflictedPlan arranged) {
@@ -186,7 +186,7 @@ class PlanDeconflicterTest {
                 orders[i % 6][i / 6] = i;
             }
             Plan before = CostModel.of(problem).plan(orders);
-            DeconflictedPlan arranged = PlanDeconflicter.apart(problem, before);
+            DeconflictedPlan arranged = PlanDeconflicter.deconflict(problem, before);
 
             isRight(problem, arranged);
             assertThat(arranged.plan().endsSeconds()).isLessThan(before.endsSeconds() * 1.5 + 60);

@@ -132,8 +132,8 @@ class PlanningProblemTest {
         Craft rover = Craft.atHome(
                 new DroneId("rover"), PlanningFixtures.place(0, 0, 400), Performance.of(VehicleKind.ROVER));
 
-        assertThat(rover.takesOff()).isFalse();
+        assertThat(rover.beginsWithTakeOff()).isFalse();
         assertThat(rover.lands()).isFalse();
-        assertThat(craft.takesOff()).isTrue();
+        assertThat(craft.beginsWithTakeOff()).isTrue();
     }
 }

@@ -33,14 +33,14 @@ public final class GrantRegistry {
             return size() > MOST_LENT;
         }
     };
-    private long told;
+    private long announcedEdition;
 
     public GrantRegistry(InstantSource clock) {
         this.clock = clock;
     }
 
     /** As it is kept now. */
-    public OrganisationDirectory holdings() {
+    public OrganisationDirectory directory() {
         return picture.holdings();
     }
 
@@ -72,12 +72,12 @@ public final class GrantRegistry {
     }
 
     /** The rights of a user of that organisation. */
-    public EffectivePermissions reach(OrganisationId organisation, String user) {
+    public EffectivePermissions permissionsOf(OrganisationId organisation, String user) {
         return new GrantedPermissions(this, organisation, user);
     }
 
     /** All of an organisation, whatever is granted to whom. */
-    public EffectivePermissions reach(OrganisationId organisation) {
+    public EffectivePermissions permissionsOf(OrganisationId organisation) {
         return new GrantedPermissions(this, organisation, null);
     }
 
@@ -100,10 +100,10 @@ public final class GrantRegistry {
     public void announce() {
         long now = edition();
         synchronized (this) {
-            if (told == now) {
+            if (announcedEdition == now) {
                 return;
             }
-            told = now;
+            announcedEdition = now;
         }
         listeners.forEach(Runnable::run);
     }

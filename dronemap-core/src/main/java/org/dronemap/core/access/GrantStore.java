@@ -10,7 +10,7 @@ import org.dronemap.core.organisation.OrganisationId;
  */
 public interface GrantStore {
     /** All of it, by name where there is one, else by age; the default organisation is always there. */
-    OrganisationDirectory holdings();
+    OrganisationDirectory directory();
 
     /** Inserts or replaces. */
     void save(Organisation organisation);

@@ -15,7 +15,7 @@ final class AnonymousRefusalLimiter {
     // guarded by this
     private long left;
     private long since;
-    private long untold;
+    private long unrecorded;
 
     AnonymousRefusalLimiter(long most, LongSupplier nanoTime) {
         this.most = most;
@@ -24,14 +24,14 @@ final class AnonymousRefusalLimiter {
         this.since = nanoTime.getAsLong();
     }
 
-    synchronized boolean take() {
+    synchronized boolean tryAcquire() {
         long more = (nanoTime.getAsLong() - since) / NANOS_EACH;
         if (more > 0) {
             left = Math.min(most, left + more);
             since += more * NANOS_EACH;
         }
         if (left == 0) {
-            untold++;
+            unrecorded++;
             return false;
         }
         left--;
@@ -39,9 +39,9 @@ final class AnonymousRefusalLimiter {
     }
 
     /** How many were not written down since this was last asked. */
-    synchronized long untold() {
-        long count = untold;
-        untold = 0;
+    synchronized long drainUnrecorded() {
+        long count = unrecorded;
+        unrecorded = 0;
         return count;
     }
 }

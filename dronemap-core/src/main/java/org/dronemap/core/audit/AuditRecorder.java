@@ -41,11 +41,11 @@ public final class AuditRecorder {
 
     private void write(AuditEntry entry) {
         boolean stranger = entry.by() == null && entry.outcome() != AuditOutcome.SUCCEEDED;
-        if (stranger && !strangers.take()) {
+        if (stranger && !strangers.tryAcquire()) {
             return;
         }
         keep(entry);
-        long untold = stranger ? strangers.untold() : 0;
+        long untold = stranger ? strangers.drainUnrecorded() : 0;
         if (untold > 0) {
             keep(entry("server", "refused strangers")
                     .doing("refused strangers", untold + " more calls of strangers were refused")

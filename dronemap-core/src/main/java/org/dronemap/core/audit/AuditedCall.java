@@ -23,7 +23,7 @@ public final class AuditedCall {
     private Stage stage = Stage.OPEN;
     private @Nullable Long sequence;
     private boolean quiet;
-    private @Nullable AuditOutcome said;
+    private @Nullable AuditOutcome outcome;
     private @Nullable Consumer<AuditEntry> whenReleased;
     private String bare = "";
 
@@ -170,7 +170,7 @@ public final class AuditedCall {
     /** It is not, or not wholly, carried out; the first who says why is believed. What a record leaves open, its end will tell. */
     public synchronized void turnedAway(AuditOutcome how, String why) {
         boolean first = entry.outcome() == AuditOutcome.SUCCEEDED
-                || (said == null && entry.outcome() == AuditOutcome.UNDER_WAY);
+                || (outcome == null && entry.outcome() == AuditOutcome.UNDER_WAY);
         if (first) {
             entry = entry.ended(how, why, null);
         }
@@ -186,7 +186,7 @@ public final class AuditedCall {
             return Optional.empty();
         }
         stage = Stage.CLAIMED;
-        said = entry.outcome();
+        outcome = entry.outcome();
         return Optional.of(timed());
     }
 
@@ -206,7 +206,7 @@ public final class AuditedCall {
         Consumer<AuditEntry> last;
         synchronized (this) {
             stage = Stage.OPEN;
-            said = null;
+            outcome = null;
             last = whenReleased;
         }
         if (last != null) {
@@ -226,10 +226,10 @@ public final class AuditedCall {
 
     /** Of a call that was turned away after its record had said that it was carried out; once, however often it ends. */
     private Optional<AuditEntry> ending() {
-        if (sequence == null || said != AuditOutcome.SUCCEEDED || entry.outcome() == AuditOutcome.SUCCEEDED) {
+        if (sequence == null || outcome != AuditOutcome.SUCCEEDED || entry.outcome() == AuditOutcome.SUCCEEDED) {
             return Optional.empty();
         }
-        said = entry.outcome();
+        outcome = entry.outcome();
         return Optional.of(timed().endingOf(sequence));
     }
 }

@@ -46,9 +46,9 @@ final class BoundLink implements DroneLink {
     }
 
     @Override
-    public void heard() {
+    public void received() {
         if (drone.isAttachedTo(session)) {
-            drone.heard();
+            drone.received();
         }
     }
 
@@ -64,9 +64,9 @@ final class BoundLink implements DroneLink {
     }
 
     @Override
-    public void reached(LinkReport report) {
+    public void linkChanged(LinkReport report) {
         if (drone.isAttachedTo(session)) {
-            drone.reached(report);
+            drone.linkChanged(report);
         }
     }
 
@@ -86,9 +86,9 @@ final class BoundLink implements DroneLink {
     }
 
     @Override
-    public void played() {
+    public void replayEnded() {
         if (drone.isAttachedTo(session)) {
-            drone.played();
+            drone.replayEnded();
         }
     }
 

@@ -16,7 +16,7 @@ public record Claim(
         Identification identification,
         @Nullable Proof proof,
         boolean trusted,
-        long heardForNanos) {
+        long ageNanos) {
     /** The best that it shows. */
     public Evidence evidence() {
         if (proof != null) {

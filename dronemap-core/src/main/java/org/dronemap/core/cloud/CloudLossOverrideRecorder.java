@@ -77,7 +77,7 @@ final class CloudLossOverrideRecorder implements ParameterOverrideRecorder {
     }
 
     @Override
-    public void leftAlone(List<ParameterValue> shown) {
+    public void skipped(List<ParameterValue> shown) {
         for (ParameterValue value : shown) {
             String owners = earlier().stream()
                     .filter(kept -> kept.name().equals(value.name()))

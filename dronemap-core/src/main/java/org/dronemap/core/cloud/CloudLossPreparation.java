@@ -94,23 +94,23 @@ final class CloudLossPreparation implements FlightPreparation {
     }
 
     /** Before it flies, and only what is not as everybody expects it. */
-    private void tellOfItsEnd() {
+    private void announceReturnEnding() {
         ReturnEnding end = homecoming();
         if (end != ReturnEnding.LANDS && end != ReturnEnding.LANDS_BY_MISSION && end != toldEnd) {
             atHome().ifPresent(sentence ->
-                    drone.say(end == ReturnEnding.CIRCLES ? Severity.WARNING : Severity.NOTICE, sentence));
+                    drone.publishMessage(end == ReturnEnding.CIRCLES ? Severity.WARNING : Severity.NOTICE, sentence));
         }
         toldEnd = end;
     }
 
     @Override
-    public boolean holdsBack(PendingCommand entry, Runnable goOn) {
+    public boolean delays(PendingCommand entry, Runnable goOn) {
         if (!leadsToFlight(entry.open().command().kind()) || !stands()) {
             return false;
         }
         Task now = work;
         if (now != null && now.own().open().command() instanceof RestoreParameters) {
-            gate.dispatch().giveUp(now.own(), replaced(entry));
+            gate.dispatch().abort(now.own(), replaced(entry));
             now = null;
         }
         if (now != null) {
@@ -118,7 +118,7 @@ final class CloudLossPreparation implements FlightPreparation {
             return true;
         }
         if (prepared || !canBeSet() || isWrittenToByOthers(entry)) {
-            tellOfItsEnd();
+            announceReturnEnding();
             return false;
         }
         prepare(entry, goOn);
@@ -193,12 +193,12 @@ final class CloudLossPreparation implements FlightPreparation {
                 putBack(now, outcome);
             } else {
                 set(now, outcome);
-                tellOfItsEnd();
+                announceReturnEnding();
             }
             drone.news();
             new ArrayList<>(now.waiting().values()).forEach(Runnable::run);
         } else if (now.waiting().remove(entry) != null && now.waiting().isEmpty()) {
-            gate.dispatch().giveUp(now.own(), new Outcome.Superseded("What it was set for is not wanted any more."));
+            gate.dispatch().abort(now.own(), new Outcome.Superseded("What it was set for is not wanted any more."));
         }
     }
 
@@ -220,25 +220,26 @@ final class CloudLossPreparation implements FlightPreparation {
         desk.kept(drone.id()).ifPresent(kept -> desk.written(kept, true));
         if (plan != null) {
             state = CloudLossMessages.set(plan, crossing);
-            CloudLossMessages.worthSaying(plan, crossing).ifPresent(sentence -> drone.say(Severity.NOTICE, sentence));
+            CloudLossMessages.notable(plan, crossing)
+                    .ifPresent(sentence -> drone.publishMessage(Severity.NOTICE, sentence));
         }
     }
 
     private void isNotToBeSet(@Nullable String why) {
         prepared = true;
         state = CloudLossMessages.cannotBeSet(why == null ? CloudLossMessages.CANNOT_BE_SET : why);
-        drone.say(Severity.NOTICE, state.sentence());
+        drone.publishMessage(Severity.NOTICE, state.sentence());
     }
 
     private void failed(ParameterOverrideRecorder.@Nullable OverridePlan plan, @Nullable String why) {
         state = CloudLossMessages.notSet(plan, why);
-        drone.say(Severity.WARNING, state.sentence());
+        drone.publishMessage(Severity.WARNING, state.sentence());
     }
 
     private void putBack(Task done, Outcome outcome) {
         switch (outcome.kind()) {
             case SUCCEEDED -> {
-                done.notes().left().forEach(sentence -> drone.say(Severity.WARNING, sentence));
+                done.notes().left().forEach(sentence -> drone.publishMessage(Severity.WARNING, sentence));
                 over();
             }
             case SUPERSEDED -> {}
@@ -246,7 +247,7 @@ final class CloudLossPreparation implements FlightPreparation {
                 notBefore = drone.lane().activeNanos() + BETWEEN_TRIES_NANOS;
                 if (!toldOfFailure) {
                     toldOfFailure = true;
-                    drone.say(Severity.WARNING, CloudLossMessages.notPutBack(outcome.reason()));
+                    drone.publishMessage(Severity.WARNING, CloudLossMessages.notPutBack(outcome.reason()));
                 }
             }
         }
@@ -267,8 +268,8 @@ final class CloudLossPreparation implements FlightPreparation {
     }
 
     @Override
-    public void tick() {
-        crossing.look();
+    public void advance() {
+        crossing.update();
         Task now = work;
         long nanos = drone.lane().activeNanos();
         if (now != null) {
@@ -283,10 +284,10 @@ final class CloudLossPreparation implements FlightPreparation {
         boolean back = now.own().open().command() instanceof RestoreParameters;
         long longest = back ? LONGEST_BACK_NANOS : LONGEST_NANOS;
         if (!stands()) {
-            gate.dispatch().giveUp(now.own(), new Outcome.Failed("It was armed meanwhile."));
+            gate.dispatch().abort(now.own(), new Outcome.Failed("It was armed meanwhile."));
         } else if (nanos - now.since() > longest) {
             gate.dispatch()
-                    .giveUp(
+                    .abort(
                             now.own(),
                             new Outcome.TimedOut("It was not done within "
                                     + Duration.ofNanos(longest).toSeconds() + " s."));

@@ -129,7 +129,7 @@ public final class CloudManager {
                 .leases()
                 .forEach(lease -> registry.find(lease.drone()).ifPresent(drone -> {
                     drone.control().restore(lease);
-                    drone.ours(true);
+                    drone.commandedFromHere(true);
                 }));
     }
 
@@ -186,11 +186,11 @@ public final class CloudManager {
 
     /** What is known of what a drone does without the cloud; nothing when there is no such drone. */
     public CloudLossState cloudLoss(DroneId id) {
-        return registry.find(id).map(managed -> managed.loss().state()).orElse(CloudLossState.UNKNOWN);
+        return registry.find(id).map(managed -> managed.preparation().state()).orElse(CloudLossState.UNKNOWN);
     }
 
     /** What the owners of drones that were removed since had set, and was not put back. */
-    public List<ParameterOverrides> leftBehind() {
+    public List<ParameterOverrides> outstandingOverrides() {
         return losses.all().stream()
                 .filter(values -> registry.find(values.drone()).isEmpty())
                 .sorted(Comparator.comparing(ParameterOverrides::since))
@@ -199,7 +199,7 @@ public final class CloudManager {
 
     /** The drone that a vehicle would be taken for by what it says of itself alone. */
     public Optional<DroneId> recognise(DroneKey key, Identification identification) {
-        return registry.saidToBe(key, identification.hardwareUid()).map(ManagedDrone::id);
+        return registry.claimedBy(key, identification.hardwareUid()).map(ManagedDrone::id);
     }
 
     /** Finds the drone that a session speaks for, or makes one, or keeps it outside. Blocks only for the registry. */
@@ -213,7 +213,7 @@ public final class CloudManager {
         drone.lane().execute(() -> {
             drone.attach(claim.session(), claim);
             // A session begins with a message of its vehicle.
-            drone.heard();
+            drone.received();
             remember(drone);
         });
         return new ClaimResult.Bound(new BoundLink(drone, claim.session(), registrations));
@@ -225,13 +225,13 @@ public final class CloudManager {
     }
 
     /** Lets a waiting vehicle in as a drone of its own; it is in contact as soon as it is next heard. */
-    public Optional<DroneState> letIn(String waitingId, @Nullable String name) {
-        return letIn(waitingId, name, drone -> {});
+    public Optional<DroneState> admit(String waitingId, @Nullable String name) {
+        return admit(waitingId, name, drone -> {});
     }
 
     /** The same; {@code before} hears of the new drone before anybody can see it. */
-    public synchronized Optional<DroneState> letIn(String waitingId, @Nullable String name, Consumer<DroneId> before) {
-        return reception.take(waitingId).map(waiting -> {
+    public synchronized Optional<DroneState> admit(String waitingId, @Nullable String name, Consumer<DroneId> before) {
+        return reception.remove(waitingId).map(waiting -> {
             DroneId id = newIds.get();
             before.accept(id);
             Identification said = waiting.identification();
@@ -255,12 +255,12 @@ public final class CloudManager {
 
     /** Takes a waiting vehicle off the list; it comes again when it is heard again. False when it was not there. */
     public boolean dismiss(String waitingId) {
-        return reception.take(waitingId).isPresent();
+        return reception.remove(waitingId).isPresent();
     }
 
     /** Tells everybody who looks at a drone a sentence about it; no sign of life. Does not wait. */
-    public void say(DroneId id, Severity severity, String sentence) {
-        registry.find(id).ifPresent(drone -> drone.lane().execute(() -> drone.say(severity, sentence)));
+    public void publishMessage(DroneId id, Severity severity, String sentence) {
+        registry.find(id).ifPresent(drone -> drone.lane().execute(() -> drone.publishMessage(severity, sentence)));
     }
 
     /** False when there is no such drone; returns once the new name is durable. */
@@ -309,7 +309,7 @@ public final class CloudManager {
 
     private void drop(ManagedDrone drone) {
         if (registry.remove(drone)) {
-            drone.lane().execute(() -> drone.lane().removeTicker(drone));
+            drone.lane().execute(() -> drone.lane().removePeriodicTask(drone));
             everybody.droneRemoved(drone.id());
         }
     }
@@ -340,22 +340,22 @@ public final class CloudManager {
                 rules.watchdog(),
                 everybody,
                 control,
-                this::helm);
+                this::newSetpointForwarder);
         ReturnWatch returning = new ReturnWatch(drone, gate, new ZoneRules(zones), time);
         drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, returning, time));
         if (!replay) {
             drone.preparedBy(new CloudLossPreparation(drone, gate, losses, clock));
         }
         registry.add(drone);
-        lane.execute(() -> lane.addTicker(drone));
+        lane.execute(() -> lane.addPeriodicTask(drone));
         return drone;
     }
 
-    private SetpointForwarder helm(ManagedDrone drone) {
+    private SetpointForwarder newSetpointForwarder(ManagedDrone drone) {
         return new SetpointForwarder(
                 drone,
                 new SetpointForwarder.SteeringLog(turns, journal, everybody, time),
-                (braked, epoch) -> ControlWatch.brake(gate, braked, epoch));
+                (braked, epoch) -> ControlWatch.holdIfMoving(gate, braked, epoch));
     }
 
     private void remember(ManagedDrone drone) {

@@ -64,7 +64,7 @@ final class CommandDispatcher {
     void stopOutdated(ManagedDrone drone) {
         for (PendingCommand entry : underway.of(drone)) {
             if (entry.open().record().outcome() == null && entry.isOutdated()) {
-                giveUp(entry, outdated(entry));
+                abort(entry, outdated(entry));
             }
         }
     }
@@ -92,17 +92,17 @@ final class CommandDispatcher {
         if (channel == null) {
             return;
         }
-        Refusal busy = makeRoom(entry, channel);
+        Refusal busy = supersedeOlder(entry, channel);
         if (busy != null) {
             end(entry, new Outcome.Refused(CommandGate.GATE, busy));
             return;
         }
         if (entry.open().command().kind().contention() == Contention.FLIGHT) {
-            entry.drone().helm().commanded(entry.open().record().summary());
+            entry.drone().setpoints().commanded(entry.open().record().summary());
         }
         Lane.Ticker guard = guard(entry);
         long since = entry.drone().lane().activeNanos();
-        if (!entry.drone().loss().holdsBack(entry, () -> goOn(entry, guard, since))) {
+        if (!entry.drone().preparation().delays(entry, () -> sendPrepared(entry, guard, since))) {
             send(entry, guard, channel);
         }
     }
@@ -116,7 +116,7 @@ final class CommandDispatcher {
     }
 
     /** After what came first: what has changed meanwhile is judged anew, and waiting for that made nothing late. */
-    private void goOn(PendingCommand entry, Lane.Ticker guard, long since) {
+    private void sendPrepared(PendingCommand entry, Lane.Ticker guard, long since) {
         if (entry.open().record().outcome() != null) {
             return;
         }
@@ -150,23 +150,23 @@ final class CommandDispatcher {
 
     private Lane.Ticker guard(PendingCommand entry) {
         Lane.Ticker guard =
-                new CommandTimeoutWatch(entry.open(), entry.drone().lane(), outcome -> giveUp(entry, outcome));
-        entry.drone().lane().addTicker(guard);
+                new CommandTimeoutWatch(entry.open(), entry.drone().lane(), outcome -> abort(entry, outcome));
+        entry.drone().lane().addPeriodicTask(guard);
         return guard;
     }
 
     private void send(PendingCommand entry, Lane.Ticker guard, VehicleChannel channel) {
         Command command = entry.open().command();
         if (command.kind().purpose() != CommandKind.Purpose.READ) {
-            entry.drone().ours(true);
+            entry.drone().commandedFromHere(true);
         }
         InternalFaults.doing(
                         command.summary(), () -> channel.perform(entry.mandate(), command, new Reporter(entry, guard)))
-                .ifPresent(fault -> giveUp(entry, new Outcome.Refused(CommandGate.GATE, fault)));
+                .ifPresent(fault -> abort(entry, new Outcome.Refused(CommandGate.GATE, fault)));
     }
 
     /** Nothing more of it goes out. */
-    void giveUp(PendingCommand entry, Outcome outcome) {
+    void abort(PendingCommand entry, Outcome outcome) {
         entry.drone()
                 .channel()
                 .ifPresent(channel -> channel.cancel(entry.open().record().id()));
@@ -174,7 +174,7 @@ final class CommandDispatcher {
     }
 
     /** Newer flight commands replace older ones; of all others the first one goes on. */
-    private @Nullable Refusal makeRoom(PendingCommand entry, VehicleChannel channel) {
+    private @Nullable Refusal supersedeOlder(PendingCommand entry, VehicleChannel channel) {
         Contention contention = entry.open().command().kind().contention();
         for (PendingCommand other : underway.before(entry)) {
             if (!contention.newerWins()) {
@@ -205,7 +205,7 @@ final class CommandDispatcher {
             boolean disarmed =
                     Boolean.FALSE.equals(entry.drone().drone().state().armed());
             entry.drone()
-                    .moves()
+                    .recentModeCommands()
                     .ended(
                             entry.open().command(),
                             disarmed,
@@ -223,7 +223,7 @@ final class CommandDispatcher {
             underway.remove(entry);
             entry.end().complete(done);
         });
-        entry.drone().loss().ended(entry, outcome);
+        entry.drone().preparation().ended(entry, outcome);
     }
 
     /** What the channel says of one command. */
@@ -248,7 +248,7 @@ final class CommandDispatcher {
 
         @Override
         public void ended(Outcome outcome) {
-            entry.drone().lane().removeTicker(guard);
+            entry.drone().lane().removePeriodicTask(guard);
             end(entry, outcome);
         }
 

@@ -122,7 +122,7 @@ public final class CommandGate {
     private Optional<CommandRecord> given(CommandId id, Command command) {
         return ControlRules.bringsToSafety(command)
                 ? Optional.ofNullable(underway.find(id))
-                        .map(entry -> entry.open().told())
+                        .map(entry -> entry.open().published())
                 : find(id);
     }
 
@@ -136,7 +136,7 @@ public final class CommandGate {
         PendingCommand earlier = underway.add(entry);
         return earlier == null
                 ? send(entry, entry.open().record())
-                : earlier.open().told();
+                : earlier.open().published();
     }
 
     private PendingCommand underway(
@@ -167,7 +167,7 @@ public final class CommandGate {
             underway.add(entry);
             // Neither the lane nor the drone waits for the disk.
             intents.writeLater(entry.open().record());
-            hand(entry);
+            dispatch(entry);
             return entry.open();
         });
     }
@@ -207,7 +207,7 @@ public final class CommandGate {
 
     public Optional<CommandRecord> find(CommandId id) {
         PendingCommand now = underway.find(id);
-        return now != null ? Optional.of(now.open().told()) : store.command(id);
+        return now != null ? Optional.of(now.open().published()) : store.command(id);
     }
 
     /** The record once the command has ended; completes at once for one that has. */
@@ -265,12 +265,12 @@ public final class CommandGate {
             underway.remove(entry);
             throw e;
         }
-        hand(entry);
-        return entry.open().told();
+        dispatch(entry);
+        return entry.open().published();
     }
 
     /** To the drone's lane. */
-    private void hand(PendingCommand entry) {
+    private void dispatch(PendingCommand entry) {
         listener.commandChanged(entry.open().record());
         try {
             entry.drone().lane().execute(() -> dispatch.perform(entry));
@@ -337,7 +337,7 @@ public final class CommandGate {
     /** A change to that mode now may be our own doing. */
     boolean mayHaveChangedTo(ManagedDrone drone, String mode, Capabilities can) {
         return underway.mayLeadTo(drone, mode, can)
-                || drone.moves().at(drone.lane().activeNanos()).stream()
+                || drone.recentModeCommands().at(drone.lane().activeNanos()).stream()
                         .anyMatch(command -> RecentModeCommands.mayLeadTo(command, mode, can));
     }
 }

@@ -84,22 +84,22 @@ final class ControlWatch implements Lane.Ticker {
 
     private void changed(ControlState now, List<ControlChange> changes) {
         gate.stopOutdated(drone);
-        drone.helm().controlChanged();
+        drone.setpoints().controlChanged();
         for (ControlChange change : changes) {
             answers(now, change);
             listener.controlChanged(drone.id(), now, change);
             String sentence = ControlMessages.of(change);
-            boolean concerns = change.kind() != ControlChange.Kind.RETURN_DUE || drone.isLeftAlone();
+            boolean concerns = change.kind() != ControlChange.Kind.RETURN_DUE || drone.isUncontrolledInAir();
             if (sentence != null && concerns) {
-                drone.say(
+                drone.publishMessage(
                         change.kind() == ControlChange.Kind.LOST ? Severity.WARNING : Severity.NOTICE,
                         sentence,
                         ControlMessages.user(change));
             }
-            tellOfTheWayHome(change);
+            announceReturn(change);
             holding.act(change);
         }
-        outlooks.look(drone.drone().state(), energy.secondsLeft());
+        outlooks.update(drone.drone().state(), energy.secondsLeft());
         drone.news();
     }
 
@@ -110,21 +110,21 @@ final class ControlWatch implements Lane.Ticker {
     private void answers(ControlState now, ControlChange change) {
         boolean takes = change.kind() == ControlChange.Kind.TAKEN || change.kind() == ControlChange.Kind.TAKEN_OVER;
         Lease tenure = now.tenure();
-        boolean byHand = FlightFacts.isLedByHand(drone.drone().state());
+        boolean byHand = FlightFacts.isSteeredManually(drone.drone().state());
         if (takes && tenure != null && tenure.explicit() && !byHand) {
-            drone.ours(true);
+            drone.commandedFromHere(true);
         } else if (byHand
                 && change.kind() == ControlChange.Kind.RELEASED
                 && change.by() instanceof LeaseHolder.Operation) {
             // No operation steers by sticks: it lets go since a pilot does.
-            drone.ours(false);
+            drone.commandedFromHere(false);
         }
     }
 
-    private void tellOfTheWayHome(ControlChange change) {
+    private void announceReturn(ControlChange change) {
         boolean over = change.kind() == ControlChange.Kind.EXPIRED || change.kind() == ControlChange.Kind.RELEASED;
-        if (over && rules.onLoss() == LeaseRules.OnLoss.RETURN && drone.isLeftAlone()) {
-            drone.say(
+        if (over && rules.onLoss() == LeaseRules.OnLoss.RETURN && drone.isUncontrolledInAir()) {
+            drone.publishMessage(
                     Severity.WARNING,
                     "Nobody has control of it now: it returns in "
                             + rules.untilReturn().toSeconds() + " s unless somebody takes control.");
@@ -132,7 +132,7 @@ final class ControlWatch implements Lane.Ticker {
     }
 
     /** Stops what does not stand by itself when nobody steers it any more, unless somebody else flies it already. */
-    static void brake(CommandGate gate, ManagedDrone drone, @Nullable Long epoch) {
+    static void holdIfMoving(CommandGate gate, ManagedDrone drone, @Nullable Long epoch) {
         DroneState state = drone.drone().state();
         Optional<Steering> by = state.capabilities().steering(state.mode());
         boolean goesOn = by.isEmpty() || by.get() == Steering.STICKS;
@@ -147,22 +147,22 @@ final class ControlWatch implements Lane.Ticker {
     }
 
     @Override
-    public void tick() {
+    public void advance() {
         DroneState state = drone.drone().state();
         pilot(state);
-        holding.actLate();
+        holding.actOnMissed();
         boolean due = time.nanos() - lookedNanos >= RHYTHM_NANOS;
         if (due) {
             lookedNanos = time.nanos();
-            energy.heard(state, lookedNanos);
+            energy.observe(state, lookedNanos);
         }
         OptionalDouble left = energy.secondsLeft();
         boolean inMission = FlightFacts.isFlying(state) && FlightFacts.isInMission(state);
         drone.control()
-                .tick(
+                .advance(
                         () -> gate.isBusy(drone) || isWatched(state),
                         FlightFacts.areKnown(state) && !inMission,
-                        due && drone.isLeftAlone() && ReturnPlanner.hurries(state, left, RHYTHM_NANOS / 1e9));
+                        due && drone.isUncontrolledInAir() && ReturnPlanner.hurries(state, left, RHYTHM_NANOS / 1e9));
         if (due) {
             keepMode(state);
             bringHome(state, left);
@@ -179,7 +179,7 @@ final class ControlWatch implements Lane.Ticker {
                 drone.control().apply(new LeaseEvent.PilotLeft());
             }
         } else if (foreign != null) {
-            drone.ours(false);
+            drone.commandedFromHere(false);
             drone.control().apply(new LeaseEvent.PilotActed(foreign));
         }
         isWhose(state, down);
@@ -188,7 +188,7 @@ final class ControlWatch implements Lane.Ticker {
     private void isWhose(DroneState state, boolean down) {
         // One that drives is never anything but down.
         if (down && (CommandRules.needsAir(state) || Boolean.FALSE.equals(state.armed()))) {
-            drone.ours(false);
+            drone.commandedFromHere(false);
         }
         if (down && drone.control().control().lapse() != null) {
             drone.control().apply(new LeaseEvent.Landed());
@@ -198,7 +198,10 @@ final class ControlWatch implements Lane.Ticker {
     /** No oftener than it is looked at: a vehicle that changes its mode all the time does not fill the journal. */
     private void keepMode(DroneState state) {
         String mode = state.mode();
-        if (mode != null && drone.isOurs() && state.link().state() != LinkState.LOST && FlightFacts.isFlying(state)) {
+        if (mode != null
+                && drone.isCommandedFromHere()
+                && state.link().state() != LinkState.LOST
+                && FlightFacts.isFlying(state)) {
             drone.control().flies(mode);
         }
     }
@@ -209,12 +212,12 @@ final class ControlWatch implements Lane.Ticker {
         if (control.tenure() != null
                 || lapse == null
                 || !lapse.returned()
-                || !drone.isOurs()
+                || !drone.isCommandedFromHere()
                 || !FlightFacts.isFlying(state)
                 || FlightFacts.isInMission(state)) {
             returning.rest(state);
         } else if (state.link().state() != LinkState.LOST) {
-            returning.goOn(state, lapse.user(), secondsLeft);
+            returning.update(state, lapse.user(), secondsLeft);
         }
     }
 

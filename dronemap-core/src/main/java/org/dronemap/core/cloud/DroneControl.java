@@ -198,7 +198,7 @@ final class DroneControl {
     }
 
     /** Lets time go by; {@code busy} is asked only when it matters. */
-    void tick(BooleanSupplier busy, boolean heard, boolean hurries) {
+    void advance(BooleanSupplier busy, boolean heard, boolean hurries) {
         LapsedLease lapse = control.lapse();
         if (machine.isDue(control, nanoTime.getAsLong()) || (hurries && lapse != null && !lapse.returned())) {
             apply(new LeaseEvent.Tick(busy.getAsBoolean(), heard, hurries));

@@ -19,13 +19,13 @@ public interface DroneLink {
     boolean isGone();
 
     /** Any valid message came in. */
-    void heard();
+    void received();
 
     /** News; counts as heard. */
     void accept(DroneEvent event);
 
     /** How the vehicle is reached now, and how well; no sign of life by itself. On the lane only. */
-    void reached(LinkReport report);
+    void linkChanged(LinkReport report);
 
     /** It has shown something of its own only after it was bound. On the lane only. */
     void proved(Proof proof);
@@ -34,7 +34,7 @@ public interface DroneLink {
     void withdraw();
 
     /** The recording has been played to its end; silence from now on means nothing. On the lane only. */
-    void played();
+    void replayEnded();
 
     /** The session has ended: a drone stays and falls silent, a replayed one goes. Any thread. */
     void disconnect();

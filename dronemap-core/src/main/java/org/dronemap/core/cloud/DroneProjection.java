@@ -52,7 +52,7 @@ final class DroneProjection {
     private final MissionTracker mission;
     private final ArrayDeque<TextMessage> messages = new ArrayDeque<>();
     // What changes rarely is not copied for every picture.
-    private List<TextMessage> told = List.of();
+    private List<TextMessage> messageSnapshot = List.of();
     private MissionProgress progress;
     private String name;
     private DroneKey key;
@@ -155,7 +155,7 @@ final class DroneProjection {
         publish();
     }
 
-    void heard() {
+    void received() {
         lastHeard = clock.instant();
     }
 
@@ -163,7 +163,7 @@ final class DroneProjection {
      * It was heard by now, with or without news: says so once a second at most, as a sign of life alone makes no new state.
      * True when the state is new.
      */
-    boolean showsHeard() {
+    boolean publishReception() {
         Instant shown = state.link().lastHeard();
         Instant now = lastHeard;
         if (now == null || (shown != null && Duration.between(shown, now).abs().compareTo(BETWEEN_SIGNS) < 0)) {
@@ -202,12 +202,12 @@ final class DroneProjection {
     }
 
     /** Adds a sentence of the cloud's own about this drone. */
-    void say(Severity severity, String text) {
-        say(severity, text, null);
+    void publishMessage(Severity severity, String text) {
+        publishMessage(severity, text, null);
     }
 
     /** The same, of one that names a user. */
-    void say(Severity severity, String text, @Nullable String about) {
+    void publishMessage(Severity severity, String text, @Nullable String about) {
         addText(severity, text, about);
         publish();
     }
@@ -215,7 +215,7 @@ final class DroneProjection {
     /** What was said is not for those who look at it from now on. */
     void forgetMessages() {
         messages.clear();
-        told = List.of();
+        messageSnapshot = List.of();
         publish();
     }
 
@@ -305,7 +305,7 @@ final class DroneProjection {
             messages.removeFirst();
         }
         messages.addLast(new TextMessage(severity, text, clock.instant(), about));
-        told = List.copyOf(messages);
+        messageSnapshot = List.copyOf(messages);
     }
 
     private void publish() {
@@ -342,7 +342,7 @@ final class DroneProjection {
                 returnHeight,
                 payload,
                 progress,
-                told,
+                messageSnapshot,
                 clock.instant(),
                 version,
                 ground.amslMeters());

@@ -52,7 +52,7 @@ final class DroneRegistry {
     }
 
     /** Whom a vehicle says that it is, true or not. */
-    Optional<ManagedDrone> saidToBe(DroneKey key, @Nullable String uid) {
+    Optional<ManagedDrone> claimedBy(DroneKey key, @Nullable String uid) {
         List<ManagedDrone> sameHardware = ofHardware(uid);
         return sameHardware.size() == 1 ? Optional.of(sameHardware.get(0)) : at(key, uid);
     }

@@ -11,7 +11,7 @@ interface FlightPreparation extends Lane.Ticker {
     /** Nothing. */
     FlightPreparation NONE = new FlightPreparation() {
         @Override
-        public boolean holdsBack(PendingCommand entry, Runnable goOn) {
+        public boolean delays(PendingCommand entry, Runnable goOn) {
             return false;
         }
 
@@ -24,11 +24,11 @@ interface FlightPreparation extends Lane.Ticker {
         }
 
         @Override
-        public void tick() {}
+        public void advance() {}
     };
 
     /** True: that command has to wait until it is gone on with, which is soon. */
-    boolean holdsBack(PendingCommand entry, Runnable goOn);
+    boolean delays(PendingCommand entry, Runnable goOn);
 
     /** Any command of this drone has ended. */
     void ended(PendingCommand entry, Outcome outcome);

@@ -44,15 +44,15 @@ final class HoldOnControlLoss {
         if (!ends || rules.onLoss() == LeaseRules.OnLoss.NOTHING) {
             return;
         }
-        if (drone.isBlind()) {
+        if (drone.isStateUnknown()) {
             missed = change;
-        } else if (drone.isOurs()) {
+        } else if (drone.isCommandedFromHere()) {
             hold(change);
         }
     }
 
     /** Once it is known again what the drone does. */
-    void actLate() {
+    void actOnMissed() {
         ControlChange late = missed;
         missed = null;
         if (late != null && drone.control().control().tenure() == null) {
@@ -67,7 +67,7 @@ final class HoldOnControlLoss {
             if (!FlightFacts.isInMission(state)) {
                 stop(state);
             }
-        } else if (drone.isLeftAlone() && (lost || FlightFacts.isLedByHand(state))) {
+        } else if (drone.isUncontrolledInAir() && (lost || FlightFacts.isSteeredManually(state))) {
             // One that was told where to go goes there; one that was led by hand does not stand by itself.
             gate.submitForSafety(drone, new Command.Hold());
         }
@@ -75,7 +75,8 @@ final class HoldOnControlLoss {
 
     /** A ground vehicle that is on its way somewhere. Robots let nothing end that but an emergency stop. */
     private void stop(DroneState state) {
-        boolean goes = drone.moves().at(drone.lane().activeNanos()).stream().anyMatch(GoToLocal.class::isInstance)
+        boolean goes = drone.recentModeCommands().at(drone.lane().activeNanos()).stream()
+                        .anyMatch(GoToLocal.class::isInstance)
                 || gate.manoeuvre(drone).isPresent();
         Motion motion = state.motion();
         Double speed = motion == null ? null : motion.groundSpeed();

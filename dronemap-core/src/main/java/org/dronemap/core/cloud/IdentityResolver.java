@@ -87,7 +87,7 @@ final class IdentityResolver {
         if (silence >= SILENT_NANOS) {
             return new ClaimDecision.Known(drone);
         }
-        if (silence < claim.heardForNanos() - UNDER_WAY_NANOS) {
+        if (silence < claim.ageNanos() - UNDER_WAY_NANOS) {
             return apart(drone.id(), "It says that it is " + name(drone) + ", which is heard from elsewhere.");
         }
         return apart(null, "It may be " + name(drone) + " at a new address; that shows when the old one falls silent.");

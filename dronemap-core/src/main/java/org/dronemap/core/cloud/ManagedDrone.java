@@ -39,19 +39,19 @@ final class ManagedDrone implements Lane.Ticker {
     private volatile boolean enrolled;
     private volatile long promisedNanos;
     private volatile @Nullable String promisedIdentity;
-    private final RecentModeCommands moves = new RecentModeCommands();
+    private final RecentModeCommands recentModeCommands = new RecentModeCommands();
     /** After a standstill of the process, until what came meanwhile has been read. */
     private static final long BLIND_NANOS = 2_000_000_000L;
 
-    private boolean ours;
+    private boolean commandedFromHere;
     private long blindUntilNanos;
     private volatile @Nullable Outlook outlook;
     private @Nullable LinkSession session;
-    private boolean played;
+    private boolean replayEnded;
     private Lane.Ticker watch = () -> {};
     private Runnable modeChanged = () -> {};
-    private volatile FlightPreparation loss = FlightPreparation.NONE;
-    private final SetpointForwarder helm;
+    private volatile FlightPreparation preparation = FlightPreparation.NONE;
+    private final SetpointForwarder setpoints;
 
     ManagedDrone(
             DroneProjection drone,
@@ -68,7 +68,7 @@ final class ManagedDrone implements Lane.Ticker {
         this.madeNanos = lane.activeNanos();
         this.promisedNanos = madeNanos - Long.MAX_VALUE / 2;
         this.blindUntilNanos = madeNanos;
-        this.helm = helm.apply(this);
+        this.setpoints = helm.apply(this);
     }
 
     DroneProjection drone() {
@@ -89,8 +89,8 @@ final class ManagedDrone implements Lane.Ticker {
     }
 
     /** Who steers it. */
-    SetpointForwarder helm() {
-        return helm;
+    SetpointForwarder setpoints() {
+        return setpoints;
     }
 
     /** Ticks along with it, and hears of each other mode before anybody else does. */
@@ -101,35 +101,35 @@ final class ManagedDrone implements Lane.Ticker {
 
     /** Has it do something when it does not hear the cloud any more. */
     void preparedBy(FlightPreparation preparation) {
-        loss = preparation;
+        this.preparation = preparation;
     }
 
     /** What it is prepared by. Any thread for what that tells. */
-    FlightPreparation loss() {
-        return loss;
+    FlightPreparation preparation() {
+        return preparation;
     }
 
     /** What it was told lately. Any thread. */
-    RecentModeCommands moves() {
-        return moves;
+    RecentModeCommands recentModeCommands() {
+        return recentModeCommands;
     }
 
     /** Whether this cloud was the last that said how it moves, as far as is known. */
-    boolean isOurs() {
-        return ours;
+    boolean isCommandedFromHere() {
+        return commandedFromHere;
     }
 
     /** In the air by what this cloud last said, and not on its way home or through a mission. */
-    boolean isLeftAlone() {
+    boolean isUncontrolledInAir() {
         DroneState state = drone.state();
-        return ours
+        return commandedFromHere
                 && FlightFacts.isFlying(state)
                 && !FlightFacts.isInMission(state)
                 && !state.capabilities().isSafe(state.mode());
     }
 
-    void ours(boolean now) {
-        ours = now;
+    void commandedFromHere(boolean now) {
+        commandedFromHere = now;
     }
 
     /** What becomes of it; null: it is not in the air. Any thread. */
@@ -156,7 +156,7 @@ final class ManagedDrone implements Lane.Ticker {
     /** A session was found to speak for this drone, and showed this for it. */
     void attach(LinkSession newer, Claim claim) {
         LinkSession before = session;
-        session = before != null && before.channel().takesOver(newer.channel()) ? newer.by(before.channel()) : newer;
+        session = before != null && before.channel().supersedes(newer.channel()) ? newer.by(before.channel()) : newer;
         drone.attach(newer, standing(claim.evidence(), claim.proof()));
         listener.droneChanged(drone.state());
     }
@@ -217,16 +217,16 @@ final class ManagedDrone implements Lane.Ticker {
         return Math.min(liveness.silence(now), now - promisedNanos);
     }
 
-    void heard() {
-        liveness.heard(lane.activeNanos());
-        drone.heard();
-        if (played || drone.state().link().state() != LinkState.LIVE) {
+    void received() {
+        liveness.received(lane.activeNanos());
+        drone.received();
+        if (replayEnded || drone.state().link().state() != LinkState.LIVE) {
             judge();
         }
     }
 
     void accept(DroneEvent event) {
-        heard();
+        received();
         String mode = drone.state().mode();
         drone.apply(event);
         if (!Objects.equals(mode, drone.state().mode())) {
@@ -236,23 +236,23 @@ final class ManagedDrone implements Lane.Ticker {
         listener.droneChanged(drone.state());
     }
 
-    void reached(LinkReport report) {
+    void linkChanged(LinkReport report) {
         drone.reached(report);
         listener.droneChanged(drone.state());
     }
 
     /** Its recording is over. */
-    void played() {
-        played = true;
+    void replayEnded() {
+        replayEnded = true;
         judge();
     }
 
-    void say(Severity severity, String text) {
-        say(severity, text, null);
+    void publishMessage(Severity severity, String text) {
+        publishMessage(severity, text, null);
     }
 
-    void say(Severity severity, String text, @Nullable String about) {
-        drone.say(severity, text, about);
+    void publishMessage(Severity severity, String text, @Nullable String about) {
+        drone.publishMessage(severity, text, about);
         listener.droneChanged(drone.state());
     }
 
@@ -267,20 +267,20 @@ final class ManagedDrone implements Lane.Ticker {
     }
 
     @Override
-    public void tick() {
+    public void advance() {
         judge();
-        if (drone.showsHeard()) {
+        if (drone.publishReception()) {
             listener.droneChanged(drone.state());
         }
         if (liveness.probeDue(lane.activeNanos())) {
             channel().ifPresent(VehicleChannel::probe);
         }
-        if (isBlind()) {
+        if (isStateUnknown()) {
             return;
         }
-        watch.tick();
-        loss.tick();
-        helm.tick();
+        watch.advance();
+        preparation.advance();
+        setpoints.advance();
     }
 
     /** Somebody may have taken it meanwhile: what says so is read before anything is done by what was known before. */
@@ -290,20 +290,20 @@ final class ManagedDrone implements Lane.Ticker {
     }
 
     /** What it does now is not known: the process has stood still. */
-    boolean isBlind() {
+    boolean isStateUnknown() {
         return lane.activeNanos() - blindUntilNanos < 0;
     }
 
     private void judge() {
         LinkState before = drone.state().link().state();
-        LinkState now = played ? LinkState.ENDED : liveness.judge(lane.activeNanos());
+        LinkState now = replayEnded ? LinkState.ENDED : liveness.judge(lane.activeNanos());
         if (!drone.linkState(now)) {
             return;
         }
         if (now == LinkState.LOST) {
-            drone.say(Severity.CRITICAL, "Contact lost.");
+            drone.publishMessage(Severity.CRITICAL, "Contact lost.");
         } else if (before == LinkState.LOST && now == LinkState.LIVE) {
-            drone.say(Severity.NOTICE, "Contact is there.");
+            drone.publishMessage(Severity.NOTICE, "Contact is there.");
         }
         listener.droneChanged(drone.state());
     }

@@ -50,11 +50,11 @@ final class OutlookWatch {
     /** Once a second, and as soon as its mode is another one. */
     void lookAgain(DroneState state, OptionalDouble secondsLeft) {
         if (time.nanos() - lookedNanos >= RHYTHM_NANOS || !Objects.equals(mode, state.mode())) {
-            look(state, secondsLeft);
+            update(state, secondsLeft);
         }
     }
 
-    void look(DroneState state, OptionalDouble secondsLeft) {
+    void update(DroneState state, OptionalDouble secondsLeft) {
         long now = time.nanos();
         lookedNanos = now;
         mode = state.mode();
@@ -70,11 +70,11 @@ final class OutlookWatch {
                 .flatMap(has -> has.holder().userName())
                 .orElse(lapse == null ? "" : lapse.user());
         ReturnPlanner.PlannedReturn step = returning.next(state, user, secondsLeft);
-        Outlook.State is = words.state(control, state, drone.isOurs(), step.rung() != null);
+        Outlook.State is = words.state(control, state, drone.isCommandedFromHere(), step.rung() != null);
         // Where nothing is done about it, it comes down nowhere that is known here.
         boolean brought = is != Outlook.State.LEFT_ALONE && words.returns();
         ReturnEnding end = brought && step.rung() == ReturnOption.RETURN
-                ? ReturnEnding.of(state, drone.loss().state().action())
+                ? ReturnEnding.of(state, drone.preparation().state().action())
                 : ReturnEnding.LANDS;
         drone.outlook(new Outlook(
                 is,

@@ -17,7 +17,7 @@ final class ReturnConflictWatch {
     private final ReturnHeightAllocator heights;
     private long lookedNanos;
     private @Nullable DroneId seen;
-    private boolean told;
+    private boolean warned;
 
     ReturnConflictWatch(ManagedDrone drone, ReturnHeightAllocator heights) {
         this.drone = drone;
@@ -25,7 +25,7 @@ final class ReturnConflictWatch {
         this.lookedNanos = drone.lane().activeNanos();
     }
 
-    void look() {
+    void update() {
         long nanos = drone.lane().activeNanos();
         if (nanos - lookedNanos < RHYTHM_NANOS) {
             return;
@@ -37,10 +37,10 @@ final class ReturnConflictWatch {
         seen = now == null ? null : now.other().id();
         if (now == null || !now.other().id().equals(before)) {
             // One that climbs past another's height is there for a moment only.
-            told = false;
-        } else if (!told) {
-            told = true;
-            drone.say(Severity.WARNING, words(now));
+            warned = false;
+        } else if (!warned) {
+            warned = true;
+            drone.publishMessage(Severity.WARNING, words(now));
         }
     }
 

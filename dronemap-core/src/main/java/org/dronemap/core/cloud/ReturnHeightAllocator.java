@@ -37,7 +37,7 @@ final class ReturnHeightAllocator {
 
     /** Chooses and reserves; empty when none is free, and then what its owner has set is reserved all the same. */
     synchronized OptionalDouble choose(DroneState drone, double owners, DoublePredicate allowed) {
-        OptionalDouble chosen = ReturnHeightChoice.of(owners, taken(drone), allowed);
+        OptionalDouble chosen = ReturnHeightChoice.of(owners, occupiedHeights(drone), allowed);
         reserved.put(drone.id(), chosen.orElse(owners));
         return chosen;
     }
@@ -98,7 +98,7 @@ final class ReturnHeightAllocator {
         return now == null || !drone.airborne() ? height : Math.max(height, now);
     }
 
-    private List<Double> taken(DroneState drone) {
+    private List<Double> occupiedHeights(DroneState drone) {
         List<Double> taken = new ArrayList<>();
         reserved.forEach((id, meters) -> registry.find(id)
                 .map(other -> other.drone().state())

@@ -54,7 +54,7 @@ final class ReturnWatch {
     private static final class Attempt {
         private final ReturnOption rung;
         private final @Nullable LandingSite place;
-        private @Nullable CommandTracker told;
+        private @Nullable CommandTracker command;
         private boolean landing;
         private @Nullable Position anchor;
         private long anchorNanos;
@@ -63,17 +63,17 @@ final class ReturnWatch {
         Attempt(ReturnOption rung, @Nullable LandingSite place, @Nullable CommandTracker told, long nowNanos) {
             this.rung = rung;
             this.place = place;
-            this.told = told;
+            this.command = told;
             this.landing = rung == ReturnOption.LAND;
             this.anchorNanos = nowNanos;
         }
 
         boolean isUnderWay() {
-            return told != null && told.record().outcome() == null;
+            return command != null && command.record().outcome() == null;
         }
 
-        boolean isTold() {
-            return told == null || told.record().outcome() instanceof Outcome.Succeeded;
+        boolean commandSucceeded() {
+            return command == null || command.record().outcome() instanceof Outcome.Succeeded;
         }
 
         boolean isStuck(@Nullable Position now, long nowNanos) {
@@ -106,14 +106,14 @@ final class ReturnWatch {
 
     /** Nobody is to bring it home now. */
     void rest(DroneState state) {
-        places.heard(state);
+        places.observe(state);
         attempt = null;
         failedNanos.clear();
         alarmed = false;
     }
 
     /** {@code user}: who had control; what binds that user binds the way home. */
-    void goOn(DroneState state, String user, OptionalDouble secondsLeft) {
+    void update(DroneState state, String user, OptionalDouble secondsLeft) {
         long now = time.nanos();
         Attempt tried = attempt;
         if (tried != null && tried.isUnderWay()) {
@@ -134,7 +134,7 @@ final class ReturnWatch {
     }
 
     private boolean isGoing(Attempt tried, DroneState state, long now) {
-        if (!tried.isTold() || tried.isStuck(state.position(), now)) {
+        if (!tried.commandSucceeded() || tried.isStuck(state.position(), now)) {
             return false;
         }
         // One without modes is judged by how it moves.
@@ -147,7 +147,7 @@ final class ReturnWatch {
         }
         if (isAt(place, state)) {
             tried.landing = true;
-            gate.submitForSafety(drone, new Command.Land()).ifPresent(told -> tried.told = told);
+            gate.submitForSafety(drone, new Command.Land()).ifPresent(told -> tried.command = told);
         }
         return true;
     }
@@ -169,7 +169,7 @@ final class ReturnWatch {
         }
         gate.submitForSafety(drone, command).ifPresent(told -> {
             attempt = new Attempt(rung, step.place(), told, now);
-            tell(step);
+            publishStep(step);
         });
     }
 
@@ -200,12 +200,12 @@ final class ReturnWatch {
         };
     }
 
-    private void tell(ReturnPlanner.PlannedReturn step) {
+    private void publishStep(ReturnPlanner.PlannedReturn step) {
         LandingSite place = step.place();
         if (step.rung() == ReturnOption.LAND) {
-            drone.say(Severity.ALERT, step.why() + " It lands where it is.");
+            drone.publishMessage(Severity.ALERT, step.why() + " It lands where it is.");
         } else if (place != null) {
-            drone.say(Severity.CRITICAL, step.why() + " It flies to " + place.words() + " and lands there.");
+            drone.publishMessage(Severity.CRITICAL, step.why() + " It flies to " + place.words() + " and lands there.");
         }
     }
 
@@ -218,6 +218,7 @@ final class ReturnWatch {
         String left = secondsLeft.isEmpty()
                 ? "How long its battery lasts is not known."
                 : String.format(Locale.ROOT, "Its battery lasts for about %.0f min.", secondsLeft.getAsDouble() / 60);
-        drone.say(Severity.ALERT, "It is in the air and nobody's. " + why + " " + left + " Take control of it.");
+        drone.publishMessage(
+                Severity.ALERT, "It is in the air and nobody's. " + why + " " + left + " Take control of it.");
     }
 }

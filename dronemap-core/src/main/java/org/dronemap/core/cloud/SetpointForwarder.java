@@ -55,7 +55,7 @@ final class SetpointForwarder implements Lane.Ticker {
 
     /** A setpoint with who says it, and by what right. */
     record PendingSetpoint(
-            CommandGate.Source source, ControlClearance.Cleared passage, Setpoint setpoint, long saidNanos) {
+            CommandGate.Source source, ControlClearance.Cleared passage, Setpoint setpoint, long receivedNanos) {
         boolean goesOn(PendingSetpoint earlier) {
             return source.principal().name().equals(earlier.source.principal().name())
                     && source.face().equals(earlier.source.face())
@@ -83,7 +83,7 @@ final class SetpointForwarder implements Lane.Ticker {
     }
 
     /** Takes a setpoint in the place of one that still waits; false when the lane has no room. Any thread. */
-    boolean take(PendingSetpoint word) {
+    boolean offer(PendingSetpoint word) {
         if (newest.getAndSet(word) != null) {
             return true;
         }
@@ -97,7 +97,7 @@ final class SetpointForwarder implements Lane.Ticker {
     }
 
     /** That source steers no more, because of this; no-op when it does not steer. Any thread. */
-    void letGo(CommandGate.Source source, Outcome why) {
+    void stopSteering(CommandGate.Source source, Outcome why) {
         try {
             drone.lane().execute(() -> {
                 SteeringSession now = turn;
@@ -146,7 +146,7 @@ final class SetpointForwarder implements Lane.Ticker {
     private void steer() {
         PendingSetpoint word = newest.getAndSet(null);
         VehicleChannel channel = drone.channel().orElse(null);
-        boolean late = word != null && log.time().nanos() - word.saidNanos() > EXPIRES_NANOS;
+        boolean late = word != null && log.time().nanos() - word.receivedNanos() > EXPIRES_NANOS;
         if (word == null || late || channel == null || !word.passage().fence().isOpen()) {
             return;
         }
@@ -159,7 +159,7 @@ final class SetpointForwarder implements Lane.Ticker {
             now = begin(word);
         }
         still = null;
-        drone.ours(true);
+        drone.commandedFromHere(true);
         now.last = word;
         now.lastNanos = log.time().nanos();
         channel.steer(
@@ -242,7 +242,7 @@ final class SetpointForwarder implements Lane.Ticker {
             Setpoint said = ending.last.setpoint().still();
             still = said;
             stillLeft = STILL_TIMES;
-            sayStill();
+            sendStandStill();
             if (!standsBySpeeds(said)) {
                 brake.hold(drone, ending.last.passage().epoch());
             }
@@ -255,7 +255,7 @@ final class SetpointForwarder implements Lane.Ticker {
                 && drone.drone().state().capabilities().modes().isEmpty();
     }
 
-    private void sayStill() {
+    private void sendStandStill() {
         Setpoint saying = still;
         if (saying == null) {
             return;
@@ -269,7 +269,7 @@ final class SetpointForwarder implements Lane.Ticker {
     }
 
     @Override
-    public void tick() {
+    public void advance() {
         long now = log.time().nanos();
         SteeringSession steering = turn;
         if (steering != null && now - steering.lastNanos > EXPIRES_NANOS) {
@@ -278,7 +278,7 @@ final class SetpointForwarder implements Lane.Ticker {
                     new Outcome.TimedOut("Nothing more came for half a second; the vehicle was told to stand still."),
                     true);
         } else if (still != null && now - stillNanos > STILL_AGAIN_NANOS) {
-            sayStill();
+            sendStandStill();
         }
     }
 }

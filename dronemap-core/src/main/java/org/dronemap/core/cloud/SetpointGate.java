@@ -40,7 +40,7 @@ public final class SetpointGate {
         ManagedDrone managed = find(drone);
         Optional<Refusal> why = whyNot(source.principal(), managed.drone().state(), setpoint)
                 .or(() -> enter(managed, source, setpoint));
-        why.ifPresent(refusal -> managed.helm().refused(source, setpoint, new Outcome.Refused(GATE, refusal)));
+        why.ifPresent(refusal -> managed.setpoints().refused(source, setpoint, new Outcome.Refused(GATE, refusal)));
         return why;
     }
 
@@ -54,8 +54,8 @@ public final class SetpointGate {
             return Optional.of(new Refusal(
                     OutcomeCode.COMMAND_UNDER_WAY, "Steer when what is under way has ended: " + busy.get() + "."));
         }
-        return managed.helm()
-                        .take(new SetpointForwarder.PendingSetpoint(
+        return managed.setpoints()
+                        .offer(new SetpointForwarder.PendingSetpoint(
                                 source, (ControlClearance.Cleared) passage, setpoint, time.nanos()))
                 ? Optional.empty()
                 : Optional.of(
@@ -75,8 +75,8 @@ public final class SetpointGate {
      *
      * @throws UnknownDroneException when there is no such drone
      */
-    public void letGo(CommandGate.Source source, DroneId drone) {
-        find(drone).helm().letGo(source, new Outcome.Succeeded());
+    public void stopSteering(CommandGate.Source source, DroneId drone) {
+        find(drone).setpoints().stopSteering(source, new Outcome.Succeeded());
     }
 
     private ManagedDrone find(DroneId drone) {

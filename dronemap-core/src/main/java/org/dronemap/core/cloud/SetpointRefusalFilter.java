@@ -13,7 +13,7 @@ final class SetpointRefusalFilter {
     private static final int MOST = 32;
     private static final Pattern NUMBERS = Pattern.compile("[-0-9.]+");
 
-    private final Map<Refusal, Long> said = new LinkedHashMap<>();
+    private final Map<Refusal, Long> lastRecorded = new LinkedHashMap<>();
 
     private record Refusal(String by, String face, String kind) {}
 
@@ -22,14 +22,14 @@ final class SetpointRefusalFilter {
         // The same with other numbers, such as metres to a zone, is the same.
         String kind = NUMBERS.matcher(why).replaceAll("#");
         Refusal refusal = new Refusal(source.principal().name(), source.face(), kind);
-        Long last = said.get(refusal);
+        Long last = lastRecorded.get(refusal);
         if (last != null && nowNanos - last < AGAIN_NANOS) {
             return false;
         }
-        said.remove(refusal);
-        said.put(refusal, nowNanos);
-        if (said.size() > MOST) {
-            said.remove(said.keySet().iterator().next());
+        lastRecorded.remove(refusal);
+        lastRecorded.put(refusal, nowNanos);
+        if (lastRecorded.size() > MOST) {
+            lastRecorded.remove(lastRecorded.keySet().iterator().next());
         }
         return true;
     }

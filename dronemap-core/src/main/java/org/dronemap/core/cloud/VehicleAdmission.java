@@ -38,7 +38,7 @@ final class VehicleAdmission {
                 ? known
                 : new ClaimDecision.Quarantined(null, "Nobody knows it; an administrator may let it in.");
         if (room.note(claim, apart)) {
-            tell(claim, apart);
+            raiseAlert(claim, apart);
         }
         return apart;
     }
@@ -54,7 +54,7 @@ final class VehicleAdmission {
                 .map(waiting -> new ClaimDecision.Quarantined(waiting.claims(), waiting.why()));
     }
 
-    private void tell(Claim claim, ClaimDecision.Quarantined apart) {
+    private void raiseAlert(Claim claim, ClaimDecision.Quarantined apart) {
         DroneKey key = claim.session().key();
         LOG.warn("{} ({}) is kept outside: {}", key, claim.identification().vehicle(), apart.why());
         if (apart.claims() == null) {
@@ -62,7 +62,7 @@ final class VehicleAdmission {
         }
         registry.find(apart.claims())
                 .ifPresent(drone -> drone.lane()
-                        .execute(() -> drone.say(
+                        .execute(() -> drone.publishMessage(
                                 Severity.ALERT,
                                 "Another vehicle at " + key + " says that it is this drone. It is kept in quarantine:"
                                         + " nothing that it says is believed, and no command goes to it.")));
@@ -72,8 +72,8 @@ final class VehicleAdmission {
         return room.all();
     }
 
-    Optional<WaitingVehicle> take(String id) {
-        return room.take(id);
+    Optional<WaitingVehicle> remove(String id) {
+        return room.remove(id);
     }
 
     long turnedAway() {

@@ -26,7 +26,7 @@ public interface VehicleChannel {
      * A newer session speaks for the same vehicle. True: this channel takes its link over and carries on with everything
      * under way; false: the newer one replaces this one.
      */
-    default boolean takesOver(VehicleChannel newer) {
+    default boolean supersedes(VehicleChannel newer) {
         return false;
     }
 

@@ -76,7 +76,7 @@ final class WaitingVehicleRegistry {
     }
 
     /** Takes one out by its id. */
-    synchronized Optional<WaitingVehicle> take(String id) {
+    synchronized Optional<WaitingVehicle> remove(String id) {
         Optional<WaitingVehicle> found =
                 all().stream().filter(waiting -> waiting.id().equals(id)).findFirst();
         found.ifPresent(waiting -> places.remove(waiting.key()));

@@ -56,10 +56,10 @@ final class ZoneBreachExecutor {
     }
 
     /** A sentence for everybody who looks at the drone. */
-    void say(DroneId id, Severity severity, String sentence) {
+    void publishMessage(DroneId id, Severity severity, String sentence) {
         registry.find(id).ifPresent(drone -> {
             try {
-                drone.lane().execute(() -> drone.say(severity, sentence));
+                drone.lane().execute(() -> drone.publishMessage(severity, sentence));
             } catch (RejectedExecutionException e) {
                 LOG.warn("Not said of {}: {}", id, sentence);
             }
@@ -69,11 +69,12 @@ final class ZoneBreachExecutor {
     void breached(DroneState state, Zone zone) {
         String what = zone.shape().inside() ? "It has left " : "It has entered ";
         if (state.capabilities().isSafe(state.mode())) {
-            say(state.id(), Severity.CRITICAL, what + zone.words() + "; it is on its way home or down already.");
+            publishMessage(
+                    state.id(), Severity.CRITICAL, what + zone.words() + "; it is on its way home or down already.");
             return;
         }
         Command command = command(state, zone.onBreach());
-        say(state.id(), Severity.CRITICAL, what + zone.words() + " and is told: " + command.summary() + ".");
+        publishMessage(state.id(), Severity.CRITICAL, what + zone.words() + " and is told: " + command.summary() + ".");
         thread.execute(() -> act(state.id(), command, TRIES));
     }
 
@@ -88,11 +89,11 @@ final class ZoneBreachExecutor {
         }
         String where = (zone.shape().inside() ? "It is still outside of " : "It is still in ") + zone.words();
         if (steering.filter(Steering::waitsForSomebody).isPresent()) {
-            say(state.id(), Severity.CRITICAL, where + "; fly it out, or call it home.");
+            publishMessage(state.id(), Severity.CRITICAL, where + "; fly it out, or call it home.");
             return;
         }
         Command command = command(state, zone.onBreach());
-        say(state.id(), Severity.CRITICAL, where + " and is told again: " + command.summary() + ".");
+        publishMessage(state.id(), Severity.CRITICAL, where + " and is told again: " + command.summary() + ".");
         thread.execute(() -> act(state.id(), command, TRIES));
     }
 
@@ -144,7 +145,7 @@ final class ZoneBreachExecutor {
             return;
         }
         if (tries <= 1) {
-            say(drone, Severity.ALERT, "It could not be told to " + command.summary() + "; take over.");
+            publishMessage(drone, Severity.ALERT, "It could not be told to " + command.summary() + "; take over.");
             return;
         }
         LOG.warn("{} was told to {} without success ({}); once more", drone, command.summary(), why);

@@ -64,7 +64,7 @@ final class ZoneWatch implements CloudListener {
         Watched drone = watched.computeIfAbsent(state.id(), id -> new Watched(now));
         if (now - drone.lookedNanos >= RHYTHM_NANOS) {
             drone.lookedNanos = now;
-            look(drone.lookout, state, now);
+            check(drone.lookout, state, now);
         }
     }
 
@@ -73,16 +73,16 @@ final class ZoneWatch implements CloudListener {
         drone.lane().offer(() -> droneChanged(drone.drone().state()));
     }
 
-    private void look(ZoneBreachDetector lookout, DroneState state, long nanos) {
+    private void check(ZoneBreachDetector lookout, DroneState state, long nanos) {
         List<Zone> zones = book.binding(pilot(state.id()), state.id(), clock.instant(), clock.instant());
-        for (ZoneBreachDetector.Finding finding : lookout.look(zones, state, nanos)) {
+        for (ZoneBreachDetector.Finding finding : lookout.check(zones, state, nanos)) {
             if (finding instanceof ZoneBreachDetector.Finding.Breach breach) {
                 actions.breached(state, breach.zone());
             } else if (finding instanceof ZoneBreachDetector.Finding.Continuing still) {
                 actions.stillBreached(state, still.zone());
             } else if (finding instanceof ZoneBreachDetector.Finding.Predicted ahead) {
                 String does = ahead.zone().shape().inside() ? "leaves " : "enters ";
-                actions.say(
+                actions.publishMessage(
                         state.id(),
                         Severity.WARNING,
                         String.format(
@@ -111,8 +111,8 @@ final class ZoneWatch implements CloudListener {
         } else if (kind.get() == CommandKind.RETURN_TO_LAUNCH && command.phase() == CommandPhase.SENT) {
             actions.state(command.drone())
                     .flatMap(state -> rules.homewardDoubt(command.by(), state, clock.instant()))
-                    .ifPresent(doubt ->
-                            actions.say(command.drone(), Severity.WARNING, "It returns all the same, but: " + doubt));
+                    .ifPresent(doubt -> actions.publishMessage(
+                            command.drone(), Severity.WARNING, "It returns all the same, but: " + doubt));
         }
     }
 

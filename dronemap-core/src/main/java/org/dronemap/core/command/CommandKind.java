@@ -113,7 +113,7 @@ public enum CommandKind {
             Purpose.CHANGE,
             Movement.NONE,
             DeferredEffect.NOTHING),
-    PUT_BACK(
+    RESTORE_PARAMETERS(
             "PutBack",
             Capability.SET_PARAMETERS,
             Contention.PARAMETERS,

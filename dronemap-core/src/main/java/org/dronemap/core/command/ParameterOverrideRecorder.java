@@ -36,5 +36,5 @@ public interface ParameterOverrideRecorder {
     CompletableFuture<Void> keep(OverridePlan plan);
 
     /** What the vehicle shows is neither the owner's nor the cloud's; it stays as it is. */
-    void leftAlone(List<ParameterValue> shown);
+    void skipped(List<ParameterValue> shown);
 }

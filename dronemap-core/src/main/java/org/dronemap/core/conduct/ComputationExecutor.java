@@ -24,7 +24,7 @@ final class ComputationExecutor implements AutoCloseable {
     static final class RunningComputation {
         private volatile boolean calledOff;
 
-        void callOff() {
+        void cancel() {
             calledOff = true;
         }
     }

@@ -28,7 +28,7 @@ import org.jspecify.annotations.Nullable;
 final class DroneGateway {
     private final CloudManager cloud;
     private final String face;
-    private final Set<DroneId> led = ConcurrentHashMap.newKeySet();
+    private final Set<DroneId> steeredDrones = ConcurrentHashMap.newKeySet();
 
     /** {@code face}: the way in that its commands come by. */
     DroneGateway(CloudManager cloud, String face) {
@@ -55,7 +55,7 @@ final class DroneGateway {
 
     /** Why this one does not have control, as a sentence; null: it has. */
     @Nullable
-    String takenBy(LeaseHolder.Operation by, DroneId drone) {
+    String whyNotHeld(LeaseHolder.Operation by, DroneId drone) {
         ControlState control = cloud.controls().control(drone);
         boolean has = control.tenure() != null && control.tenure().holder().isOperation(by.id());
         if (has) {
@@ -65,7 +65,7 @@ final class DroneGateway {
     }
 
     /** Somebody, or something, has control. */
-    Optional<String> busy(DroneId drone) {
+    Optional<String> whyBusy(DroneId drone) {
         ControlState control = cloud.controls().control(drone);
         return control.tenure() == null ? Optional.empty() : Optional.of(control.sentence());
     }
@@ -83,9 +83,9 @@ final class DroneGateway {
     Optional<String> steer(LeaseHolder.Operation by, DroneId drone, Setpoint setpoint) {
         Optional<String> why = steered(by, drone, setpoint);
         if (why.isEmpty()) {
-            led.add(drone);
+            steeredDrones.add(drone);
         } else {
-            led.remove(drone);
+            steeredDrones.remove(drone);
         }
         return why;
     }
@@ -99,16 +99,16 @@ final class DroneGateway {
     }
 
     /** No-op when it is not steered. */
-    void letGo(LeaseHolder.Operation by, DroneId drone) {
-        led.remove(drone);
+    void stopSteering(LeaseHolder.Operation by, DroneId drone) {
+        steeredDrones.remove(drone);
         if (cloud.drone(drone).isPresent()) {
-            cloud.setpoints().letGo(source(by), drone);
+            cloud.setpoints().stopSteering(source(by), drone);
         }
     }
 
     /** All that are steered now, by whichever operation. */
-    Set<DroneId> led() {
-        return Set.copyOf(led);
+    Set<DroneId> steeredDrones() {
+        return Set.copyOf(steeredDrones);
     }
 
     private CommandGate.Source source(LeaseHolder.Operation by) {

@@ -101,7 +101,7 @@ final class FaultedOperations {
 
     private boolean isDone(FaultedOperation aside, DroneId drone) {
         Optional<DroneState> state = drones.apply(drone);
-        return state.isEmpty() || wayHome.isSeenTo(aside.holder(), state.get());
+        return state.isEmpty() || wayHome.commandReturn(aside.holder(), state.get());
     }
 
     private void end(FaultedOperation aside) {

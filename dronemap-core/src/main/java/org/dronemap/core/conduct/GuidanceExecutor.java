@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Feeds target reports to one operation's guidance (a follow), and sends the setpoints it returns to the drones. Owned
- * by the conductor's thread, but for {@link #sighted} and {@link #newest}.
+ * by the conductor's thread, but for {@link #reported} and {@link #newestReport}.
  */
 final class GuidanceExecutor<S> {
     /** Between two turns of the conductor some few come, or what a phone kept while it was cut off. */
@@ -35,13 +35,13 @@ final class GuidanceExecutor<S> {
     private final Queue<TargetReport> sightings = new ArrayDeque<>();
     private final Map<DroneId, String> refusals = new HashMap<>();
     private Set<DroneId> steered = Set.of();
-    private @Nullable Instant heard;
+    private @Nullable Instant lastUsefulAt;
     /** When the newest came that was of no use. */
-    private @Nullable Instant vaguely;
+    private @Nullable Instant lastUselessAt;
 
-    private volatile @Nullable ReporterState reach;
+    private volatile @Nullable ReporterState reporterState;
     // This and what waits are guarded by what waits.
-    private @Nullable TargetReport newest;
+    private @Nullable TargetReport newestReport;
 
     GuidanceExecutor(DroneGateway crew, LeaseHolder.Operation holder, OperationGuidance<S> guide) {
         this.crew = crew;
@@ -50,41 +50,41 @@ final class GuidanceExecutor<S> {
     }
 
     /** Any thread. */
-    TargetReportResult sighted(TargetReport sighting) {
+    TargetReportResult reported(TargetReport sighting) {
         synchronized (sightings) {
-            TargetReport before = newest;
+            TargetReport before = newestReport;
             if (before != null && sighting.number() <= before.number()) {
-                return TargetReportResult.KNOWN;
+                return TargetReportResult.DUPLICATE;
             }
             if (sightings.size() >= MOST_WAITING) {
-                return TargetReportResult.CROWDED;
+                return TargetReportResult.QUEUE_FULL;
             }
             sightings.add(sighting);
-            newest = sighting;
-            return TargetReportResult.TAKEN;
+            newestReport = sighting;
+            return TargetReportResult.ACCEPTED;
         }
     }
 
     /** The newest that was taken since the process began; null: none was. Any thread. */
     @Nullable
-    TargetReport newest() {
+    TargetReport newestReport() {
         synchronized (sightings) {
-            return newest;
+            return newestReport;
         }
     }
 
     /** How whoever tells of sightings is reached from now on. Any thread. */
-    void reached(ReporterState how) {
-        reach = how;
+    void reporterStateChanged(ReporterState how) {
+        reporterState = how;
     }
 
     /** Null: not known. Any thread. */
     @Nullable
-    ReporterState reach() {
-        return reach;
+    ReporterState reporterState() {
+        return reporterState;
     }
 
-    private List<TargetReport> taken() {
+    private List<TargetReport> drain() {
         synchronized (sightings) {
             List<TargetReport> all = List.copyOf(sightings);
             sightings.clear();
@@ -94,39 +94,42 @@ final class GuidanceExecutor<S> {
 
     /** Tells the guide what came in, and the gate what the guide says; the scene with what became of it. */
     OperationObservation turn(S state, OperationObservation scene) {
-        for (TargetReport one : taken()) {
-            boolean useful = guide.sighted(one);
+        for (TargetReport one : drain()) {
+            boolean useful = guide.reported(one);
             // What was kept while nobody could be told shows where it was, and not that it still says so.
             if (one.isFresh() && !useful) {
-                vaguely = one.heard();
-            } else if (one.isFresh() && (heard == null || one.heard().isAfter(heard))) {
-                heard = one.heard();
+                lastUselessAt = one.receivedAt();
+            } else if (one.isFresh()
+                    && (lastUsefulAt == null || one.receivedAt().isAfter(lastUsefulAt))) {
+                lastUsefulAt = one.receivedAt();
             }
         }
-        ReporterState how = reach(scene.now());
+        ReporterState how = reporterState(scene.now());
         OperationObservation now =
-                new OperationObservation(scene.now(), scene.drones(), heard, how, scene.around(), Map.of());
+                new OperationObservation(scene.now(), scene.drones(), lastUsefulAt, how, scene.airspace(), Map.of());
         Map<DroneId, Setpoint> said = guide.steer(state, now);
         refusals.clear();
         said.forEach(
                 (drone, setpoint) -> crew.steer(holder, drone, setpoint).ifPresent(why -> refusals.put(drone, why)));
-        letGo(said.keySet());
-        return new OperationObservation(scene.now(), scene.drones(), heard, how, AirspaceSnapshot.NONE, refusals);
+        stopSteering(said.keySet());
+        return new OperationObservation(
+                scene.now(), scene.drones(), lastUsefulAt, how, AirspaceSnapshot.NONE, refusals);
     }
 
-    private @Nullable ReporterState reach(Instant now) {
-        ReporterState connection = reach;
-        boolean speaks = connection == null || connection == ReporterState.SPEAKS;
-        boolean vague =
-                vaguely != null && vaguely.plus(LATELY).isAfter(now) && (heard == null || vaguely.isAfter(heard));
-        return speaks && vague ? ReporterState.VAGUE : connection;
+    private @Nullable ReporterState reporterState(Instant now) {
+        ReporterState connection = reporterState;
+        boolean speaks = connection == null || connection == ReporterState.ACTIVE;
+        boolean vague = lastUselessAt != null
+                && lastUselessAt.plus(LATELY).isAfter(now)
+                && (lastUsefulAt == null || lastUselessAt.isAfter(lastUsefulAt));
+        return speaks && vague ? ReporterState.UNUSABLE : connection;
     }
 
     /** Of all others at once: they stand still. */
-    void letGo(Set<DroneId> but) {
+    void stopSteering(Set<DroneId> but) {
         Set<DroneId> others = new HashSet<>(steered);
         others.removeAll(but);
         steered = Set.copyOf(but);
-        others.forEach(drone -> crew.letGo(holder, drone));
+        others.forEach(drone -> crew.stopSteering(holder, drone));
     }
 }

@@ -21,10 +21,10 @@ final class LostDroneRecall {
         this.wayHome = wayHome;
     }
 
-    void goOn(VirtualDrone drone) {
+    void recall(VirtualDrone drone) {
         for (DroneId id : drone.recalled()) {
             Optional<DroneState> state = cloud.drone(id);
-            if (state.isEmpty() || wayHome.isSeenTo(VirtualLeaseHolder.of(drone), state.get())) {
+            if (state.isEmpty() || wayHome.commandReturn(VirtualLeaseHolder.of(drone), state.get())) {
                 book.find(drone.id()).ifPresent(now -> book.put(now.home(id)));
             }
         }

@@ -31,7 +31,7 @@ final class ObservationBuilder {
     private final LinkLossTimer silence;
     private final StationaryTimer stillness;
     private final LongSupplier nanoTime;
-    private List<DroneState> aloft = List.of();
+    private List<DroneState> airborne = List.of();
     private long aloftNanos;
 
     ObservationBuilder(
@@ -47,41 +47,43 @@ final class ObservationBuilder {
     }
 
     /** In the order of their ids. */
-    OperationObservation of(SavedOperation of, OperationLeases reins, Set<DroneId> drones) {
+    OperationObservation observe(SavedOperation of, OperationLeases reins, Set<DroneId> drones) {
         TreeMap<String, DroneState> states = new TreeMap<>();
         drones.forEach(id -> cloud.drone(id).ifPresent(state -> states.put(id.value(), state)));
         List<OperationObservation.ObservedDrone> seen = new ArrayList<>();
         for (DroneState state : states.values()) {
             seen.add(new OperationObservation.ObservedDrone(
-                    state, sway(of, reins, state.id()), silence.of(state), stillness.of(state)));
+                    state, controlStatus(of, reins, state.id()), silence.of(state), stillness.of(state)));
         }
         return new OperationObservation(clock.instant(), seen);
     }
 
     /** The same with what is around these drones. */
-    OperationObservation around(SavedOperation of, OperationObservation scene, Set<DroneId> drones) {
+    OperationObservation withAirspace(SavedOperation of, OperationObservation scene, Set<DroneId> drones) {
         Map<DroneId, List<Zone>> zones = new HashMap<>();
         drones.forEach(id -> zones.put(
                 id,
                 cloud.zones().binding(of.owner(), id, scene.now(), scene.now().plus(SOON))));
-        List<DroneState> others =
-                aloft().stream().filter(drone -> !drones.contains(drone.id())).toList();
-        return new OperationObservation(scene.now(), scene.drones(), new AirspaceSnapshot(zones, others, crew.led()));
+        List<DroneState> others = airborne().stream()
+                .filter(drone -> !drones.contains(drone.id()))
+                .toList();
+        return new OperationObservation(
+                scene.now(), scene.drones(), new AirspaceSnapshot(zones, others, crew.steeredDrones()));
     }
 
     /** Found once for all operations that look at about the same time. */
-    private List<DroneState> aloft() {
+    private List<DroneState> airborne() {
         long now = nanoTime.getAsLong();
         if (now - aloftNanos >= KEPT_NANOS) {
             aloftNanos = now;
-            aloft = cloud.drones().stream().filter(DroneState::airborne).toList();
+            airborne = cloud.drones().stream().filter(DroneState::airborne).toList();
         }
-        return aloft;
+        return airborne;
     }
 
-    private OperationObservation.ControlStatus sway(SavedOperation of, OperationLeases reins, DroneId drone) {
+    private OperationObservation.ControlStatus controlStatus(SavedOperation of, OperationLeases reins, DroneId drone) {
         return new OperationObservation.ControlStatus(
-                reins.takenBy(drone),
+                reins.whyNotHeld(drone),
                 rights.whyNot(of, drone).orElse(null),
                 cloud.controls().control(drone).tenure() == null,
                 cloud.gate().transfer(drone).orElse(null));

@@ -42,7 +42,7 @@ final class OperationCommands {
         this.nanoTime = nanoTime;
     }
 
-    void give(OperationAction.SendCommand<?> what) {
+    void submit(OperationAction.SendCommand<?> what) {
         try {
             crew.command(holder, what.drone(), what.id(), what.command());
         } catch (UnknownDroneException removed) {
@@ -61,7 +61,7 @@ final class OperationCommands {
     }
 
     /** Empty while it is under way; what nobody knows of was never sent. */
-    Optional<Outcome> end(SavedOperation.Given given) {
+    Optional<Outcome> outcome(SavedOperation.Given given) {
         Optional<CommandRecord> record = crew.record(given.command());
         if (record.isEmpty()) {
             return Optional.of(new Outcome.Refused(
@@ -82,7 +82,7 @@ final class OperationCommands {
                 : Optional.empty();
     }
 
-    void told(SavedOperation.Given given) {
+    void forget(SavedOperation.Given given) {
         newest.remove(given.command());
         neverGiven.remove(given.command());
     }

@@ -89,7 +89,7 @@ final class OperationExecution<S, I> {
         this.reins = new OperationLeases(means.crew(), holder);
         this.hands = new OperationCommands(means.crew(), holder, means.nanoTime());
         this.wheel = kind.machine()
-                .guide(state)
+                .guidance(state)
                 .map(guide -> new GuidanceExecutor<>(means.crew(), holder, guide))
                 .orElse(null);
         this.lookedNanos =
@@ -110,22 +110,22 @@ final class OperationExecution<S, I> {
     }
 
     /** Control of all of its drones, or of none, and why. */
-    Optional<Operations.NoControl> takeReins() {
-        return reins.takeAll(kind.machine().drones(now.state()));
+    Optional<Operations.NoControl> acquireLeases() {
+        return reins.acquireAll(kind.machine().drones(now.state()));
     }
 
-    void dropReins() {
-        reins.keepOnly(Set.of());
+    void releaseLeases() {
+        reins.retainOnly(Set.of());
     }
 
     /** After a restart: what is held by somebody else is seen. */
-    void takeUp() {
-        reins.reachFor(wanted());
+    void restore() {
+        reins.acquire(wanted());
         resume();
     }
 
     /** Not before vehicles can be heard, however long the rest of the start took. */
-    void goOn() {
+    void resumeOnceConnected() {
         if (resumed != null) {
             inbox.remove(resumed);
             resume();
@@ -140,57 +140,57 @@ final class OperationExecution<S, I> {
 
     /** Looks at its next turn, however slow its rhythm is. */
     void interrupted(DroneId drone) {
-        if (reins.wants(drone)) {
+        if (reins.isRequested(drone)) {
             lookedNanos -= kind.machine().rhythm().toNanos();
         }
     }
 
     /** Everything that is due; fails when something cannot be written down, and goes on there the next time. */
     void turn() {
-        settle();
-        empty();
-        hearEnds();
+        resolveDoubt();
+        drainInbox();
+        collectOutcomes();
         for (ComputationResult<I> result = results.poll(); result != null; result = results.poll()) {
             if (result.run() == run) {
                 inbox.add(result.input());
             }
         }
-        empty();
+        drainInbox();
         long time = means.nanoTime().getAsLong();
         if (!isOver() && time - lookedNanos >= kind.machine().rhythm().toNanos()) {
             lookedNanos = time;
-            look();
+            observe();
         }
     }
 
-    private void empty() {
+    private void drainInbox() {
         while (!isOver() && !inbox.isEmpty()) {
             deciding = inbox.element();
-            take(deciding);
+            apply(deciding);
             inbox.remove();
             deciding = null;
         }
     }
 
-    private void look() {
+    private void observe() {
         S state = now.state();
         Set<DroneId> drones = new HashSet<>(kind.machine().drones(state));
         drones.addAll(kind.machine().watched(state));
         SavedOperation saved = now.saved();
-        OperationObservation scene = means.scenery().of(saved, reins, drones);
+        OperationObservation scene = means.scenery().observe(saved, reins, drones);
         OperationObservation seen =
-                wheel == null ? scene : wheel.turn(state, means.scenery().around(saved, scene, drones));
-        take(own(() -> kind.machine().looked(state, seen)));
+                wheel == null ? scene : wheel.turn(state, means.scenery().withAirspace(saved, scene, drones));
+        apply(own(() -> kind.machine().observed(state, seen)));
     }
 
-    private void hearEnds() {
+    private void collectOutcomes() {
         for (SavedOperation.Given given : now.saved().given()) {
             if (isOver() || !now.saved().given().contains(given)) {
                 continue;
             }
-            Optional<Outcome> end = hands.end(given);
+            Optional<Outcome> end = hands.outcome(given);
             if (end.isPresent()) {
-                take(
+                apply(
                         kind.machine()
                                 .ended(
                                         given.drone(),
@@ -198,42 +198,42 @@ final class OperationExecution<S, I> {
                                         end.get(),
                                         means.clock().instant()),
                         given);
-                hands.told(given);
+                hands.forget(given);
             }
         }
     }
 
     /** Any thread. */
-    TargetReportResult sighted(TargetReport sighting) {
-        return wheel == null ? TargetReportResult.UNHEARD : wheel.sighted(sighting);
+    TargetReportResult reported(TargetReport sighting) {
+        return wheel == null ? TargetReportResult.NOT_EXPECTED : wheel.reported(sighting);
     }
 
     /** Any thread. */
-    void reached(ReporterState how) {
+    void reporterStateChanged(ReporterState how) {
         if (wheel != null) {
-            wheel.reached(how);
+            wheel.reporterStateChanged(how);
         }
     }
 
     /** Any thread. */
-    Optional<ReporterState> reach() {
-        return Optional.ofNullable(wheel).map(GuidanceExecutor::reach);
+    Optional<ReporterState> reporterState() {
+        return Optional.ofNullable(wheel).map(GuidanceExecutor::reporterState);
     }
 
     /** Any thread. */
-    Optional<TargetReport> sighting() {
-        return Optional.ofNullable(wheel).map(GuidanceExecutor::newest);
+    Optional<TargetReport> newestReport() {
+        return Optional.ofNullable(wheel).map(GuidanceExecutor::newestReport);
     }
 
     /** A user's wish; why it is not taken. */
-    Optional<Objection> wish(I input) {
-        settle();
+    Optional<Objection> request(I input) {
+        resolveDoubt();
         if (isOver()) {
             return Optional.of(Objection.of(OperationObjection.OVER, "It is over."));
         }
         Optional<Objection> why = kind.machine().refusal(now.state(), input);
         if (why.isEmpty()) {
-            take(input);
+            apply(input);
         }
         return why;
     }
@@ -246,11 +246,11 @@ final class OperationExecution<S, I> {
         }
     }
 
-    private void take(I input) {
-        take(input, null);
+    private void apply(I input) {
+        apply(input, null);
     }
 
-    private void take(I input, SavedOperation.@Nullable Given ended) {
+    private void apply(I input, SavedOperation.@Nullable Given ended) {
         S before = now.state();
         OperationDecision<S, I> decision = own(() -> kind.machine().decide(before, input));
         if (decision.next().equals(before) && decision.actions().isEmpty()) {
@@ -297,17 +297,17 @@ final class OperationExecution<S, I> {
 
     private void carryOut(Snapshot<S> next, OperationDecision<S, I> decision) {
         now = next;
-        reins.reachFor(wanted());
+        reins.acquire(wanted());
         for (OperationAction<I> action : decision.actions()) {
             if (action instanceof OperationAction.SendCommand<I> give) {
-                hands.give(give);
+                hands.submit(give);
             } else if (action instanceof OperationAction.Compute<I> compute) {
                 compute(compute);
             }
         }
-        reins.keepOnly(wanted());
+        reins.retainOnly(wanted());
         if (isOver()) {
-            callOff();
+            cancelComputations();
         }
         means.listener().changed(next.saved(), decision.why() == null ? "" : decision.why());
     }
@@ -321,8 +321,8 @@ final class OperationExecution<S, I> {
     }
 
     /** Nobody waits for what is being worked out any more. */
-    void callOff() {
-        computations.forEach(ComputationExecutor.RunningComputation::callOff);
+    void cancelComputations() {
+        computations.forEach(ComputationExecutor.RunningComputation::cancel);
         computations.clear();
         run = new Object();
     }
@@ -332,7 +332,7 @@ final class OperationExecution<S, I> {
     }
 
     /** Finds out whether the last decision is stored although that seemed to fail. */
-    private void settle() {
+    private void resolveDoubt() {
         SavedOperation tried = inDoubt;
         I decided = deciding;
         deciding = null;
@@ -350,10 +350,10 @@ final class OperationExecution<S, I> {
             inbox.remove();
         }
         // Nobody carried it out: its commands end as never sent, and what it wanted computed is lost.
-        callOff();
+        cancelComputations();
         now = new Snapshot<>(stored, kind.codec().state(stored.state()));
-        reins.reachFor(wanted());
-        reins.keepOnly(wanted());
+        reins.acquire(wanted());
+        reins.retainOnly(wanted());
         resume();
         means.listener().changed(stored, "");
     }

@@ -23,11 +23,11 @@ final class OperationLeases {
     }
 
     /** All of them or none, and why. */
-    Optional<Operations.NoControl> takeAll(Set<DroneId> drones) {
+    Optional<Operations.NoControl> acquireAll(Set<DroneId> drones) {
         for (DroneId drone : drones) {
             Optional<String> why = crew.engage(holder, drone);
             if (why.isPresent()) {
-                letGo(List.copyOf(drones));
+                release(List.copyOf(drones));
                 return Optional.of(new Operations.NoControl(drone, "The drone " + drone + ": " + why.get()));
             }
         }
@@ -36,7 +36,7 @@ final class OperationLeases {
     }
 
     /** Asks for those that were not wanted before; nothing is given back yet. */
-    void reachFor(Set<DroneId> drones) {
+    void acquire(Set<DroneId> drones) {
         Set<DroneId> all = new HashSet<>(wanted);
         for (DroneId drone : drones) {
             if (all.add(drone)) {
@@ -48,24 +48,24 @@ final class OperationLeases {
     }
 
     /** Gives back all others. */
-    void keepOnly(Set<DroneId> drones) {
+    void retainOnly(Set<DroneId> drones) {
         List<DroneId> others =
                 wanted.stream().filter(drone -> !drones.contains(drone)).toList();
         wanted = Set.copyOf(drones);
-        letGo(others);
+        release(others);
     }
 
-    boolean wants(DroneId drone) {
+    boolean isRequested(DroneId drone) {
         return wanted.contains(drone);
     }
 
     /** Why there is no control of it, as a sentence; null: there is. */
     @Nullable
-    String takenBy(DroneId drone) {
-        return crew.takenBy(holder, drone);
+    String whyNotHeld(DroneId drone) {
+        return crew.whyNotHeld(holder, drone);
     }
 
-    private void letGo(List<DroneId> drones) {
+    private void release(List<DroneId> drones) {
         drones.forEach(drone -> crew.release(holder, drone));
     }
 }

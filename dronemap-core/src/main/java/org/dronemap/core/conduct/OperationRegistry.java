@@ -64,7 +64,7 @@ final class OperationRegistry {
     }
 
     /** One that cannot be read must not keep the server, and so all other drones, from being conducted. */
-    void takeUp() {
+    void restore() {
         for (SavedOperation saved : means.store().underWay()) {
             OperationKind<?, ?> kind = kinds.get(saved.kind());
             try {
@@ -77,7 +77,7 @@ final class OperationRegistry {
                 }
                 OperationExecution<?, ?> one = read(kind, saved);
                 conducted.put(saved.id(), one);
-                one.takeUp();
+                one.restore();
             } catch (IllegalArgumentException unreadable) {
                 failed.increment();
                 LOG.error("The operation {} cannot be taken up again", saved.id(), unreadable);
@@ -96,7 +96,7 @@ final class OperationRegistry {
     }
 
     void goOn() {
-        conducted.values().forEach(OperationExecution::goOn);
+        conducted.values().forEach(OperationExecution::resumeOnceConnected);
     }
 
     private <S, I> OperationExecution<S, I> read(OperationKind<S, I> kind, SavedOperation saved) {
@@ -114,13 +114,13 @@ final class OperationRegistry {
         }
         SavedOperation saved = begun.beginning(first.input());
         OperationExecution<S, I> one = new OperationExecution<>(kind, means, saved, state);
-        one.takeReins().ifPresent(why -> {
+        one.acquireLeases().ifPresent(why -> {
             throw why;
         });
         try {
             means.store().begin(saved, first);
         } catch (RuntimeException e) {
-            one.dropReins();
+            one.releaseLeases();
             neverBegun.add(saved.id());
             throw e;
         }
@@ -184,7 +184,7 @@ final class OperationRegistry {
         OperationId id = one.now().saved().id();
         LOG.error("Conducting {} fails again and again", id, fault);
         aside.add(one.now().saved(), "It cannot go on: " + fault.getMessage(), drones.get());
-        one.callOff();
+        one.cancelComputations();
         conducted.remove(id);
         faults.remove(id);
         troubles.remove(id);

@@ -137,8 +137,8 @@ public final class Operations implements CloudListener, AutoCloseable {
     }
 
     /** What was under way when the process ended is there again, in control of its drones; it is left as it is. */
-    public void takeUp() {
-        book.takeUp();
+    public void restore() {
+        book.restore();
         cloud.addListener(this);
     }
 
@@ -186,12 +186,12 @@ public final class Operations implements CloudListener, AutoCloseable {
      *
      * @throws Refused when that cannot be taken now
      */
-    public <S, I> Snapshot<S> wish(OperationKind<S, I> kind, OperationId id, I input) {
+    public <S, I> Snapshot<S> request(OperationKind<S, I> kind, OperationId id, I input) {
         return thread.ask(() -> {
             OperationExecution<S, I> conducted = book.find(kind, id)
                     .orElseThrow(() -> new Refused(
                             Objection.of(OperationObjection.OVER, "It is over, or there is no such operation.")));
-            Optional<Objection> why = conducted.wish(input);
+            Optional<Objection> why = conducted.request(input);
             if (why.isPresent()) {
                 throw new Refused(why.get());
             }
@@ -201,25 +201,25 @@ public final class Operations implements CloudListener, AutoCloseable {
     }
 
     /** Tells an operation where what it is about was seen. */
-    public <S, I> TargetReportResult sighted(OperationKind<S, I> kind, OperationId id, TargetReport sighting) {
-        return book.find(kind, id).map(one -> one.sighted(sighting)).orElse(TargetReportResult.UNHEARD);
+    public <S, I> TargetReportResult reported(OperationKind<S, I> kind, OperationId id, TargetReport sighting) {
+        return book.find(kind, id).map(one -> one.reported(sighting)).orElse(TargetReportResult.NOT_EXPECTED);
     }
 
     /** Tells an operation how whoever tells it of sightings is reached; false when it is not under way. */
-    public <S, I> boolean reached(OperationKind<S, I> kind, OperationId id, ReporterState how) {
+    public <S, I> boolean reporterStateChanged(OperationKind<S, I> kind, OperationId id, ReporterState how) {
         Optional<OperationExecution<S, I>> conducted = book.find(kind, id);
-        conducted.ifPresent(one -> one.reached(how));
+        conducted.ifPresent(one -> one.reporterStateChanged(how));
         return conducted.isPresent();
     }
 
     /** How that one is reached; empty: it is not known, or the operation is not under way. */
-    public <S, I> Optional<ReporterState> reach(OperationKind<S, I> kind, OperationId id) {
-        return book.find(kind, id).flatMap(OperationExecution::reach);
+    public <S, I> Optional<ReporterState> reporterState(OperationKind<S, I> kind, OperationId id) {
+        return book.find(kind, id).flatMap(OperationExecution::reporterState);
     }
 
     /** Where that was seen last since the process began; empty: nowhere, or the operation is not under way. */
-    public <S, I> Optional<TargetReport> sighting(OperationKind<S, I> kind, OperationId id) {
-        return book.find(kind, id).flatMap(OperationExecution::sighting);
+    public <S, I> Optional<TargetReport> newestReport(OperationKind<S, I> kind, OperationId id) {
+        return book.find(kind, id).flatMap(OperationExecution::newestReport);
     }
 
     /** Under way, set aside or over. */

@@ -28,8 +28,8 @@ final class ReturnCommander {
     }
 
     /** Whether no more is to be done for it: it is on its way, on the ground, or somebody else's; else it is called. */
-    boolean isSeenTo(LeaseHolder.Operation by, DroneState drone) {
-        if (crew.takenBy(by, drone.id()) != null) {
+    boolean commandReturn(LeaseHolder.Operation by, DroneState drone) {
+        if (crew.whyNotHeld(by, drone.id()) != null) {
             calledNanos.remove(drone.id());
             return true;
         }

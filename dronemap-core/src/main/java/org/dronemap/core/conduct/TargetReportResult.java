@@ -2,11 +2,11 @@ package org.dronemap.core.conduct;
 
 /** Whether an operation took a target report, or why not: known already, too many waiting, or not following. */
 public enum TargetReportResult {
-    TAKEN,
+    ACCEPTED,
     /** This one or a newer one was told before. */
-    KNOWN,
+    DUPLICATE,
     /** Too much waits already: say it again later. */
-    CROWDED,
+    QUEUE_FULL,
     /** The operation is not under way, or does not go by sightings. */
-    UNHEARD
+    NOT_EXPECTED
 }

@@ -83,13 +83,13 @@ final class VirtualDroneRegistry {
         return Set.copyOf(warehouse);
     }
 
-    void putIntoWarehouse(DroneId drone) {
-        store.putIntoWarehouse(drone);
+    void addToWarehouse(DroneId drone) {
+        store.addToWarehouse(drone);
         warehouse.add(drone);
     }
 
-    void takeOutOfWarehouse(DroneId drone) {
-        store.takeOutOfWarehouse(drone);
+    void removeFromWarehouse(DroneId drone) {
+        store.removeFromWarehouse(drone);
         warehouse.remove(drone);
     }
 

@@ -103,7 +103,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     /** Takes up what was under way when the process ended, before it returns; then goes on with it. */
     public void start() {
-        runs.takeUp();
+        runs.restore();
         goOn();
     }
 
@@ -220,17 +220,17 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         return thread.ask(() -> runs.prospects(drone));
     }
 
-    public void putIntoWarehouse(DroneId drone) {
+    public void addToWarehouse(DroneId drone) {
         thread.ask(() -> {
-            book.putIntoWarehouse(drone);
+            book.addToWarehouse(drone);
             return drone;
         });
     }
 
     /** What it serves now it serves to the end. */
-    public void takeOutOfWarehouse(DroneId drone) {
+    public void removeFromWarehouse(DroneId drone) {
         thread.ask(() -> {
-            book.takeOutOfWarehouse(drone);
+            book.removeFromWarehouse(drone);
             return drone;
         });
     }
@@ -278,8 +278,8 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     private void turn() {
         for (VirtualDrone drone : book.all()) {
             guard(() -> {
-                runs.goOn(drone);
-                book.find(drone.id()).ifPresent(recalls::goOn);
+                runs.resume(drone);
+                book.find(drone.id()).ifPresent(recalls::recall);
             });
         }
         turn = (turn + 1) % TURNS_PER_SEARCH;

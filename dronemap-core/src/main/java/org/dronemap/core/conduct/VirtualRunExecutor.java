@@ -97,7 +97,7 @@ final class VirtualRunExecutor {
     }
 
     /** After a restart, before anybody else can command. */
-    void takeUp() {
+    void restore() {
         for (VirtualDrone drone : book.all()) {
             DroneId bound = drone.boundTo();
             if (bound != null) {
@@ -117,10 +117,10 @@ final class VirtualRunExecutor {
                 book.put(bound == null ? suspended : suspended.recalling(bound));
             }
         }
-        takeUp();
+        restore();
     }
 
-    void goOn(VirtualDrone start) {
+    void resume(VirtualDrone start) {
         VirtualDrone now = start;
         for (int step = 0; step < MOST_STEPS; step++) {
             Optional<VirtualDrone> next = step(now);
@@ -182,7 +182,7 @@ final class VirtualRunExecutor {
         Outcome outcome = record.map(CommandRecord::outcome).orElse(null);
         return new VirtualRunObservation(
                 drone,
-                crew.takenBy(VirtualLeaseHolder.of(by), assignment.drone()),
+                crew.whyNotHeld(VirtualLeaseHolder.of(by), assignment.drone()),
                 outcome,
                 record.isPresent() && outcome == null,
                 drone == null ? Duration.ZERO : silence.of(drone),
@@ -229,7 +229,7 @@ final class VirtualRunExecutor {
 
     private Optional<Against> objection(
             VirtualDrone drone, VirtualRun run, DroneState state, VirtualTourSection share) {
-        return crew.busy(state.id())
+        return crew.whyBusy(state.id())
                 .map(held -> Against.of(new Refusal(OutcomeCode.CONTROL_HELD, held)))
                 .or(() -> hindrance(drone, run, state, share));
     }

@@ -46,7 +46,7 @@ public record Capabilities(
 
         /** Without anybody who steers, nothing goes on. */
         public boolean waitsForSomebody() {
-            return this == STICKS || takesOrders();
+            return this == STICKS || acceptsCommands();
         }
 
         /** It comes home or down by itself. */
@@ -55,7 +55,7 @@ public record Capabilities(
         }
 
         /** It goes where it is told to. */
-        public boolean takesOrders() {
+        public boolean acceptsCommands() {
             return this == ORDERS || this == STANDS;
         }
     }

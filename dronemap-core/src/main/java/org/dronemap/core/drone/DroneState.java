@@ -56,10 +56,10 @@ public record DroneState(
         if (phase != null) {
             return phase == FlightPhase.ON_GROUND;
         }
-        return position != null && tellsHeight(position) && !isHigh(position);
+        return position != null && reportsHeight(position) && !isHigh(position);
     }
 
-    private boolean tellsHeight(Position place) {
+    private boolean reportsHeight(Position place) {
         return place.altitudeAboveHomeMeters() != null
                 || (place.altitudeAmslMeters() != null && groundAmslMeters != null);
     }

@@ -26,11 +26,12 @@ public record Payload(
 
     /** {@code number}: the vehicle's own count; {@code point}: where it was taken, null when it did not say. */
     @Stored(names = "number heard point")
-    public record Photo(int number, Instant heard, @Nullable Geodetic point) {}
+    public record Photo(
+            int number, Instant receivedAt, @Nullable Geodetic point) {}
 
     /** A number under a name, in the unit that the sensor has. */
     @Stored(names = "name value heard")
-    public record Reading(String name, double value, Instant heard) {}
+    public record Reading(String name, double value, Instant receivedAt) {}
 
     public Payload {
         outputs = List.copyOf(outputs);

@@ -12,7 +12,7 @@ import org.dronemap.core.stored.Stored;
 
 /** Wind that a vehicle estimated in flight: speed, the direction it comes from, and when. */
 @Stored(names = "fromDegrees metersPerSecond heard")
-public record Wind(double fromDegrees, double metersPerSecond, Instant heard) {
+public record Wind(double fromDegrees, double metersPerSecond, Instant receivedAt) {
     /** Farther away, and longer ago, it may well be another one. */
     private static final double NEAR_METERS = 10_000;
 
@@ -23,8 +23,8 @@ public record Wind(double fromDegrees, double metersPerSecond, Instant heard) {
         return drones.stream()
                 .filter(drone -> !drone.replay() && isNear(place, drone))
                 .flatMap(drone -> Stream.ofNullable(drone.payload().wind()))
-                .filter(wind -> Duration.between(wind.heard(), now).compareTo(LASTS) <= 0)
-                .max(Comparator.comparing(Wind::heard));
+                .filter(wind -> Duration.between(wind.receivedAt(), now).compareTo(LASTS) <= 0)
+                .max(Comparator.comparing(Wind::receivedAt));
     }
 
     private static boolean isNear(Geodetic place, DroneState drone) {

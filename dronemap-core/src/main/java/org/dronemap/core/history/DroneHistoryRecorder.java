@@ -33,8 +33,8 @@ final class DroneHistoryRecorder {
     synchronized void changed(DroneState now) {
         DroneState last = before;
         before = now;
-        tell(last, now);
-        TelemetryPoint point = sampling.takes(now) ? TelemetryPoint.of(now) : null;
+        recordChanges(last, now);
+        TelemetryPoint point = sampling.shouldStore(now) ? TelemetryPoint.of(now) : null;
         if (point != null) {
             sink.point(point);
         }
@@ -61,47 +61,47 @@ final class DroneHistoryRecorder {
         flight.removed(at);
     }
 
-    private void tell(@Nullable DroneState last, DroneState now) {
+    private void recordChanges(@Nullable DroneState last, DroneState now) {
         if (last != null) {
-            tellFlight(last, now);
+            recordFlightChanges(last, now);
         }
         String mode = now.mode();
         if (mode != null && (last == null || !mode.equals(last.mode()))) {
-            say(now, HistoryEvent.Kind.MODE, mode);
+            record(now, HistoryEvent.Kind.MODE, mode);
         }
-        tellMission(last == null ? MissionProgress.UNKNOWN : last.mission(), now);
-        tellMessages(last == null ? List.of() : last.messages(), now);
+        recordMissionChanges(last == null ? MissionProgress.UNKNOWN : last.mission(), now);
+        recordMessages(last == null ? List.of() : last.messages(), now);
     }
 
-    private void tellFlight(DroneState last, DroneState now) {
+    private void recordFlightChanges(DroneState last, DroneState now) {
         Boolean armed = now.armed();
         if (armed != null && last.armed() != null && !armed.equals(last.armed())) {
-            say(now, armed ? HistoryEvent.Kind.ARMED : HistoryEvent.Kind.DISARMED, armed ? "Armed." : "Disarmed.");
+            record(now, armed ? HistoryEvent.Kind.ARMED : HistoryEvent.Kind.DISARMED, armed ? "Armed." : "Disarmed.");
         }
         FlightPhase phase = now.phase();
         if (phase != null && last.phase() != null && phase != last.phase()) {
-            say(now, HistoryEvent.Kind.PHASE, words(phase));
+            record(now, HistoryEvent.Kind.PHASE, words(phase));
         }
     }
 
-    private void tellMission(MissionProgress last, DroneState now) {
+    private void recordMissionChanges(MissionProgress last, DroneState now) {
         MissionProgress mission = now.mission();
         List<Integer> reached = mission.reached();
         int known = reached.size() >= last.reached().size() ? last.reached().size() : 0;
         for (Integer item : reached.subList(known, reached.size())) {
-            say(now, HistoryEvent.Kind.MISSION, "Reached item " + (item + 1) + ".");
+            record(now, HistoryEvent.Kind.MISSION, "Reached item " + (item + 1) + ".");
         }
         MissionPhase phase = mission.phase();
         if (phase != null && last.phase() != null && phase != last.phase()) {
-            say(now, HistoryEvent.Kind.MISSION, "The mission is " + words(phase) + ".");
+            record(now, HistoryEvent.Kind.MISSION, "The mission is " + words(phase) + ".");
         }
         if (!Objects.equals(mission.items(), last.items()) && mission.items() != null) {
             int size = mission.items().size();
-            say(now, HistoryEvent.Kind.MISSION, "The mission on the vehicle has " + size + " items.");
+            record(now, HistoryEvent.Kind.MISSION, "The mission on the vehicle has " + size + " items.");
         }
     }
 
-    private void tellMessages(List<TextMessage> last, DroneState now) {
+    private void recordMessages(List<TextMessage> last, DroneState now) {
         List<TextMessage> messages = now.messages();
         if (messages == last || messages.isEmpty()) {
             return;
@@ -131,7 +131,7 @@ final class DroneHistoryRecorder {
         return one == other;
     }
 
-    private void say(DroneState now, HistoryEvent.Kind kind, String text) {
+    private void record(DroneState now, HistoryEvent.Kind kind, String text) {
         sink.event(HistoryEvent.of(now.id(), now.lastUpdate(), kind, text));
     }
 

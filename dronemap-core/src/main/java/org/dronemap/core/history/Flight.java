@@ -25,7 +25,7 @@ public record Flight(
         Instant start,
         @Nullable Instant end,
         State state,
-        Instant heard,
+        Instant lastHeardAt,
         FlightStatistics measures,
         List<String> users,
         @Nullable FlightOperation operation,
@@ -54,7 +54,8 @@ public record Flight(
     }
 
     Flight in(State next, @Nullable Instant ended, @Nullable String why) {
-        return new Flight(id, drone, droneName, start, ended, next, heard, measures, users, operation, why, notes);
+        return new Flight(
+                id, drone, droneName, start, ended, next, lastHeardAt, measures, users, operation, why, notes);
     }
 
     Flight by(@Nullable String user) {
@@ -63,10 +64,12 @@ public record Flight(
         }
         List<String> all = new ArrayList<>(users);
         all.add(user);
-        return new Flight(id, drone, droneName, start, end, state, heard, measures, all, operation, notice, notes);
+        return new Flight(
+                id, drone, droneName, start, end, state, lastHeardAt, measures, all, operation, notice, notes);
     }
 
     Flight conductedBy(FlightOperation conductor) {
-        return new Flight(id, drone, droneName, start, end, state, heard, measures, users, conductor, notice, notes);
+        return new Flight(
+                id, drone, droneName, start, end, state, lastHeardAt, measures, users, conductor, notice, notes);
     }
 }

@@ -46,7 +46,7 @@ public final class FlightRegistry implements AutoCloseable {
     }
 
     /** A sentence when flights cannot be written at the moment. */
-    public Optional<String> trouble() {
+    public Optional<String> problem() {
         return Optional.ofNullable(failure);
     }
 

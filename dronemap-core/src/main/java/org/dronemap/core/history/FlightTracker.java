@@ -34,7 +34,7 @@ final class FlightTracker {
     private @Nullable Flight flight;
     private FlightStatisticsBuilder meter = new FlightStatisticsBuilder(FlightStatistics.NONE);
     private Instant kept = Instant.MIN;
-    private @Nullable Instant heardAgain;
+    private @Nullable Instant foundAgainAt;
     private @Nullable CommandRecord lastCommand;
     private @Nullable ControlState control;
 
@@ -84,7 +84,7 @@ final class FlightTracker {
     void removed(Instant at) {
         Flight open = flight;
         if (open != null && open.state() == Flight.State.RUNNING) {
-            put(open.in(Flight.State.LOST, open.heard(), "The drone was removed while it flew."), at);
+            put(open.in(Flight.State.LOST, open.lastHeardAt(), "The drone was removed while it flew."), at);
         }
         flight = null;
     }
@@ -135,9 +135,9 @@ final class FlightTracker {
         Instant at = now.lastUpdate();
         if (now.link().state() == LinkState.LOST) {
             Instant heard = now.link().lastHeard();
-            Flight measured = open.with(meter.measures(), heard == null ? open.heard() : heard);
-            put(measured.in(Flight.State.LOST, measured.heard(), "Contact was lost in flight."), at);
-            heardAgain = null;
+            Flight measured = open.with(meter.measures(), heard == null ? open.lastHeardAt() : heard);
+            put(measured.in(Flight.State.LOST, measured.lastHeardAt(), "Contact was lost in flight."), at);
+            foundAgainAt = null;
         } else if (Boolean.FALSE.equals(now.armed())) {
             meter.add(TelemetryPoint.of(now));
             put(open.with(meter.measures(), at).in(Flight.State.ENDED, at, open.notice()), at);
@@ -157,7 +157,7 @@ final class FlightTracker {
         Boolean armed = now.armed();
         Instant at = now.lastUpdate();
         if (now.link().state() == LinkState.LOST || armed == null) {
-            heardAgain = null;
+            foundAgainAt = null;
         } else if (!armed) {
             put(
                     lost.in(
@@ -166,17 +166,17 @@ final class FlightTracker {
                             "Disarmed while there was no contact; the flight is known until it was last heard."),
                     at);
             flight = null;
-        } else if (heardAgain == null) {
-            heardAgain = at;
-        } else if (Duration.between(heardAgain, at).compareTo(CERTAIN) >= 0) {
+        } else if (foundAgainAt == null) {
+            foundAgainAt = at;
+        } else if (Duration.between(foundAgainAt, at).compareTo(CERTAIN) >= 0) {
             goOn(lost, now);
         }
     }
 
     private void goOn(Flight lost, DroneState now) {
         Instant at = now.lastUpdate();
-        heardAgain = null;
-        if (Duration.between(lost.heard(), at).compareTo(SAME_FLIGHT) > 0) {
+        foundAgainAt = null;
+        if (Duration.between(lost.lastHeardAt(), at).compareTo(SAME_FLIGHT) > 0) {
             flight = null;
             begin(now);
             return;

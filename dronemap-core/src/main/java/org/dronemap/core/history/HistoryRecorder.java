@@ -62,7 +62,7 @@ public final class HistoryRecorder implements CloudListener {
     public HistoryHealth health() {
         HistoryHealth health = keeping.writer().health();
         String trouble = Optional.ofNullable(health.trouble())
-                .or(() -> keeping.flights().trouble())
+                .or(() -> keeping.flights().problem())
                 .or(() -> keeping.keeper().trouble())
                 .orElse(null);
         return new HistoryHealth(trouble, health.written(), health.dropped(), health.waiting());
@@ -102,10 +102,10 @@ public final class HistoryRecorder implements CloudListener {
                         id -> new DroneHistoryRecorder(
                                 keeping.writer(),
                                 policy,
-                                new FlightTracker(newIds, keeping.flights()::keep, taken(id))));
+                                new FlightTracker(newIds, keeping.flights()::keep, removeOpen(id))));
     }
 
-    private @Nullable Flight taken(DroneId drone) {
+    private @Nullable Flight removeOpen(DroneId drone) {
         synchronized (open) {
             return open.remove(drone);
         }
@@ -114,10 +114,10 @@ public final class HistoryRecorder implements CloudListener {
     /** What was flown between the last time it was kept and the end of the server is among the telemetry. */
     private Flight interrupted(Flight flight) {
         FlightStatisticsBuilder meter = new FlightStatisticsBuilder(flight.measures());
-        Instant[] heard = {flight.heard()};
+        Instant[] heard = {flight.lastHeardAt()};
         try {
             TimeRange since = new TimeRange(
-                    flight.heard().plusNanos(1_000), clock.instant().plusSeconds(1));
+                    flight.lastHeardAt().plusNanos(1_000), clock.instant().plusSeconds(1));
             keeping.telemetry().points(flight.drone(), since, point -> {
                 meter.add(point);
                 heard[0] = point.at();

@@ -16,9 +16,9 @@ final class StateSampler {
     }
 
     /** True when this one is kept, too. */
-    boolean takes(DroneState now) {
+    boolean shouldStore(DroneState now) {
         DroneState last = kept;
-        boolean wanted = last == null ? isHeard(now) : turned(last, now) || (isHeard(now) && isDue(last, now));
+        boolean wanted = last == null ? isLinkLive(now) : turned(last, now) || (isLinkLive(now) && isDue(last, now));
         if (wanted) {
             kept = now;
         }
@@ -28,7 +28,7 @@ final class StateSampler {
     /** Armed, disarmed, lost and found again are kept at their own moment. */
     private static boolean turned(DroneState last, DroneState now) {
         boolean armed = now.armed() != null && !now.armed().equals(last.armed());
-        boolean heard = isHeard(now) != isHeard(last);
+        boolean heard = isLinkLive(now) != isLinkLive(last);
         return armed || heard;
     }
 
@@ -54,7 +54,7 @@ final class StateSampler {
         return state.lastUpdate();
     }
 
-    private static boolean isHeard(DroneState state) {
+    private static boolean isLinkLive(DroneState state) {
         LinkState link = state.link().state();
         return link == LinkState.LIVE || link == LinkState.SUSPECT;
     }

@@ -14,9 +14,9 @@ public record Lease(
         LeaseHolder holder,
         boolean explicit,
         Instant since,
-        long heardNanos,
+        long renewedNanos,
         @Nullable Long formerEpoch) {
-    Lease heard(ClockReading now) {
+    Lease renewed(ClockReading now) {
         return new Lease(holder, explicit, since, now.nanos(), formerEpoch);
     }
 

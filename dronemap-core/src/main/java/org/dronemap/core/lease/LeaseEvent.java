@@ -64,7 +64,7 @@ public sealed interface LeaseEvent {
      *     a call back would be spent on nothing
      * @param hurries its battery lasts only just for the way home
      */
-    record Tick(boolean busy, boolean heard, boolean hurries) implements LeaseEvent {
+    record Tick(boolean busy, boolean linkLive, boolean returnNow) implements LeaseEvent {
         public Tick(boolean busy, boolean heard) {
             this(busy, heard, false);
         }

@@ -47,13 +47,13 @@ public final class LeaseMachine {
             return command(control, command, now);
         }
         if (event instanceof LeaseEvent.Tick tick) {
-            return tick(control, tick, now);
+            return advance(control, tick, now);
         }
         if (event instanceof LeaseEvent.Heartbeat heartbeat) {
             return heartbeat(control, heartbeat, now);
         }
         if (event instanceof LeaseEvent.Take take) {
-            return take(control, take.user(), now);
+            return takeControl(control, take.user(), now);
         }
         if (event instanceof LeaseEvent.Request request) {
             return request(control, request, now);
@@ -111,13 +111,13 @@ public final class LeaseMachine {
             return LeaseStep.denied(control, LeaseDenial.HELD, control.sentence());
         }
         if (tenure != null) {
-            return LeaseStep.granted(control.with(tenure.heard(now)));
+            return LeaseStep.granted(control.with(tenure.renewed(now)));
         }
         LeaseHolder holder = new LeaseHolder.Person(command.user());
         return LeaseStep.granted(begin(control, holder, false, now), change(Kind.TAKEN, holder, null));
     }
 
-    private LeaseStep take(ControlState control, String user, ClockReading now) {
+    private LeaseStep takeControl(ControlState control, String user, ClockReading now) {
         Lease tenure = control.tenure();
         LeaseHolder holder = new LeaseHolder.Person(user);
         if (tenure == null || tenure.holder() instanceof LeaseHolder.Pilot) {
@@ -135,7 +135,7 @@ public final class LeaseMachine {
     private LeaseStep request(ControlState control, LeaseEvent.Request request, ClockReading now) {
         Lease tenure = control.tenure();
         if (tenure == null || !(tenure.holder() instanceof LeaseHolder.Person) || control.isHeldBy(request.user())) {
-            return take(control, request.user(), now);
+            return takeControl(control, request.user(), now);
         }
         List<LeaseRequest> requests =
                 new ArrayList<>(control.without(request.user()).requests());
@@ -154,7 +154,7 @@ public final class LeaseMachine {
     private LeaseStep takeOver(ControlState control, LeaseEvent.TakeOver event, ClockReading now) {
         Lease tenure = control.tenure();
         if (tenure == null || control.isHeldBy(event.user())) {
-            return take(control, event.user(), now);
+            return takeControl(control, event.user(), now);
         }
         LeaseHolder holder = new LeaseHolder.Person(event.user());
         return LeaseStep.granted(
@@ -211,7 +211,7 @@ public final class LeaseMachine {
                     LeaseDenial.NOT_TAKEN,
                     "Take control first: this one came with a command and needs no heartbeat.");
         }
-        return LeaseStep.granted(control.with(tenure.heard(now)));
+        return LeaseStep.granted(control.with(tenure.renewed(now)));
     }
 
     private static LeaseStep release(ControlState control, String user, ClockReading now) {
@@ -270,7 +270,7 @@ public final class LeaseMachine {
             return LeaseStep.granted(freed(control.epoch(), null));
         }
         if (tenure.holder() instanceof LeaseHolder.Pilot) {
-            return LeaseStep.granted(control.with(tenure.heard(now)));
+            return LeaseStep.granted(control.with(tenure.renewed(now)));
         }
         LeaseHolder pilot = new LeaseHolder.Pilot();
         return LeaseStep.granted(
@@ -290,7 +290,7 @@ public final class LeaseMachine {
         Lease tenure = control.tenure();
         boolean over = tenure != null
                 && tenure.holder() instanceof LeaseHolder.Person
-                && nowNanos - tenure.heardNanos() > patienceNanos(tenure);
+                && nowNanos - tenure.renewedNanos() > patienceNanos(tenure);
         return over
                 || isReturnDue(control, nowNanos, false)
                 || control.requests().stream().anyMatch(request -> isOld(request, nowNanos));
@@ -302,7 +302,7 @@ public final class LeaseMachine {
         return tenure != null
                 && tenure.explicit()
                 && tenure.holder() instanceof LeaseHolder.Person
-                && nowNanos - tenure.heardNanos() > patienceNanos(tenure);
+                && nowNanos - tenure.renewedNanos() > patienceNanos(tenure);
     }
 
     private long patienceNanos(Lease tenure) {
@@ -322,13 +322,13 @@ public final class LeaseMachine {
                         || nowNanos - lapse.sinceNanos() >= rules.untilReturn().toNanos());
     }
 
-    private LeaseStep tick(ControlState control, LeaseEvent.Tick tick, ClockReading now) {
+    private LeaseStep advance(ControlState control, LeaseEvent.Tick tick, ClockReading now) {
         ControlState rest = control.withRequests(control.requests().stream()
                 .filter(request -> !isOld(request, now.nanos()))
                 .toList());
         Lease tenure = rest.tenure();
         if (tenure == null) {
-            return tick.heard() && isReturnDue(rest, now.nanos(), tick.hurries())
+            return tick.linkLive() && isReturnDue(rest, now.nanos(), tick.returnNow())
                     ? returning(rest)
                     : LeaseStep.granted(rest);
         }
@@ -336,9 +336,9 @@ public final class LeaseMachine {
             return LeaseStep.granted(rest);
         }
         if (tick.busy() && !tenure.explicit()) {
-            return LeaseStep.granted(rest.with(tenure.heard(now)));
+            return LeaseStep.granted(rest.with(tenure.renewed(now)));
         }
-        if (now.nanos() - tenure.heardNanos() <= patienceNanos(tenure)) {
+        if (now.nanos() - tenure.renewedNanos() <= patienceNanos(tenure)) {
             return LeaseStep.granted(rest);
         }
         LapsedLease lapse = lapse(person.name(), now);

@@ -14,12 +14,12 @@ import org.dronemap.core.zone.Zone;
  * @param aloft all others that are in the air, or were when they were heard last
  * @param led all that an operation steers now, its own among them: each is kept apart from others by whoever does
  */
-public record AirspaceSnapshot(Map<DroneId, List<Zone>> zones, List<DroneState> aloft, Set<DroneId> led) {
+public record AirspaceSnapshot(Map<DroneId, List<Zone>> zones, List<DroneState> traffic, Set<DroneId> steered) {
     public static final AirspaceSnapshot NONE = new AirspaceSnapshot(Map.of(), List.of(), Set.of());
 
     public AirspaceSnapshot {
         zones = Map.copyOf(zones);
-        aloft = List.copyOf(aloft);
-        led = Set.copyOf(led);
+        traffic = List.copyOf(traffic);
+        steered = Set.copyOf(steered);
     }
 }

@@ -22,7 +22,7 @@ public final class JournalReplay<S, I> {
     }
 
     /** Goes on with these entries, up to the first that differs. */
-    public void take(List<JournalEntry> entries) {
+    public void replay(List<JournalEntry> entries) {
         for (JournalEntry entry : entries) {
             if (difference != null) {
                 return;
@@ -33,12 +33,12 @@ public final class JournalReplay<S, I> {
             }
             next++;
             if (!entry.setsAside()) {
-                take(entry);
+                replay(entry);
             }
         }
     }
 
-    private void take(JournalEntry entry) {
+    private void replay(JournalEntry entry) {
         S before = state;
         try {
             if (before == null) {

@@ -29,7 +29,7 @@ public interface Operation<S, I> {
     }
 
     /** Who steers its drones between its decisions; empty: nobody does. Asked once, when it is taken up. */
-    default Optional<OperationGuidance<S>> guide(S state) {
+    default Optional<OperationGuidance<S>> guidance(S state) {
         return Optional.empty();
     }
 
@@ -37,7 +37,7 @@ public interface Operation<S, I> {
     boolean isOver(S state);
 
     /** What matters of what is seen now. */
-    I looked(S state, OperationObservation scene);
+    I observed(S state, OperationObservation scene);
 
     /** A command that it gave has ended. */
     I ended(DroneId drone, CommandId command, Outcome outcome, Instant at);

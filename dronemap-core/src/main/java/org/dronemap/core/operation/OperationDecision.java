@@ -15,7 +15,7 @@ public record OperationDecision<S, I>(
         actions = List.copyOf(actions);
     }
 
-    public static <S, I> OperationDecision<S, I> stay(S state) {
+    public static <S, I> OperationDecision<S, I> unchanged(S state) {
         return new OperationDecision<>(state, List.of(), null);
     }
 }

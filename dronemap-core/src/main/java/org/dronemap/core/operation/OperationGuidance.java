@@ -12,7 +12,7 @@ import org.dronemap.core.drone.DroneId;
  */
 public interface OperationGuidance<S> {
     /** False: it is of no use, and no sign that what is guided may go on. */
-    boolean sighted(TargetReport sighting);
+    boolean reported(TargetReport sighting);
 
     /** What drones are told now, each time that the operation looks; who is not among them is let go of. */
     Map<DroneId, Setpoint> steer(S state, OperationObservation scene);

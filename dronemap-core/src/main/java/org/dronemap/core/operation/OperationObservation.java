@@ -20,13 +20,13 @@ import org.jspecify.annotations.Nullable;
 public record OperationObservation(
         Instant now,
         List<ObservedDrone> drones,
-        @Nullable Instant sighted,
+        @Nullable Instant lastReportAt,
         @Nullable ReporterState reach,
-        AirspaceSnapshot around,
-        Map<DroneId, String> unsteered) {
+        AirspaceSnapshot airspace,
+        Map<DroneId, String> refusedSetpoints) {
     public OperationObservation {
         drones = List.copyOf(drones);
-        unsteered = Map.copyOf(unsteered);
+        refusedSetpoints = Map.copyOf(refusedSetpoints);
     }
 
     public OperationObservation(Instant now, List<ObservedDrone> drones) {
@@ -49,8 +49,8 @@ public record OperationObservation(
      */
     public record ObservedDrone(DroneState state, ControlStatus sway, Duration silence, Duration still) {
         /** Why the operation may not command it, as a sentence; null: it may. */
-        public @Nullable String takenBy() {
-            return sway.takenBy() == null ? sway.barred() : sway.takenBy();
+        public @Nullable String whyNotCommandable() {
+            return sway.whyNotHeld() == null ? sway.whyNotAllowed() : sway.whyNotHeld();
         }
     }
 
@@ -64,8 +64,8 @@ public record OperationObservation(
      *     is taken before its end; null: none is
      */
     public record ControlStatus(
-            @Nullable String takenBy,
-            @Nullable String barred,
+            @Nullable String whyNotHeld,
+            @Nullable String whyNotAllowed,
             boolean free,
             @Nullable String transfer) {}
 }

@@ -6,13 +6,13 @@ import org.dronemap.core.stored.Stored;
 @Stored(names = "SPEAKS VAGUE ASLEEP CUT GONE")
 public enum ReporterState {
     /** It said something lately, if only that it is there. */
-    SPEAKS,
+    ACTIVE,
     /** It tells of sightings, but of none that is of use. */
-    VAGUE,
+    UNUSABLE,
     /** Its connection answers, and itself it says nothing: it was put to sleep, or stands still. */
-    ASLEEP,
+    IDLE,
     /** Nothing comes back any more. */
-    CUT,
+    UNREACHABLE,
     /** It ended the connection. */
-    GONE
+    CLOSED
 }

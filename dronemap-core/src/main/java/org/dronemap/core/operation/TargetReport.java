@@ -19,9 +19,9 @@ import org.jspecify.annotations.Nullable;
  */
 public record TargetReport(
         long number,
-        Instant at,
-        Instant sent,
-        Instant heard,
+        Instant observedAt,
+        Instant sentAt,
+        Instant receivedAt,
         @Nullable Duration roundTrip,
         Geodetic point,
         double accuracyMeters,
@@ -31,7 +31,7 @@ public record TargetReport(
 
     /** It was said soon after it was seen. */
     public boolean isFresh() {
-        return Duration.between(at, sent).compareTo(STALE) <= 0;
+        return Duration.between(observedAt, sentAt).compareTo(STALE) <= 0;
     }
 
     /** Over the ground, m/s, and degrees clockwise from north. */

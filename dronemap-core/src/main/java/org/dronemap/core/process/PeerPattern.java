@@ -56,7 +56,7 @@ public record PeerPattern(String host, int port, int system) {
         return system == ANY ? Optional.empty() : Optional.of(new PeerPattern(host, ANY, system));
     }
 
-    PeerPattern everybodyThere() {
+    PeerPattern anyOfHost() {
         return new PeerPattern(host, ANY, ANY);
     }
 

@@ -47,7 +47,7 @@ public record SafeMode(List<ProcessCrash> ends, Set<PeerPattern> refused) {
         return end.at().isBefore(time.minus(TOGETHER));
     }
 
-    public boolean careful() {
+    public boolean isActive() {
         return !ends.isEmpty();
     }
 
@@ -60,7 +60,7 @@ public record SafeMode(List<ProcessCrash> ends, Set<PeerPattern> refused) {
         return Stream.<Function<PeerPattern, Optional<PeerPattern>>>of(
                         peer -> Optional.of(peer.address()),
                         PeerPattern::vehicle,
-                        peer -> Optional.of(peer.everybodyThere()))
+                        peer -> Optional.of(peer.anyOfHost()))
                 .map(group -> often(ends, group))
                 .filter(often -> !often.isEmpty())
                 .findFirst()

@@ -41,7 +41,7 @@ public final class BatteryEndurance {
     private double secondsLeft = Double.NaN;
 
     /** Takes in what was heard by that monotonic time. */
-    public void heard(DroneState state, long nowNanos) {
+    public void observe(DroneState state, long nowNanos) {
         Battery battery = state.battery();
         Integer percent = battery == null ? null : battery.percent();
         if (percent == null) {

@@ -31,14 +31,14 @@ public final class FatalErrors {
     }
 
     /** Gives it to who ends the process, as if this thread had ended with it. */
-    public static void tell(Error error) {
+    public static void report(Error error) {
         Thread thread = Thread.currentThread();
         thread.getUncaughtExceptionHandler().uncaughtException(thread, error);
     }
 
     /** The same, for what a library caught, if there is such an error behind it; else nothing happens. */
-    public static void tellOf(Throwable caught) {
-        behind(caught).ifPresent(FatalErrors::tell);
+    public static void reportCause(Throwable caught) {
+        behind(caught).ifPresent(FatalErrors::report);
     }
 
     /** No memory, no threads, a machine that failed, a thread that was stopped; a stack that was too deep is gone again. */

@@ -10,7 +10,7 @@ public interface Loop extends AutoCloseable {
     @FunctionalInterface
     interface Turn {
         /** For how many ns it rests afterwards, unless it is woken; 0: there may be more to do at once. */
-        long take();
+        long run();
     }
 
     void start();

@@ -14,7 +14,7 @@ public interface Pool extends Executor, AutoCloseable {
     void execute(Runnable work);
 
     /** Takes something that waits away again; false when it does not wait. */
-    boolean callOff(Runnable work);
+    boolean remove(Runnable work);
 
     boolean isClosed();
 

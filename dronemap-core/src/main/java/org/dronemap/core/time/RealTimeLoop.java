@@ -38,14 +38,14 @@ final class RealTimeLoop implements Loop {
         WaitStrategy rhythm = new WaitStrategy();
         boolean found = false;
         while (!closed) {
-            long rest = taken();
+            long rest = runTurn();
             if (rest > 0) {
                 rhythm.pause(found, () -> sleep(rest));
             }
             found = rest <= 0;
         }
         if (finishing) {
-            taken();
+            runTurn();
         }
     }
 
@@ -59,9 +59,9 @@ final class RealTimeLoop implements Loop {
     }
 
     /** A turn that fails is tried again after a pause. */
-    private long taken() {
+    private long runTurn() {
         try {
-            return turn.take();
+            return turn.run();
         } catch (RuntimeException e) {
             LOG.error("A turn of {} failed; it goes on with the next", thread.getName(), e);
             return Duration.ofMillis(100).toNanos();

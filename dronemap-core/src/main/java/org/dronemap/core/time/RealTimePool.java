@@ -47,7 +47,7 @@ final class RealTimePool implements Pool {
     }
 
     @Override
-    public boolean callOff(Runnable work) {
+    public boolean remove(Runnable work) {
         return threads.remove(new Guarded(name, work));
     }
 

@@ -85,7 +85,7 @@ final class RealTimeWorker implements Worker {
             LOG.error("{} failed at one thing; it goes on with the next", name, e);
         } catch (Error e) {
             // The executor would keep it to itself.
-            FatalErrors.tell(e);
+            FatalErrors.report(e);
             throw e;
         } finally {
             begunNanos = null;

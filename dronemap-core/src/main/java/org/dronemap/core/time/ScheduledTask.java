@@ -4,5 +4,5 @@ package org.dronemap.core.time;
 @FunctionalInterface
 public interface ScheduledTask {
     /** Does not stop what is being done already. */
-    void callOff();
+    void cancel();
 }

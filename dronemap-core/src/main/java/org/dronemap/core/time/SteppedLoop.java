@@ -39,15 +39,15 @@ final class SteppedLoop implements Loop {
     }
 
     private void schedule(long restNanos) {
-        next = closed ? null : agenda.add(owner, time.nanos() + restNanos, this::take);
+        next = closed ? null : agenda.add(owner, time.nanos() + restNanos, this::runTurn);
     }
 
-    private void take() {
+    private void runTurn() {
         long rest = Duration.ofMillis(100).toNanos();
         woken = false;
         taking = true;
         try {
-            rest = turn.take();
+            rest = turn.run();
         } finally {
             taking = false;
             schedule(woken ? 0 : rest);
@@ -66,7 +66,7 @@ final class SteppedLoop implements Loop {
     @Override
     public boolean finish(Duration longest) {
         close();
-        long unused = turn.take();
+        long unused = turn.run();
         return true;
     }
 }

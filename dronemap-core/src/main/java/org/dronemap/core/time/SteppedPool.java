@@ -24,7 +24,7 @@ final class SteppedPool implements Pool {
     }
 
     @Override
-    public boolean callOff(Runnable work) {
+    public boolean remove(Runnable work) {
         return waiting.remove(work);
     }
 

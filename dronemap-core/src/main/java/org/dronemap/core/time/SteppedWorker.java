@@ -95,9 +95,9 @@ final class SteppedWorker implements Worker {
         }
 
         @Override
-        public void callOff() {
+        public void cancel() {
             calledOff = true;
-            begun.callOff();
+            begun.cancel();
         }
     }
 

@@ -62,7 +62,7 @@ public record DroneChoice(
                         + (unfit.isEmpty() ? "came into question." : "could serve.")
                 : name.apply(chosen) + " was chosen: " + deciding.words(chosenValue) + ", the runner-up "
                         + name.apply(runnerUp) + " " + deciding.words(otherValue) + ".";
-        return why + taking() + others(name);
+        return why + energySentence() + others(name);
     }
 
     /** Names no drone: for those who hold the virtual one alone. */
@@ -71,10 +71,10 @@ public record DroneChoice(
                 ? "A drone was chosen: no other one could serve."
                 : "A drone was chosen: " + deciding.words(chosenValue) + ", the runner-up " + deciding.words(otherValue)
                         + ".";
-        return why + taking();
+        return why + energySentence();
     }
 
-    private String taking() {
+    private String energySentence() {
         return " The mission takes " + energy + ".";
     }
 

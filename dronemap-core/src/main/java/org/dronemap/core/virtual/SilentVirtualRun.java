@@ -34,7 +34,7 @@ final class SilentVirtualRun {
             String words = neverArmed
                     ? "Nothing is heard of the drone."
                     : "Nothing is heard of the drone; it may still fly, and its waypoints stay its own.";
-            return VirtualRunStep.stay(run.saying(words, sight.now()));
+            return VirtualRunStep.unchanged(run.withNote(words, sight.now()));
         }
         VirtualRunStep.Release release = neverArmed ? FREE : RECALL;
         return switch (run.stage()) {

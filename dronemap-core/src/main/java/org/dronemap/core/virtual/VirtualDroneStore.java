@@ -23,8 +23,8 @@ public interface VirtualDroneStore {
     Set<DroneId> warehouse();
 
     /** The drone must be known. Once more is as good as once. */
-    void putIntoWarehouse(DroneId drone);
+    void addToWarehouse(DroneId drone);
 
     /** True when it was there. */
-    boolean takeOutOfWarehouse(DroneId drone);
+    boolean removeFromWarehouse(DroneId drone);
 }

@@ -155,7 +155,7 @@ public record VirtualRun(
     }
 
     /** Says something else of the same. */
-    VirtualRun saying(String words, Instant now) {
+    VirtualRun withNote(String words, Instant now) {
         return words.equals(note) ? this : with(stage, assignment, words, detail, now);
     }
 

@@ -58,26 +58,27 @@ public final class VirtualRunMachine {
     public VirtualRunStep next(VirtualRun run, VirtualRunObservation sight) {
         Assignment assignment = run.assignment();
         if (assignment == null) {
-            return VirtualRunStep.stay(run);
+            return VirtualRunStep.unchanged(run);
         }
         DroneState drone = sight.drone();
         if (drone == null) {
             return replace(run, assignment, "The drone was taken away.", sight, FREE);
         }
-        if (sight.takenBy() != null) {
-            return suspend(run, sight.takenBy(), sight.now());
+        if (sight.whyNotHeld() != null) {
+            return suspend(run, sight.whyNotHeld(), sight.now());
         }
         if (drone.link().state() == LinkState.LOST) {
             return silent.next(run, assignment, drone, sight);
         }
         if (drone.link().state() != LinkState.LIVE || !drone.capabilities().known()) {
-            return VirtualRunStep.stay(run);
+            return VirtualRunStep.unchanged(run);
         }
         if (!sight.mayFly() && run.stage().compareTo(RETURNING) < 0) {
-            return VirtualRunStep.stay(run.to(STOPPING, "Its owner may not fly virtual drones any more.", sight.now()));
+            return VirtualRunStep.unchanged(
+                    run.to(STOPPING, "Its owner may not fly virtual drones any more.", sight.now()));
         }
         return sight.underWay()
-                ? VirtualRunStep.stay(progress(run, assignment, drone))
+                ? VirtualRunStep.unchanged(progress(run, assignment, drone))
                 : go(run, assignment, drone, sight);
     }
 
@@ -121,7 +122,7 @@ public final class VirtualRunMachine {
     private static VirtualRunStep upload(
             VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (sight.outcome() instanceof Outcome.Succeeded) {
-            return VirtualRunStep.stay(run.to(ARMING, "The drone has the mission and is armed.", sight.now()));
+            return VirtualRunStep.unchanged(run.to(ARMING, "The drone has the mission and is armed.", sight.now()));
         }
         if (Boolean.TRUE.equals(drone.armed())) {
             return replace(run, assignment, "The drone was armed by somebody else.", sight, FREE);
@@ -136,7 +137,7 @@ public final class VirtualRunMachine {
     private static VirtualRunStep arm(
             VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.TRUE.equals(drone.armed())) {
-            return VirtualRunStep.stay(run.to(STARTING, assignment.tries(), "The drone starts.", sight.now()));
+            return VirtualRunStep.unchanged(run.to(STARTING, assignment.tries(), "The drone starts.", sight.now()));
         }
         if (sight.outcome() != null && !(sight.outcome() instanceof Outcome.Succeeded)) {
             return tryAgain(run, assignment, drone, sight);
@@ -153,20 +154,22 @@ public final class VirtualRunMachine {
         boolean armed = Boolean.TRUE.equals(drone.armed());
         boolean up = assignment.takeOffMeters() == null || drone.airborne();
         if (armed && isOnMission(drone) && up) {
-            return VirtualRunStep.stay(run.to(FLYING, "The drone flies the mission.", sight.now()));
+            return VirtualRunStep.unchanged(run.to(FLYING, "The drone flies the mission.", sight.now()));
         }
         if (Boolean.FALSE.equals(drone.armed())) {
             return armAgain(run, assignment, sight);
         }
         if (sight.outcome() instanceof Outcome.Succeeded) {
             return since(assignment, sight).compareTo(UNTIL_SEEN) < 0
-                    ? VirtualRunStep.stay(run)
+                    ? VirtualRunStep.unchanged(run)
                     : tryAgain(run, assignment, drone, sight);
         }
         if (sight.outcome() != null) {
             return tryAgain(run, assignment, drone, sight);
         }
-        return armed ? VirtualRunStep.send(run, new Command.StartMission(run.onCloudLoss())) : VirtualRunStep.stay(run);
+        return armed
+                ? VirtualRunStep.send(run, new Command.StartMission(run.onCloudLoss()))
+                : VirtualRunStep.unchanged(run);
     }
 
     /** Vehicles disarm by themselves, and take the order to start even then. */
@@ -174,7 +177,7 @@ public final class VirtualRunMachine {
         boolean started = sight.outcome() == null || sight.outcome() instanceof Outcome.Succeeded;
         String why = started ? "It was disarmed before it started." : reason(sight.outcome());
         return assignment.tries() + 1 < MOST_TRIES
-                ? VirtualRunStep.stay(run.to(ARMING, assignment.tries() + 1, why, sight.now()))
+                ? VirtualRunStep.unchanged(run.to(ARMING, assignment.tries() + 1, why, sight.now()))
                 : replace(
                         run.failedTry(why, sight.now()),
                         assignment,
@@ -188,11 +191,11 @@ public final class VirtualRunMachine {
         MissionProgress mission = drone.mission();
         if (mission.items() == null || (mission.current() == null && !isBackFromAll(drone))) {
             // After a restart, until the vehicle has been asked.
-            return VirtualRunStep.stay(before);
+            return VirtualRunStep.unchanged(before);
         }
         VirtualRun run = progress(before, assignment, drone);
         if (run.flown() == run.total()) {
-            return VirtualRunStep.stay(
+            return VirtualRunStep.unchanged(
                     run.to(RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
         }
         if (Boolean.FALSE.equals(drone.armed())) {
@@ -214,7 +217,7 @@ public final class VirtualRunMachine {
         }
         return isStuck(run, assignment, drone, sight)
                 ? giveUp(run, "The drone does not move on; it is called home.", sight)
-                : VirtualRunStep.stay(run);
+                : VirtualRunStep.unchanged(run);
     }
 
     /** It may have crashed: vehicles do not always notice that themselves. */
@@ -244,7 +247,7 @@ public final class VirtualRunMachine {
                 && !drone.capabilities().isSafe(drone.mode());
         return hangs && since(assignment, sight).compareTo(BETWEEN_CALLS) > 0
                 ? VirtualRunStep.send(run, homeward(drone))
-                : VirtualRunStep.stay(run);
+                : VirtualRunStep.unchanged(run);
     }
 
     private static VirtualRunStep bringHome(
@@ -266,7 +269,7 @@ public final class VirtualRunMachine {
             return replace(run, assignment, why, sight, FREE);
         }
         if (called || onItsWay) {
-            return VirtualRunStep.stay(run);
+            return VirtualRunStep.unchanged(run);
         }
         return VirtualRunStep.send(run, drone.airborne() ? homeward(drone) : new Command.Disarm(false));
     }
@@ -308,7 +311,7 @@ public final class VirtualRunMachine {
             VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
         String why = reason(sight.outcome());
         if (assignment.tries() + 1 < MOST_TRIES) {
-            return VirtualRunStep.stay(run.failedTry(why, sight.now()));
+            return VirtualRunStep.unchanged(run.failedTry(why, sight.now()));
         }
         VirtualRun failed = run.failedTry(why, sight.now());
         return Boolean.FALSE.equals(drone.armed())
@@ -322,7 +325,7 @@ public final class VirtualRunMachine {
     }
 
     private static VirtualRunStep giveUp(VirtualRun run, String why, VirtualRunObservation sight) {
-        return VirtualRunStep.stay(run.to(GIVING_UP, why, sight.now()));
+        return VirtualRunStep.unchanged(run.to(GIVING_UP, why, sight.now()));
     }
 
     /** Another drone shall do the rest. */

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record VirtualRunObservation(
         @Nullable DroneState drone,
-        @Nullable String takenBy,
+        @Nullable String whyNotHeld,
         @Nullable Outcome outcome,
         boolean underWay,
         Duration silence,

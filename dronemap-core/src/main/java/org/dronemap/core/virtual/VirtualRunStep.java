@@ -18,7 +18,7 @@ public record VirtualRunStep(VirtualRun run, @Nullable Command send, Release rel
         RECALL
     }
 
-    static VirtualRunStep stay(VirtualRun run) {
+    static VirtualRunStep unchanged(VirtualRun run) {
         return new VirtualRunStep(run, null, Release.KEEP);
     }
 

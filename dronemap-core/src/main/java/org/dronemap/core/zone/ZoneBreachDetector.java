@@ -49,10 +49,10 @@ public final class ZoneBreachDetector {
     private record Alert(
             long lastNanos,
             @Nullable Long breachNanos,
-            @Nullable Long saidNanos) {}
+            @Nullable Long reportedNanos) {}
 
     /** Looks at a drone in the air. */
-    public List<Finding> look(List<Zone> zones, DroneState drone, long nanos) {
+    public List<Finding> check(List<Zone> zones, DroneState drone, long nanos) {
         Position position = drone.position();
         Geodetic point = position == null ? null : position.point();
         if (position == null || point == null) {
@@ -75,7 +75,7 @@ public final class ZoneBreachDetector {
     private void breached(Zone zone, long nanos, List<Finding> findings) {
         Alert before = alerts.get(zone.id());
         Long last = before == null ? null : before.breachNanos();
-        Long said = before == null ? null : before.saidNanos();
+        Long said = before == null ? null : before.reportedNanos();
         if (last == null || said == null || nanos - last > OUTSIDE_NANOS) {
             findings.add(new Finding.Breach(zone));
             said = nanos;
@@ -92,7 +92,7 @@ public final class ZoneBreachDetector {
                 zone.id(),
                 before == null
                         ? new Alert(nanos, null, null)
-                        : new Alert(nanos, before.breachNanos(), before.saidNanos()));
+                        : new Alert(nanos, before.breachNanos(), before.reportedNanos()));
         if (before == null) {
             findings.add(new Finding.Predicted(zone, seconds));
         }

@@ -45,7 +45,7 @@ class GrantRegistryTest {
         keep(Set.of());
         assertThat(ann(Role.ADMINISTRATOR).sees(THEIRS)).isFalse();
         assertThat(ann(Role.ADMINISTRATOR).may(Role.VIEWER, THEIRS)).isFalse();
-        Principal theirs = new Principal("carl", Role.VIEWER, KeyScope.ALL, null, book.reach(RESCUE, "carl"));
+        Principal theirs = new Principal("carl", Role.VIEWER, KeyScope.ALL, null, book.permissionsOf(RESCUE, "carl"));
         assertThat(theirs.sees(THEIRS)).isTrue();
         assertThat(theirs.sees(ONE)).isFalse();
     }
@@ -84,11 +84,11 @@ class GrantRegistryTest {
         grant(CREW, new GrantObject.Everything(), Permission.PLAN);
         grant(CREW, new GrantObject.OfFleet("trucks"), Permission.ADMINISTER);
         keep(Set.of(CREW));
-        assertThat(book.reach(OrganisationId.HOME, "ann").of(ONE))
+        assertThat(book.permissionsOf(OrganisationId.HOME, "ann").of(ONE))
                 .containsExactlyInAnyOrder(Permission.VIEW, Permission.PLAN, Permission.COMMAND);
-        assertThat(book.reach(OrganisationId.HOME, "ann").of(TWO))
+        assertThat(book.permissionsOf(OrganisationId.HOME, "ann").of(TWO))
                 .containsExactlyInAnyOrder(Permission.VIEW, Permission.PLAN, Permission.ADMINISTER);
-        assertThat(book.reach(OrganisationId.HOME, "bob").of(ONE)).isEqualTo(EffectivePermissions.ALL);
+        assertThat(book.permissionsOf(OrganisationId.HOME, "bob").of(ONE)).isEqualTo(EffectivePermissions.ALL);
     }
 
     @Test
@@ -96,7 +96,8 @@ class GrantRegistryTest {
         grant(ANN, new GrantObject.Drones(Set.of(ONE)), Permission.COMMAND);
         keep(Set.of(ANN));
         KeyScope scope = new KeyScope(Set.of(ONE, TWO), Set.of(Permission.PLAN));
-        Principal key = new Principal("ann", Role.OPERATOR, scope, "k1", book.reach(OrganisationId.HOME, "ann"));
+        Principal key =
+                new Principal("ann", Role.OPERATOR, scope, "k1", book.permissionsOf(OrganisationId.HOME, "ann"));
         assertThat(key.permissions(ONE)).containsExactly(Permission.VIEW);
         assertThat(key.permissions(TWO)).isEmpty();
         assertThat(key.may(Role.OPERATOR, ONE)).isFalse();
@@ -166,9 +167,9 @@ class GrantRegistryTest {
         assertThat(sights(OrganisationId.HOME, -1, 0)).containsExactly(VisibilityLevel.ALL, VisibilityLevel.NONE);
         assertThat(sights(RESCUE, -1, 0)).containsExactly(VisibilityLevel.NONE, VisibilityLevel.ALL);
         assertThat(sights(new OrganisationId("survey"), -1, 0)).containsOnly(VisibilityLevel.NONE);
-        assertThat(book.reach(RESCUE).insight(THEIRS).within(NOON.minusSeconds(5), NOON.plusSeconds(5)))
+        assertThat(book.permissionsOf(RESCUE).insight(THEIRS).within(NOON.minusSeconds(5), NOON.plusSeconds(5)))
                 .contains(new HistoryVisibility.Period(NOON, NOON.plusSeconds(5), false));
-        assertThat(book.reach(RESCUE).insight(ONE)).isEqualTo(HistoryVisibility.NONE);
+        assertThat(book.permissionsOf(RESCUE).insight(ONE)).isEqualTo(HistoryVisibility.NONE);
     }
 
     @Test
@@ -186,7 +187,7 @@ class GrantRegistryTest {
                         VisibilityLevel.ALL,
                         VisibilityLevel.WITHOUT_NAMES,
                         VisibilityLevel.ALL);
-        assertThat(book.reach(OrganisationId.HOME).insight(THEIRS).within(Instant.EPOCH, NOON.plusSeconds(30)))
+        assertThat(book.permissionsOf(OrganisationId.HOME).insight(THEIRS).within(Instant.EPOCH, NOON.plusSeconds(30)))
                 .contains(new HistoryVisibility.Period(Instant.EPOCH, NOON.plusSeconds(20), false));
     }
 
@@ -198,14 +199,15 @@ class GrantRegistryTest {
         assertThat(ann(Role.VIEWER).sight(THEIRS, NOON.minusSeconds(1))).isEqualTo(VisibilityLevel.NONE);
         assertThat(ann(Role.VIEWER).sight(ONE, NOON.minusSeconds(1))).isEqualTo(VisibilityLevel.ALL);
         KeyScope scope = new KeyScope(Set.of(TWO), Set.of());
-        Principal key = new Principal("bob", Role.VIEWER, scope, "k1", book.reach(OrganisationId.HOME, "bob"));
+        Principal key = new Principal("bob", Role.VIEWER, scope, "k1", book.permissionsOf(OrganisationId.HOME, "bob"));
         assertThat(key.sight(THEIRS, NOON.minusSeconds(1))).isEqualTo(VisibilityLevel.NONE);
         assertThat(key.sight(TWO, NOON.minusSeconds(1))).isEqualTo(VisibilityLevel.ALL);
     }
 
     private List<VisibilityLevel> sights(OrganisationId organisation, int... seconds) {
         return Arrays.stream(seconds)
-                .mapToObj(second -> book.reach(organisation).insight(THEIRS).at(NOON.plusSeconds(second)))
+                .mapToObj(second ->
+                        book.permissionsOf(organisation).insight(THEIRS).at(NOON.plusSeconds(second)))
                 .toList();
     }
 
@@ -214,7 +216,7 @@ class GrantRegistryTest {
     }
 
     private Principal ann(Role role) {
-        return new Principal("ann", role, KeyScope.ALL, null, book.reach(OrganisationId.HOME, "ann"));
+        return new Principal("ann", role, KeyScope.ALL, null, book.permissionsOf(OrganisationId.HOME, "ann"));
     }
 
     private void grant(GrantSubject subject, GrantObject object, Permission permission) {

@@ -151,7 +151,7 @@ class CloudManagerTest {
                 0)));
         hear(link);
 
-        onLane(link, link::played);
+        onLane(link, link::replayEnded);
         hear(link);
 
         assertThat(cloud.drone(link.id()).orElseThrow().link().state())
@@ -187,7 +187,7 @@ class CloudManagerTest {
     }
 
     private static void keepAlive(DroneLink link) {
-        onLane(link, () -> link.lane().addTicker(link::heard));
+        onLane(link, () -> link.lane().addPeriodicTask(link::received));
     }
 
     private static boolean goneOnLane(DroneLink link) {

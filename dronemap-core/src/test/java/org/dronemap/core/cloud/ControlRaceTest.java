@@ -120,9 +120,9 @@ class ControlRaceTest {
             link.accept(new DroneEvent.Identified(CloudFixtures.copter(null), CloudFixtures.ALL));
             link.accept(new DroneEvent.ModeReported("GUIDED", true));
             link.accept(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
-            link.lane().addTicker(() -> {
+            link.lane().addPeriodicTask(() -> {
                 vehicle.tick();
-                link.heard();
+                link.received();
             });
             done.complete(null);
         });

@@ -161,9 +161,9 @@ abstract class GuidedFlightTestBase {
     void awaitTick() {
         AtomicBoolean ticked = new AtomicBoolean();
         Lane.Ticker ticker = () -> ticked.set(true);
-        link.lane().execute(() -> link.lane().addTicker(ticker));
+        link.lane().execute(() -> link.lane().addPeriodicTask(ticker));
         until(ticked::get);
-        link.lane().execute(() -> link.lane().removeTicker(ticker));
+        link.lane().execute(() -> link.lane().removePeriodicTask(ticker));
     }
 
     VehicleChannel.Report report(CommandRecord command) {

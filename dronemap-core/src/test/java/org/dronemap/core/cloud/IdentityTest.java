@@ -80,7 +80,7 @@ class IdentityTest {
     }
 
     private void keepAlive(DroneLink link) {
-        onLane(link, () -> link.lane().addTicker(link::heard));
+        onLane(link, () -> link.lane().addPeriodicTask(link::received));
     }
 
     private DroneState state(DroneLink link) {
@@ -240,14 +240,14 @@ class IdentityTest {
         WaitingVehicle waiting = cloud.waiting().get(0);
         assertThat(waiting.isQuarantined()).isFalse();
 
-        DroneState enrolled = cloud.letIn(waiting.id(), "Rescue 7").orElseThrow();
+        DroneState enrolled = cloud.admit(waiting.id(), "Rescue 7").orElseThrow();
 
         assertThat(cloud.waiting()).isEmpty();
         assertThat(enrolled.name()).isEqualTo("Rescue 7");
         assertThat(CloudFixtures.bound(cloud.admit(claim(5001, "aa01", null, false)))
                         .id())
                 .isEqualTo(enrolled.id());
-        assertThat(cloud.letIn(waiting.id(), "again")).isEmpty();
+        assertThat(cloud.admit(waiting.id(), "again")).isEmpty();
     }
 
     @Test
@@ -263,7 +263,7 @@ class IdentityTest {
         until(() -> cloud.admit(claim(6001, "aa01", null, true)) instanceof ClaimResult.NotAdmitted
                 && cloud.waiting().stream().anyMatch(WaitingVehicle::isQuarantined));
 
-        DroneState twin = cloud.letIn(cloud.waiting().get(0).id(), null).orElseThrow();
+        DroneState twin = cloud.admit(cloud.waiting().get(0).id(), null).orElseThrow();
 
         DroneLink link = letIn(6001, "aa01", null);
         assertThat(link.id()).isEqualTo(twin.id()).isNotEqualTo(real.id());

@@ -93,7 +93,7 @@ class ParameterRestoreTest extends CloudLossTestBase {
     @Test
     void tellsWhatSomebodyElseHasChangedAndDropsIt() {
         wasUsed();
-        rule(RestoreParameters.class).keeper().leftAlone(List.of(new ParameterValue("FS_GCS_ENABLE", 5)));
+        rule(RestoreParameters.class).keeper().skipped(List.of(new ParameterValue("FS_GCS_ENABLE", 5)));
         ruleReport(RestoreParameters.class).ended(new Outcome.Succeeded());
         until(owners.kept::isEmpty);
 
@@ -148,7 +148,7 @@ class ParameterRestoreTest extends CloudLossTestBase {
 
         CloudManager next = cloud();
 
-        assertThat(next.leftBehind()).containsExactly(left);
-        assertThat(cloud.leftBehind()).isEmpty();
+        assertThat(next.outstandingOverrides()).containsExactly(left);
+        assertThat(cloud.outstandingOverrides()).isEmpty();
     }
 }

@@ -163,7 +163,7 @@ class SetpointGateTest {
     void handsOffTheSticksBringsItToAHoldAtOnce() {
         hear(new DroneEvent.ModeReported("LOITER", true));
         assertThat(steer(ANN, PUSHED)).isEmpty();
-        setpoints.letGo(ANN, link.id());
+        setpoints.stopSteering(ANN, link.id());
 
         awaitSaid(said -> said.size() >= 2);
         assertThat(vehicle.setpoints.subList(0, 2)).containsExactly(PUSHED, MIDDLE);
@@ -325,7 +325,7 @@ class SetpointGateTest {
         hear(new DroneEvent.Identified(
                 CloudFixtures.copter(null), new Capabilities(Set.of(Capability.values()), List.of())));
         assertThat(steer(ANN, NORTHWARD)).isEmpty();
-        setpoints.letGo(ANN, link.id());
+        setpoints.stopSteering(ANN, link.id());
 
         awaitSaid(said -> said.equals(List.of(NORTHWARD, NO_SPEED, NO_SPEED, NO_SPEED)));
         assertThat(vehicle.performed).isEmpty();

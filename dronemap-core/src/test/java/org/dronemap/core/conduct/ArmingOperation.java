@@ -97,10 +97,10 @@ final class ArmingOperation implements Operation<ArmingOperation.State, String> 
     }
 
     @Override
-    public String looked(State state, OperationObservation scene) {
+    public String observed(State state, OperationObservation scene) {
         return scene.drones().stream()
-                .filter(seen -> seen.takenBy() != null)
-                .map(seen -> "taken " + seen.state().id() + " " + seen.takenBy())
+                .filter(seen -> seen.whyNotCommandable() != null)
+                .map(seen -> "taken " + seen.state().id() + " " + seen.whyNotCommandable())
                 .findFirst()
                 .orElse("looked");
     }
@@ -135,7 +135,7 @@ final class ArmingOperation implements Operation<ArmingOperation.State, String> 
             case "stop" ->
                 new OperationDecision<>(
                         new State(state.drones(), state.heard(), state.given(), true), List.of(), "It was stopped.");
-            default -> OperationDecision.stay(state);
+            default -> OperationDecision.unchanged(state);
         };
     }
 

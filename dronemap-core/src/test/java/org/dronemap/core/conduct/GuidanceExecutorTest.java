@@ -46,7 +46,7 @@ class GuidanceExecutorTest {
             new LeaseHolder.Operation("o1", "mia", "The trial"),
             new OperationGuidance<>() {
                 @Override
-                public boolean sighted(TargetReport sighting) {
+                public boolean reported(TargetReport sighting) {
                     guided.add(sighting.number());
                     return sighting.accuracyMeters() < 50;
                 }
@@ -65,12 +65,13 @@ class GuidanceExecutorTest {
 
     private TargetReportResult said(long number, Duration age) {
         Instant sent = ZERO.plusSeconds(number);
-        return wheel.sighted(new TargetReport(number, sent.minus(age), sent, sent, null, new Geodetic(47, 8), 5, null));
+        return wheel.reported(
+                new TargetReport(number, sent.minus(age), sent, sent, null, new Geodetic(47, 8), 5, null));
     }
 
     private void vaguely(long number) {
         Instant sent = ZERO.plusSeconds(number);
-        wheel.sighted(new TargetReport(number, sent, sent, sent, null, new Geodetic(47, 8), 80, null));
+        wheel.reported(new TargetReport(number, sent, sent, sent, null, new Geodetic(47, 8), 80, null));
     }
 
     private OperationObservation turn(long seconds) {
@@ -83,16 +84,16 @@ class GuidanceExecutorTest {
         turn(1);
         vaguely(2);
         OperationObservation vague = turn(2);
-        assertThat(vague.sighted()).isEqualTo(ZERO.plusSeconds(1));
-        assertThat(vague.reach()).isEqualTo(ReporterState.VAGUE);
+        assertThat(vague.lastReportAt()).isEqualTo(ZERO.plusSeconds(1));
+        assertThat(vague.reach()).isEqualTo(ReporterState.UNUSABLE);
         assertThat(turn(8).reach()).as("it says nothing any more").isNull();
         vaguely(9);
-        wheel.reached(ReporterState.CUT);
-        assertThat(turn(9).reach()).as("the connection tells more").isEqualTo(ReporterState.CUT);
-        wheel.reached(ReporterState.SPEAKS);
-        assertThat(turn(9).reach()).isEqualTo(ReporterState.VAGUE);
+        wheel.reporterStateChanged(ReporterState.UNREACHABLE);
+        assertThat(turn(9).reach()).as("the connection tells more").isEqualTo(ReporterState.UNREACHABLE);
+        wheel.reporterStateChanged(ReporterState.ACTIVE);
+        assertThat(turn(9).reach()).isEqualTo(ReporterState.UNUSABLE);
         said(10, Duration.ZERO);
-        assertThat(turn(10).reach()).isEqualTo(ReporterState.SPEAKS);
+        assertThat(turn(10).reach()).isEqualTo(ReporterState.ACTIVE);
     }
 
     private OperationObservation turn() {
@@ -101,36 +102,36 @@ class GuidanceExecutorTest {
 
     @Test
     void takesWhatIsSaidTwiceOnce() {
-        assertThat(said(1, Duration.ZERO)).isEqualTo(TargetReportResult.TAKEN);
-        assertThat(said(2, Duration.ZERO)).isEqualTo(TargetReportResult.TAKEN);
-        assertThat(said(2, Duration.ZERO)).isEqualTo(TargetReportResult.KNOWN);
-        assertThat(said(1, Duration.ZERO)).isEqualTo(TargetReportResult.KNOWN);
+        assertThat(said(1, Duration.ZERO)).isEqualTo(TargetReportResult.ACCEPTED);
+        assertThat(said(2, Duration.ZERO)).isEqualTo(TargetReportResult.ACCEPTED);
+        assertThat(said(2, Duration.ZERO)).isEqualTo(TargetReportResult.DUPLICATE);
+        assertThat(said(1, Duration.ZERO)).isEqualTo(TargetReportResult.DUPLICATE);
         turn();
         assertThat(guided).containsExactly(1L, 2L);
-        assertThat(said(2, Duration.ZERO)).isEqualTo(TargetReportResult.KNOWN);
+        assertThat(said(2, Duration.ZERO)).isEqualTo(TargetReportResult.DUPLICATE);
     }
 
     @Test
     void takesNoMoreThanItCanKeepAndThatAgainLater() {
         long number = 1;
-        while (said(number, Duration.ZERO) == TargetReportResult.TAKEN) {
+        while (said(number, Duration.ZERO) == TargetReportResult.ACCEPTED) {
             number++;
         }
         assertThat(number).isEqualTo(129);
-        assertThat(said(number, Duration.ZERO)).isEqualTo(TargetReportResult.CROWDED);
+        assertThat(said(number, Duration.ZERO)).isEqualTo(TargetReportResult.QUEUE_FULL);
         turn();
-        assertThat(said(number, Duration.ZERO)).isEqualTo(TargetReportResult.TAKEN);
+        assertThat(said(number, Duration.ZERO)).isEqualTo(TargetReportResult.ACCEPTED);
     }
 
     /** What a phone kept while it was cut off shows where it went; the drone does not go on for that. */
     @Test
     void takesOldSightingsForNoSignOfLife() {
         said(1, Duration.ZERO);
-        assertThat(turn().sighted()).isEqualTo(ZERO.plusSeconds(1));
+        assertThat(turn().lastReportAt()).isEqualTo(ZERO.plusSeconds(1));
         said(2, Duration.ofSeconds(30));
-        assertThat(turn().sighted()).isEqualTo(ZERO.plusSeconds(1));
+        assertThat(turn().lastReportAt()).isEqualTo(ZERO.plusSeconds(1));
         assertThat(guided).containsExactly(1L, 2L);
         said(3, Duration.ofSeconds(1));
-        assertThat(turn().sighted()).isEqualTo(ZERO.plusSeconds(3));
+        assertThat(turn().lastReportAt()).isEqualTo(ZERO.plusSeconds(3));
     }
 }

@@ -36,8 +36,8 @@ class JournalReplayTest {
             OperationKind<ArmingOperation.State, String> kind, List<JournalEntry> journal) {
         JournalReplay<ArmingOperation.State, String> replay = new JournalReplay<>(kind);
         // In parts, as a long one is read.
-        replay.take(journal.subList(0, 2));
-        replay.take(journal.subList(2, journal.size()));
+        replay.replay(journal.subList(0, 2));
+        replay.replay(journal.subList(2, journal.size()));
         return replay;
     }
 

@@ -36,9 +36,9 @@ class OperationCommandsTest extends OperationTestBase {
         assertThat(crew.engage(holder, link.id())).isEmpty();
         hands = new OperationCommands(crew, holder, () -> nanos);
         given = new SavedOperation.Given(link.id(), FIRST);
-        hands.give(new OperationAction.SendCommand<String>(link.id(), FIRST, UPLOAD));
+        hands.submit(new OperationAction.SendCommand<String>(link.id(), FIRST, UPLOAD));
         await().until(() -> vehicle.reports.containsKey(FIRST));
-        assertThat(hands.end(given)).isEmpty();
+        assertThat(hands.outcome(given)).isEmpty();
     }
 
     @Test
@@ -47,23 +47,23 @@ class OperationCommandsTest extends OperationTestBase {
         for (int item = 0; item < 10; item++) {
             pass(Duration.ofSeconds(60));
             report.progress(item, 10);
-            assertThat(hands.end(given)).isEmpty();
+            assertThat(hands.outcome(given)).isEmpty();
         }
         report.ended(new Outcome.Succeeded());
 
-        await().until(() -> hands.end(given).equals(Optional.of(new Outcome.Succeeded())));
+        await().until(() -> hands.outcome(given).equals(Optional.of(new Outcome.Succeeded())));
     }
 
     @Test
     void givesUpWhatNothingIsHeardOfForThreeMinutes() {
         pass(Duration.ofSeconds(100));
         vehicle.reports.get(FIRST).progress(1, 10);
-        assertThat(hands.end(given)).isEmpty();
+        assertThat(hands.outcome(given)).isEmpty();
         pass(Duration.ofSeconds(179));
-        assertThat(hands.end(given)).isEmpty();
+        assertThat(hands.outcome(given)).isEmpty();
         pass(Duration.ofSeconds(2));
 
-        assertThat(hands.end(given)).containsInstanceOf(Outcome.Unknown.class);
+        assertThat(hands.outcome(given)).containsInstanceOf(Outcome.Unknown.class);
     }
 
     @Test
@@ -71,21 +71,21 @@ class OperationCommandsTest extends OperationTestBase {
         CommandId second = new CommandId("command-2");
         assertThat(codeOf(second)).isEqualTo(OutcomeCode.NOT_SENT);
         commands.beginFailure = new Unreachable();
-        hands.give(new OperationAction.SendCommand<String>(link.id(), second, UPLOAD));
+        hands.submit(new OperationAction.SendCommand<String>(link.id(), second, UPLOAD));
         assertThat(codeOf(second)).isEqualTo(OutcomeCode.NOT_WRITTEN_DOWN);
         commands.beginFailure = new IllegalStateException("a fault");
-        hands.give(new OperationAction.SendCommand<String>(link.id(), second, UPLOAD));
+        hands.submit(new OperationAction.SendCommand<String>(link.id(), second, UPLOAD));
         assertThat(codeOf(second)).isEqualTo(OutcomeCode.SERVER_FAULT);
-        hands.give(new OperationAction.SendCommand<String>(new DroneId("removed"), second, UPLOAD));
+        hands.submit(new OperationAction.SendCommand<String>(new DroneId("removed"), second, UPLOAD));
         assertThat(codeOf(second)).isEqualTo(OutcomeCode.DRONE_REMOVED);
 
-        hands.told(new SavedOperation.Given(link.id(), second));
+        hands.forget(new SavedOperation.Given(link.id(), second));
         assertThat(codeOf(second)).isEqualTo(OutcomeCode.NOT_SENT);
     }
 
     private OutcomeCode codeOf(CommandId id) {
         return ((Outcome.Refused)
-                        hands.end(new SavedOperation.Given(link.id(), id)).orElseThrow())
+                        hands.outcome(new SavedOperation.Given(link.id(), id)).orElseThrow())
                 .cause();
     }
 
@@ -93,7 +93,7 @@ class OperationCommandsTest extends OperationTestBase {
         private static final long serialVersionUID = 1;
 
         @Override
-        public boolean isPassing() {
+        public boolean isTransient() {
             return true;
         }
     }

@@ -57,7 +57,7 @@ abstract class OperationTestBase {
     @BeforeEach
     void connect() {
         callIn(FlightPhase.ON_GROUND);
-        operations.takeUp();
+        operations.restore();
         operations.goOn();
     }
 
@@ -121,7 +121,7 @@ abstract class OperationTestBase {
     }
 
     ArmingOperation.State wish(String what) {
-        return operations.wish(ArmingOperation.KIND, ID, what).state();
+        return operations.request(ArmingOperation.KIND, ID, what).state();
     }
 
     List<String> heard() {
@@ -147,7 +147,7 @@ abstract class OperationTestBase {
     /** The new one does not let vehicles in yet. */
     void restartDeaf() {
         die();
-        operations.takeUp();
+        operations.restore();
     }
 
     /** The new one goes on with nothing of what was under way. */
@@ -168,7 +168,7 @@ abstract class OperationTestBase {
 
     void assertReplays() {
         JournalReplay<ArmingOperation.State, String> replay = new JournalReplay<>(ArmingOperation.KIND);
-        replay.take(store.journal(ID, 0, 1_000));
+        replay.replay(store.journal(ID, 0, 1_000));
         assertThat(replay.difference()).isEmpty();
         assertThat(replay.count()).isEqualTo(store.journal.size());
     }

@@ -95,7 +95,7 @@ class ReturnCommanderTest {
     }
 
     private boolean isSeenTo() {
-        boolean seenTo = wayHome.isSeenTo(BY, cloud.drone(link.id()).orElseThrow());
+        boolean seenTo = wayHome.commandReturn(BY, cloud.drone(link.id()).orElseThrow());
         time.settle();
         return seenTo;
     }
@@ -107,7 +107,7 @@ class ReturnCommanderTest {
     }
 
     private boolean isHeld() {
-        return crew.takenBy(BY, link.id()) == null;
+        return crew.whyNotHeld(BY, link.id()) == null;
     }
 
     @Test

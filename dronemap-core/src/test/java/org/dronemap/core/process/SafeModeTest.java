@@ -14,13 +14,15 @@ class SafeModeTest {
 
     @Test
     void threeEndsWithinTwoMinutesAskForCare() {
-        assertThat(after(end(120), end(60), end(1)).careful()).isTrue();
-        assertThat(after(end(122), end(60), end(1)).careful()).isFalse();
-        assertThat(after(end(159), end(100), end(40)).careful())
+        assertThat(after(end(120), end(60), end(1)).isActive()).isTrue();
+        assertThat(after(end(122), end(60), end(1)).isActive()).isFalse();
+        assertThat(after(end(159), end(100), end(40)).isActive())
                 .as("after a start that took 40 s")
                 .isTrue();
-        assertThat(after(end(241), end(181), end(121)).careful()).as("long ago").isFalse();
-        assertThat(after(end(2), end(1)).careful()).isFalse();
+        assertThat(after(end(241), end(181), end(121)).isActive())
+                .as("long ago")
+                .isFalse();
+        assertThat(after(end(2), end(1)).isActive()).isFalse();
         assertThat(after(end(500), end(400), end(300), end(2)).ends()).isEmpty();
     }
 

@@ -16,7 +16,7 @@ class BatteryEnduranceTest {
 
     private double after(double seconds, @Nullable Integer percent) {
         DroneState drone = ReturnPlannerTest.with(percent == null ? null : new Battery(percent, null, null));
-        energy.heard(drone, (long) (seconds * 1e9));
+        energy.observe(drone, (long) (seconds * 1e9));
         return energy.secondsLeft().orElse(Double.NaN);
     }
 

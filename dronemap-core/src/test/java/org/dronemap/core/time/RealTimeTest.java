@@ -171,7 +171,7 @@ class RealTimeTest {
             throw new IllegalStateException("on purpose");
         });
         await().until(() -> rounds.get() > 3);
-        repetition.callOff();
+        repetition.cancel();
 
         int count = time.join(worker.submit(rounds::get), LONG);
         assertThat(time.join(worker.submit(rounds::get), LONG)).isEqualTo(count);

@@ -66,7 +66,7 @@ class SteppedTimeTest {
         ScheduledTask rounds =
                 time.worker("rounds", 1).every(Duration.ZERO, Duration.ofMillis(10), () -> note("round"));
         time.advance(Duration.ofMillis(25));
-        rounds.callOff();
+        rounds.cancel();
         time.advance(Duration.ofSeconds(1));
 
         assertThat(done).containsExactly("round at 0", "round at 10", "round at 20");

@@ -120,6 +120,6 @@ class ZoneBreachDetectorTest {
 
     private List<ZoneBreachDetector.Finding> look(Zone zone, double north, double height) {
         nanos += STEP_NANOS;
-        return lookout.look(List.of(zone), ZoneFixtures.flying(ZoneFixtures.at(north, 0), height), nanos);
+        return lookout.check(List.of(zone), ZoneFixtures.flying(ZoneFixtures.at(north, 0), height), nanos);
     }
 }

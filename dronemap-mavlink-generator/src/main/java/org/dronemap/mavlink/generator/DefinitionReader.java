@@ -36,7 +36,7 @@ public final class DefinitionReader {
         for (String line : Files.readAllLines(file)) {
             number++;
             try {
-                reader.take(line);
+                reader.parseLine(line);
             } catch (IllegalArgumentException e) {
                 throw new IllegalArgumentException(file + ", line " + number + ": " + e.getMessage(), e);
             }
@@ -45,14 +45,14 @@ public final class DefinitionReader {
         return List.copyOf(reader.definitions);
     }
 
-    private void take(String line) {
+    private void parseLine(String line) {
         Matcher head = MESSAGE.matcher(line);
         if (head.matches()) {
             begin(Integer.parseInt(head.group(1)), head.group(2));
         } else if (line.equals(EXTENSIONS) && message != null) {
             extensions = true;
         } else if (!line.isBlank() && !line.startsWith("#")) {
-            takeField(line);
+            parseField(line);
         }
     }
 
@@ -71,7 +71,7 @@ public final class DefinitionReader {
         }
     }
 
-    private void takeField(String line) {
+    private void parseField(String line) {
         Matcher parts = FIELD.matcher(line);
         if (!parts.matches() || message == null) {
             throw new IllegalArgumentException("wanted \"NUMBER NAME\" of a message, or after it \"    TYPE name\" or"

@@ -22,24 +22,24 @@ public final class SigningClock {
     /** {@code stored}: the timestamp that was kept when the key was last in use, 0 for none. */
     public SigningClock(InstantSource clock, long stored) {
         this.clock = clock;
-        last = Math.max(ticks(clock.instant()), stored);
+        last = Math.max(timestampOf(clock.instant()), stored);
     }
 
     /** The timestamp of a moment; 0 before 2015. */
-    public static long ticks(Instant moment) {
+    public static long timestampOf(Instant moment) {
         long seconds = moment.getEpochSecond() - EPOCH_SECONDS;
         return seconds < 0 ? 0 : seconds * TICKS_PER_SECOND + moment.getNano() / NANOS_PER_TICK;
     }
 
     /** The latest timestamp that was given or heard, or the clock's when that is later. To be stored every minute. */
     public long now() {
-        last = Math.max(last, ticks(clock.instant()));
+        last = Math.max(last, timestampOf(clock.instant()));
         return last;
     }
 
     /** A timestamp later than all before. */
     public long next() {
-        long now = ticks(clock.instant());
+        long now = timestampOf(clock.instant());
         last = Math.max(last + 1, now);
         return last;
     }

@@ -52,9 +52,10 @@ class SignatureCheckTest {
 
     @Test
     void countsTenMicrosecondsSince2015() {
-        assertThat(SigningClock.ticks(Instant.parse("2015-01-01T00:00:01.000010Z")))
+        assertThat(SigningClock.timestampOf(Instant.parse("2015-01-01T00:00:01.000010Z")))
                 .isEqualTo(100_001);
-        assertThat(SigningClock.ticks(Instant.parse("1999-01-01T00:00:00Z"))).isZero();
+        assertThat(SigningClock.timestampOf(Instant.parse("1999-01-01T00:00:00Z")))
+                .isZero();
     }
 
     @Test
@@ -71,15 +72,15 @@ class SignatureCheckTest {
 
     @Test
     void startsAtTheStoredTimestampWhenTheClockIsBehindIt() {
-        long stored = SigningClock.ticks(now) + MINUTE;
+        long stored = SigningClock.timestampOf(now) + MINUTE;
 
         assertThat(new SigningClock(() -> now, stored).next()).isEqualTo(stored + 1);
-        assertThat(new SigningClock(() -> now, 17).now()).isEqualTo(SigningClock.ticks(now));
+        assertThat(new SigningClock(() -> now, 17).now()).isEqualTo(SigningClock.timestampOf(now));
     }
 
     @Test
     void acceptsWhatItsOwnKeySignedOnceOnly() {
-        Frame frame = signed(key, 0, SigningClock.ticks(now));
+        Frame frame = signed(key, 0, SigningClock.timestampOf(now));
 
         assertThat(check.judge(frame)).isEqualTo(SignatureVerdict.VALID);
         assertThat(check.judge(frame)).isEqualTo(SignatureVerdict.REPLAYED);
@@ -87,7 +88,7 @@ class SignatureCheckTest {
 
     @Test
     void aRefusedFrameOpensTheDoorForNoOther() {
-        long ticks = SigningClock.ticks(now);
+        long ticks = SigningClock.timestampOf(now);
         Frame first = signed(key, 0, ticks);
         Frame second = signed(key, 0, ticks + 5);
         Frame old = signed(key, 9, ticks - MINUTE - 1);
@@ -104,12 +105,13 @@ class SignatureCheckTest {
     void refusesAnUnsignedFrameAndAForeignKey() {
         assertThat(check.judge(read(new FrameWriter(1, 1, 2).frame(BEAT)))).isEqualTo(SignatureVerdict.UNSIGNED);
         assertThat(check.judge(read(new FrameWriter(1, 1, 1).frame(BEAT)))).isEqualTo(SignatureVerdict.UNSIGNED);
-        assertThat(check.judge(signed(key(1), 0, SigningClock.ticks(now)))).isEqualTo(SignatureVerdict.BAD_SIGNATURE);
+        assertThat(check.judge(signed(key(1), 0, SigningClock.timestampOf(now))))
+                .isEqualTo(SignatureVerdict.BAD_SIGNATURE);
     }
 
     @Test
     void everyFlippedBitOfTheSignatureIsFound() {
-        byte[] good = signed(key, 0, SigningClock.ticks(now)).bytes();
+        byte[] good = signed(key, 0, SigningClock.timestampOf(now)).bytes();
         for (int bit = 0; bit < Frame.SIGNATURE_BYTES * 8; bit++) {
             byte[] bad = good.clone();
             bad[good.length - 1 - bit / 8] ^= (byte) (1 << (bit % 8));
@@ -145,7 +147,7 @@ class SignatureCheckTest {
 
     @Test
     void aNewStreamMayBeAMinuteBehindAndNoMore() {
-        long ticks = SigningClock.ticks(now);
+        long ticks = SigningClock.timestampOf(now);
 
         assertThat(check.judge(signed(key, 1, ticks - MINUTE - 1))).isEqualTo(SignatureVerdict.TOO_OLD);
         assertThat(check.judge(signed(key, 1, ticks - MINUTE))).isEqualTo(SignatureVerdict.VALID);
@@ -154,7 +156,7 @@ class SignatureCheckTest {
 
     @Test
     void aKnownStreamMayFallBehindTheClock() {
-        long ticks = SigningClock.ticks(now);
+        long ticks = SigningClock.timestampOf(now);
         assertThat(check.judge(signed(key, 1, ticks))).isEqualTo(SignatureVerdict.VALID);
         now = now.plusSeconds(7200);
 
@@ -164,7 +166,7 @@ class SignatureCheckTest {
 
     @Test
     void remembersABoundedNumberOfStreams() {
-        long ticks = SigningClock.ticks(now);
+        long ticks = SigningClock.timestampOf(now);
         for (int link = 0; link < SignatureCheck.MOST_STREAMS; link++) {
             assertThat(check.judge(signed(key, link, ticks))).isEqualTo(SignatureVerdict.VALID);
         }
@@ -207,7 +209,7 @@ class SignatureCheckTest {
     @Test
     void randomBytesBehindAGoodHeaderThrowNothingAndAreNeverValid() {
         Random random = new Random(20_150_101);
-        byte[] good = signed(key, 0, SigningClock.ticks(now)).bytes();
+        byte[] good = signed(key, 0, SigningClock.timestampOf(now)).bytes();
         for (int round = 0; round < 20_000; round++) {
             byte[] bad = good.clone();
             for (int i = good.length - Frame.SIGNATURE_BYTES; i < good.length; i++) {

@@ -119,7 +119,7 @@ final class ClientEndpoint implements Endpoint {
             long now = time.nanos();
             if (now - heardNanos > QUIET_NANOS && now - greetedNanos >= BETWEEN_GREETINGS_NANOS) {
                 greetedNanos = now;
-                greet(open);
+                sendGreeting(open);
             }
             buffer.clear();
             if (open.read(buffer, READ_MILLIS) > 0) {
@@ -130,7 +130,7 @@ final class ClientEndpoint implements Endpoint {
         }
     }
 
-    private void greet(ClientConnection open) {
+    private void sendGreeting(ClientConnection open) {
         byte[] greeting = handlers.greeting();
         if (greeting.length > 0 && !open.send(greeting)) {
             LOG.debug("{} did not take a greeting", url);

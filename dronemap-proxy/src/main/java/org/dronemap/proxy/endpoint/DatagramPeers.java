@@ -37,7 +37,7 @@ final class DatagramPeers<K> {
         long now = time.nanos();
         EndpointPeer seat = peers.find(from);
         if (seat == null) {
-            seat = welcome(from, now);
+            seat = admit(from, now);
         }
         if (seat != null) {
             seat.received(datagram, now);
@@ -45,7 +45,7 @@ final class DatagramPeers<K> {
         peers.sweep(now);
     }
 
-    private @Nullable EndpointPeer welcome(K from, long now) {
+    private @Nullable EndpointPeer admit(K from, long now) {
         PeerAddress address = way.address().apply(from);
         return peers.add(
                 from,

@@ -56,7 +56,7 @@ final class DatagramQueue {
     }
 
     /** Takes all that the socket has, as far as there is room. */
-    void takeFrom(DatagramChannel channel) throws IOException {
+    void readFrom(DatagramChannel channel) throws IOException {
         while (hasRoom()) {
             bytes.limit(next + largest).position(next);
             SocketAddress from = channel.receive(bytes);
@@ -100,7 +100,7 @@ final class DatagramQueue {
     }
 
     /** Works on the oldest; false when none waits. */
-    boolean workOff(Handler work) {
+    boolean process(Handler work) {
         if (waiting() == 0) {
             return false;
         }

@@ -124,7 +124,7 @@ final class DtlsServerEndpoint implements Endpoint {
         Handshake handshake = new Handshake(identity.getIdentity(), handshakeMillis);
         EndpointPeer seat = peers.find(handshake);
         if (seat == null) {
-            seat = welcome(handshake, context, now);
+            seat = admit(handshake, context, now);
         }
         if (seat != null) {
             follow(seat, context);
@@ -133,7 +133,7 @@ final class DtlsServerEndpoint implements Endpoint {
         peers.sweep(now);
     }
 
-    private @Nullable EndpointPeer welcome(Handshake handshake, EndpointContext context, long now) {
+    private @Nullable EndpointPeer admit(Handshake handshake, EndpointContext context, long now) {
         peers.makeRoomFor(handshake.identity());
         EndpointPeer.Origin place =
                 new EndpointPeer.Origin(url.kind().transport(), local, true, Optional.of(handshake.identity()));

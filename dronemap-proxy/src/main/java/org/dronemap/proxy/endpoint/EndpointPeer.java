@@ -26,7 +26,7 @@ final class EndpointPeer implements Peer {
     private boolean proven;
     private final String host;
     private volatile PeerAddress address;
-    private volatile long lastHeardNanos;
+    private volatile long lastReceivedNanos;
     private final AtomicBoolean ended = new AtomicBoolean();
 
     /** The properties that all peers of one endpoint share, and the path that a WebSocket was opened to. */
@@ -53,19 +53,19 @@ final class EndpointPeer implements Peer {
         this.counters = new PeerCounters(welcome.counters());
         this.hostsStrangers = welcome.hostsStrangers();
         this.own = new TokenBucket(STRANGER_UNITS_PER_SECOND, welcome.now());
-        this.lastHeardNanos = welcome.now();
+        this.lastReceivedNanos = welcome.now();
         this.handler = welcome.handlers().opened(this, counters);
     }
 
     /** False while it made too much work lately. */
-    boolean mayBeRead(long now) {
+    boolean isWithinBudget(long now) {
         return own.isOpen(now) && (proven || hostsStrangers.isOpen(now));
     }
 
     /** Takes bytes in, or drops and counts them when it made too much work lately. */
     void received(ByteBuffer bytes, long now) {
-        lastHeardNanos = now;
-        if (!mayBeRead(now)) {
+        lastReceivedNanos = now;
+        if (!isWithinBudget(now)) {
             counters.throttled();
             return;
         }
@@ -96,8 +96,8 @@ final class EndpointPeer implements Peer {
         return !proven;
     }
 
-    long lastHeardNanos() {
-        return lastHeardNanos;
+    long lastReceivedNanos() {
+        return lastReceivedNanos;
     }
 
     FrameSender wire() {

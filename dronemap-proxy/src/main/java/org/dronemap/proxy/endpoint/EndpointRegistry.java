@@ -86,10 +86,10 @@ public final class EndpointRegistry implements AutoCloseable {
      * @throws IOException with a sentence that says why
      */
     public synchronized void open(String id, EndpointUrl url) throws IOException {
-        Entry link = room(id, url);
+        Entry link = entry(id, url);
         link.is(Endpoint.open(url, handlers, doors, time));
         links.put(id, link);
-        lookAfterThem();
+        startRetries();
     }
 
     /**
@@ -97,14 +97,14 @@ public final class EndpointRegistry implements AutoCloseable {
      *
      * @throws IllegalStateException with a sentence when there are too many, or that id or URL is there already
      */
-    public synchronized void keep(String id, EndpointUrl url) {
-        Entry link = room(id, url);
+    public synchronized void retryLater(String id, EndpointUrl url) {
+        Entry link = entry(id, url);
         links.put(id, link);
         attempt(link);
-        lookAfterThem();
+        startRetries();
     }
 
-    private void lookAfterThem() {
+    private void startRetries() {
         if (retries == null) {
             retries = time.worker("links", 1);
             ScheduledTask unused = retries.every(retry, retry, this::retry);
@@ -126,7 +126,7 @@ public final class EndpointRegistry implements AutoCloseable {
         }
     }
 
-    private Entry room(String id, EndpointUrl url) {
+    private Entry entry(String id, EndpointUrl url) {
         if (links.size() >= MOST) {
             throw new IllegalStateException("There are " + MOST + " endpoints already; remove one first.");
         }

@@ -28,7 +28,7 @@ public interface PeerHandler {
         }
 
         /** Whether WebSockets to that path are for it; what a path says may be a secret. */
-        default boolean takes(String path) {
+        default boolean acceptsPath(String path) {
             return true;
         }
     }

@@ -95,24 +95,24 @@ final class PeerRegistry<K> {
 
     /** Ends the longest silent peer of that host when it has all that it may have. */
     void makeRoomFor(String host) {
-        end(takeOldest(host));
+        end(detachOldest(host));
     }
 
-    private synchronized List<EndpointPeer> takeOldest(String host) {
+    private synchronized List<EndpointPeer> detachOldest(String host) {
         Host its = hosts.get(host);
         if (its == null || its.peers < limits.perHost()) {
             return List.of();
         }
-        return take(keysOf(host).stream().limit(1).toList());
+        return detach(keysOf(host).stream().limit(1).toList());
     }
 
     /** Ends every peer of that host. */
     void removeAllOf(String host) {
-        end(takeAllOf(host));
+        end(detachAllOf(host));
     }
 
-    private synchronized List<EndpointPeer> takeAllOf(String host) {
-        return take(keysOf(host));
+    private synchronized List<EndpointPeer> detachAllOf(String host) {
+        return detach(keysOf(host));
     }
 
     private List<K> keysOf(String host) {
@@ -124,11 +124,11 @@ final class PeerRegistry<K> {
 
     /** The peer is gone. */
     void remove(K key) {
-        end(takeOne(key));
+        end(detachOne(key));
     }
 
-    private synchronized List<EndpointPeer> takeOne(K key) {
-        return take(List.of(key));
+    private synchronized List<EndpointPeer> detachOne(K key) {
+        return detach(List.of(key));
     }
 
     /** Ends those that have been silent for a minute; at most once a second. */
@@ -146,7 +146,7 @@ final class PeerRegistry<K> {
         }
         sweptNanos = now;
         for (Map.Entry<K, EndpointPeer> oldest : seats.entrySet()) {
-            long silentNanos = now - oldest.getValue().lastHeardNanos();
+            long silentNanos = now - oldest.getValue().lastReceivedNanos();
             if (silentNanos < strangerIdleNanos) {
                 break;
             }
@@ -154,10 +154,10 @@ final class PeerRegistry<K> {
                 silent.add(oldest.getKey());
             }
         }
-        return take(silent);
+        return detach(silent);
     }
 
-    private List<EndpointPeer> take(List<K> keys) {
+    private List<EndpointPeer> detach(List<K> keys) {
         List<EndpointPeer> taken = new ArrayList<>(keys.size());
         for (K key : keys) {
             EndpointPeer seat = seats.remove(key);
@@ -175,11 +175,11 @@ final class PeerRegistry<K> {
 
     /** Ends all. */
     void clear() {
-        end(takeAll());
+        end(detachAll());
     }
 
-    private synchronized List<EndpointPeer> takeAll() {
-        return take(List.copyOf(seats.keySet()));
+    private synchronized List<EndpointPeer> detachAll() {
+        return detach(List.copyOf(seats.keySet()));
     }
 
     /** Never under the lock: a wire that closes may wait for a thread that wants to tell here that its peer is gone. */

@@ -29,6 +29,6 @@ public record PeerStatus(
                 counters.brokenBytes(),
                 counters.dropped(),
                 seat.wire().waiting(),
-                (now - seat.lastHeardNanos()) / 1_000_000);
+                (now - seat.lastReceivedNanos()) / 1_000_000);
     }
 }

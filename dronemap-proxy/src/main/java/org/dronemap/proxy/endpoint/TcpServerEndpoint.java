@@ -106,7 +106,7 @@ final class TcpServerEndpoint implements Endpoint {
             try {
                 selector.select(this::ready, heldBack.isEmpty() ? SELECT_MILLIS : HELD_BACK_MILLIS);
                 long now = time.nanos();
-                letGoOn(now);
+                resumePeers(now);
                 peers.sweep(now);
             } catch (ClosedSelectorException e) {
                 LOG.debug("{} is closed", url);
@@ -117,13 +117,13 @@ final class TcpServerEndpoint implements Endpoint {
         peers.clear();
     }
 
-    private void letGoOn(long now) {
+    private void resumePeers(long now) {
         heldBack.removeIf(key -> {
             EndpointPeer seat = peers.find(key);
             if (seat == null || !key.isValid()) {
                 return true;
             }
-            boolean goesOn = seat.mayBeRead(now);
+            boolean goesOn = seat.isWithinBudget(now);
             if (goesOn) {
                 key.interestOps(SelectionKey.OP_READ);
             }
@@ -168,7 +168,7 @@ final class TcpServerEndpoint implements Endpoint {
 
     private void read(SelectionKey key, SocketChannel channel, EndpointPeer seat) {
         long now = time.nanos();
-        if (!seat.mayBeRead(now)) {
+        if (!seat.isWithinBudget(now)) {
             key.interestOps(0);
             heldBack.add(key);
             return;

@@ -114,7 +114,7 @@ final class UdpServerEndpoint implements Endpoint {
         try (selector) {
             channel.register(selector, SelectionKey.OP_READ);
             while (channel.isOpen()) {
-                rhythm.pause(takeAll(), () -> selector.select(ready -> {}));
+                rhythm.pause(readAll(), () -> selector.select(ready -> {}));
             }
         } catch (ClosedChannelException e) {
             LOG.debug("{} is closed", url);
@@ -125,12 +125,12 @@ final class UdpServerEndpoint implements Endpoint {
     }
 
     /** Works on all that is there; false when there was nothing. */
-    private boolean takeAll() throws ClosedChannelException {
+    private boolean readAll() throws ClosedChannelException {
         refill();
         boolean any = intake.waiting() > 0;
         while (intake.waiting() > 0) {
             int count = 0;
-            while (count < BETWEEN_REFILLS && intake.workOff(this::deliver)) {
+            while (count < BETWEEN_REFILLS && intake.process(this::deliver)) {
                 count++;
             }
             refill();
@@ -140,7 +140,7 @@ final class UdpServerEndpoint implements Endpoint {
 
     private void refill() throws ClosedChannelException {
         try {
-            intake.takeFrom(channel);
+            intake.readFrom(channel);
         } catch (ClosedChannelException e) {
             throw e;
         } catch (IOException e) {

@@ -46,8 +46,8 @@ final class WatchedPeerHandlers implements PeerHandler.Factory {
     }
 
     @Override
-    public boolean takes(String path) {
-        return inner.takes(path);
+    public boolean acceptsPath(String path) {
+        return inner.acceptsPath(path);
     }
 
     private static final class Discarding implements PeerHandler {

@@ -60,7 +60,7 @@ final class WebSocketConnection implements NetworkConnection {
     public int read(ByteBuffer into, long patienceMillis) throws IOException {
         ByteBuffer next = rest;
         if (next == null || !next.hasRemaining()) {
-            next = take(patienceMillis);
+            next = pollMessage(patienceMillis);
             rest = next;
         }
         if (next == null) {
@@ -73,7 +73,7 @@ final class WebSocketConnection implements NetworkConnection {
         return count;
     }
 
-    private @Nullable ByteBuffer take(long patienceMillis) throws IOException {
+    private @Nullable ByteBuffer pollMessage(long patienceMillis) throws IOException {
         try {
             ByteBuffer next = client.waiting.poll(patienceMillis, TimeUnit.MILLISECONDS);
             if (next == null && client.isClosed()) {

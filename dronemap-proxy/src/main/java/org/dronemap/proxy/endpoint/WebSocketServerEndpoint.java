@@ -160,7 +160,7 @@ final class WebSocketServerEndpoint implements Endpoint {
                 counters.refusedPeer();
                 throw new InvalidDataException(CloseFrame.POLICY_VALIDATION, "vehicles only, no web pages");
             }
-            if (!handlers.takes(request.getResourceDescriptor())) {
+            if (!handlers.acceptsPath(request.getResourceDescriptor())) {
                 counters.refusedPeer();
                 throw new InvalidDataException(CloseFrame.POLICY_VALIDATION, "nobody is to be found on this path");
             }
@@ -213,7 +213,7 @@ final class WebSocketServerEndpoint implements Endpoint {
 
         @Override
         public void onError(@Nullable WebSocket socket, Exception e) {
-            FatalErrors.tellOf(e);
+            FatalErrors.reportCause(e);
             if (socket != null) {
                 LOG.debug("{}: a connection broke", url, e);
             } else if (!listening.completeExceptionally(e)) {

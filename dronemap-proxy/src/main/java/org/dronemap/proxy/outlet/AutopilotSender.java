@@ -13,8 +13,8 @@ record AutopilotSender(OutletClient client, DroneId drone, VehicleTap vehicle) {
     private static final int CHUNK = 50;
     private static final int MOST_CHUNKS = 5;
 
-    void say(Message message) {
-        client.say(new ClientMessage.ForVehicle(drone, vehicle.component(), message));
+    void send(Message message) {
+        client.enqueue(new ClientMessage.ForVehicle(drone, vehicle.component(), message));
     }
 
     /** Says a sentence, in as many parts as that takes; many programs show ASCII alone. */
@@ -24,7 +24,7 @@ record AutopilotSender(OutletClient client, DroneId drone, VehicleTap vehicle) {
         int number = parts > 1 ? client.nextText() : 0;
         for (int part = 0; part < parts; part++) {
             String text = sentence.substring(part * CHUNK, Math.min(sentence.length(), (part + 1) * CHUNK));
-            say(new Statustext(WARNING, text, number, part));
+            send(new Statustext(WARNING, text, number, part));
         }
     }
 

@@ -60,11 +60,11 @@ final class ClientCommandExecutor implements CloudListener, AutoCloseable {
     }
 
     /** Gives a command; whatever becomes of it is answered. */
-    void give(Principal principal, DroneId drone, Command command, Callback answer) {
+    void submit(Principal principal, DroneId drone, Command command, Callback answer) {
         CommandId id = new CommandId("outlet-" + time.newId());
         open.put(id, answer);
         try {
-            thread.execute(() -> submit(principal, drone, id, command));
+            thread.execute(() -> submitToGate(principal, drone, id, command));
         } catch (RejectedExecutionException e) {
             LOG.warn("The outlet had no room for a command of {}", principal.name());
             end(
@@ -75,7 +75,7 @@ final class ClientCommandExecutor implements CloudListener, AutoCloseable {
         }
     }
 
-    private void submit(Principal principal, DroneId drone, CommandId id, Command command) {
+    private void submitToGate(Principal principal, DroneId drone, CommandId id, Command command) {
         try {
             commandChanged(cloud.gate().submit(new CommandGate.Source(principal, FACE), drone, id, command));
         } catch (RuntimeException e) {

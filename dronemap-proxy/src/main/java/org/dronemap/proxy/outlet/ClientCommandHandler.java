@@ -54,7 +54,7 @@ final class ClientCommandHandler {
     }
 
     /** COMMAND_LONG, COMMAND_INT or SET_MODE. */
-    void take(ClientRequest asked, long now) {
+    void handle(ClientRequest asked, long now) {
         Frame frame = asked.frame();
         Frame beat = asked.vehicle().newest(Heartbeat.ID);
         DroneState state = cloud.drone(asked.drone()).orElse(null);
@@ -104,7 +104,7 @@ final class ClientCommandHandler {
             return;
         }
         Command command = new Command.GoTo(new Geodetic(item.x(), item.y()), altitude);
-        orders.give(principal, asked.drone(), command, new GoToAcknowledger(asked));
+        orders.submit(principal, asked.drone(), command, new GoToAcknowledger(asked));
     }
 
     private void grant(ClientRequest asked, int number, ClientIntent wish, boolean again, long now) {
@@ -114,7 +114,7 @@ final class ClientCommandHandler {
         } else if (wish instanceof ClientIntent.Order order) {
             order(asked, number, order.command(), again, now);
         } else if (changes(wish)) {
-            controls.take(asked, wish);
+            controls.handle(asked, wish);
         } else if (wish instanceof ClientIntent.Show show) {
             Frame newest = asked.vehicle().newest(show.messageId());
             acknowledge(
@@ -122,7 +122,7 @@ final class ClientCommandHandler {
                     number,
                     newest == null ? OutcomeTranslator.TEMPORARILY_REJECTED : OutcomeTranslator.ACCEPTED);
             if (newest != null) {
-                asked.client().say(new ClientMessage.OfVehicle(asked.drone(), newest));
+                asked.client().enqueue(new ClientMessage.OfVehicle(asked.drone(), newest));
             }
         } else if (wish instanceof ClientIntent.Granted) {
             acknowledge(asked, number, OutcomeTranslator.ACCEPTED);
@@ -164,7 +164,7 @@ final class ClientCommandHandler {
         }
         IssuedCommand mine = new IssuedCommand(command, null, now);
         given.put(place, mine);
-        orders.give(principal, asked.drone(), command, new Acknowledging(asked, place, mine));
+        orders.submit(principal, asked.drone(), command, new Acknowledging(asked, place, mine));
     }
 
     /** Acknowledges once: when the vehicle has taken the command, or when it is over before. */

@@ -35,7 +35,7 @@ final class ClientControlHandler {
     }
 
     /** Takes, asks for or gives back control; nothing else is wished for here. */
-    void take(ClientRequest asked, ClientIntent wish) {
+    void handle(ClientRequest asked, ClientIntent wish) {
         if (wish instanceof ClientIntent.Control control) {
             request(asked, control);
         } else {

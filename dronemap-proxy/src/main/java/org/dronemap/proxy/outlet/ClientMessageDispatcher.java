@@ -98,7 +98,7 @@ final class ClientMessageDispatcher implements AutoCloseable {
         steering = new ClientSteeringHandler(cloud, orders);
     }
 
-    void take(OutletClient client, Frame frame, long now) {
+    void dispatch(OutletClient client, Frame frame, long now) {
         int message = frame.messageId();
         if (message == Heartbeat.ID) {
             controls.alive(client);
@@ -130,7 +130,7 @@ final class ClientMessageDispatcher implements AutoCloseable {
     /** False for what has no effect. */
     private boolean serve(ClientRequest asked, long now) {
         switch (asked.frame().messageId()) {
-            case CommandLong.ID, CommandInt.ID, SetMode.ID -> commands.take(asked, now);
+            case CommandLong.ID, CommandInt.ID, SetMode.ID -> commands.handle(asked, now);
             case ParamRequestList.ID -> parameters.list(asked);
             case ParamRequestRead.ID -> parameters.read(asked);
             case ParamSet.ID -> parameters.set(asked);
@@ -142,9 +142,9 @@ final class ClientMessageDispatcher implements AutoCloseable {
             case MissionItem.ID -> olderItem(asked, now);
             case MissionClearAll.ID -> intake.clear(asked, now);
             case LogRequestList.ID -> logs(asked);
-            case FileTransferProtocol.ID -> FileTransferHandler.take(asked);
+            case FileTransferProtocol.ID -> FileTransferHandler.handle(asked);
             case ManualControl.ID, RcChannelsOverride.ID, SetPositionTargetLocalNed.ID, SetPositionTargetGlobalInt.ID ->
-                steering.take(asked, now);
+                steering.handle(asked, now);
             default -> {
                 explain(asked, now);
                 return false;
@@ -166,14 +166,14 @@ final class ClientMessageDispatcher implements AutoCloseable {
         if (frame.messageId() == Ping.ID) {
             Ping ping = Ping.decode(frame);
             if (ping.targetSystem() == 0) {
-                client.say(new ClientMessage.OfCloud(
+                client.enqueue(new ClientMessage.OfCloud(
                         new Ping(ping.timeUsec(), ping.seq(), frame.systemId(), frame.componentId())));
             }
             return;
         }
         Timesync question = Timesync.decode(frame);
         if (question.tc1() == 0) {
-            client.say(new ClientMessage.OfCloud(
+            client.enqueue(new ClientMessage.OfCloud(
                     new Timesync(now, question.ts1(), frame.systemId(), frame.componentId())));
         }
     }
@@ -187,20 +187,20 @@ final class ClientMessageDispatcher implements AutoCloseable {
     /** Says why nothing comes of it, and not again at once. */
     private static void explain(ClientRequest asked, long now) {
         String why = ELSEWHERE.get(asked.frame().messageId());
-        if (why != null && asked.client().mayBeTold(why, now, BETWEEN_SENTENCES_NANOS)) {
+        if (why != null && asked.client().mayExplain(why, now, BETWEEN_SENTENCES_NANOS)) {
             asked.explain(why);
         }
     }
 
     /** Tells what is told once a second. */
     void second() {
-        news.second();
+        news.publishAll();
     }
 
     /** Goes on with what takes longer. */
-    void tick(long now) {
+    void advance(long now) {
         parameters.serve();
-        intake.tick(now);
+        intake.advance(now);
     }
 
     /** The client has gone. */

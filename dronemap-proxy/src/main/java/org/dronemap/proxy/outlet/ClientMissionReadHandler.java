@@ -104,7 +104,7 @@ final class ClientMissionReadHandler {
             return;
         }
         Command command = kind == MavMissionType.FENCE.number() ? new ReadFence() : new ReadRallyPoints();
-        orders.give(principal, asked.drone(), command, new ClientCommandExecutor.Callback() {
+        orders.submit(principal, asked.drone(), command, new ClientCommandExecutor.Callback() {
             @Override
             public void accepted() {
                 // The list itself is the answer.

@@ -125,15 +125,15 @@ final class ClientMissionWriteHandler {
 
     /** MISSION_ITEM_INT. */
     void item(ClientRequest asked, long now) {
-        take(asked, MissionItemInt.decode(asked.frame()), false, now);
+        accept(asked, MissionItemInt.decode(asked.frame()), false, now);
     }
 
     /** MISSION_ITEM, as older clients send it. */
     void olderItem(ClientRequest asked, long now) {
-        take(asked, LegacyMissionItems.exact(MissionItem.decode(asked.frame())), true, now);
+        accept(asked, LegacyMissionItems.exact(MissionItem.decode(asked.frame())), true, now);
     }
 
-    private void take(ClientRequest asked, MissionItemInt item, boolean older, long now) {
+    private void accept(ClientRequest asked, MissionItemInt item, boolean older, long now) {
         TransferKey place = new TransferKey(asked.client().id(), asked.drone());
         Upload intake = intakes.get(place);
         if (intake == null || intake.given || item.seq() != intake.items.size() || item.missionType() != intake.kind) {
@@ -162,7 +162,7 @@ final class ClientMissionWriteHandler {
             ClientMissionReadHandler.acknowledge(intake.asked, ClientMissionReadHandler.ACK_DENIED, intake.kind);
         } else {
             Command command = ((ClientMissionReader.Understood) read).command();
-            orders.give(principal, intake.asked.drone(), command, new Acknowledging(place, intake));
+            orders.submit(principal, intake.asked.drone(), command, new Acknowledging(place, intake));
         }
     }
 
@@ -184,7 +184,7 @@ final class ClientMissionWriteHandler {
     }
 
     /** Asks again for what does not come, and gives up; keeps those patient whose mission is on its way to the vehicle. */
-    void tick(long now) {
+    void advance(long now) {
         List<ClientRequest> next = List.copyOf(due);
         due.clear();
         next.forEach(asked -> begin(asked, now));

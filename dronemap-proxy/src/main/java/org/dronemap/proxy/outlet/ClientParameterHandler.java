@@ -77,7 +77,7 @@ final class ClientParameterHandler {
 
     /** Has the vehicle read by the right of this one. */
     private void read(ClientRequest asked, Principal principal) {
-        orders.give(principal, asked.drone(), new Command.ReadParameters(), new Reading(asked));
+        orders.submit(principal, asked.drone(), new Command.ReadParameters(), new Reading(asked));
     }
 
     /** PARAM_REQUEST_READ, by name or by place in the list. */
@@ -90,7 +90,7 @@ final class ClientParameterHandler {
             index = indexOf(all, wanted.paramId());
         }
         if (index >= 0 && index < all.size()) {
-            tell(asked, all, index);
+            sendAt(asked, all, index);
         }
     }
 
@@ -111,7 +111,7 @@ final class ClientParameterHandler {
             return;
         }
         Command command = new Command.SetParameters(List.of(new ParameterValue(wanted.paramId(), value)));
-        orders.give(
+        orders.submit(
                 principal,
                 asked.drone(),
                 command,
@@ -127,7 +127,7 @@ final class ClientParameterHandler {
                             && listing.next < listing.parameters.size()
                             && listing.asked.client().outbox().hasRoom();
                     count++) {
-                tell(listing.asked, listing.parameters, listing.next++);
+                sendAt(listing.asked, listing.parameters, listing.next++);
             }
             if (listing.next == listing.parameters.size()) {
                 each.remove();
@@ -148,11 +148,11 @@ final class ClientParameterHandler {
         listings.put(new TransferKey(asked.client().id(), asked.drone()), new Listing(asked, known.all()));
     }
 
-    private void tell(ClientRequest asked, List<Parameter> all, int index) {
-        tell(asked, all.get(index), all.size(), index);
+    private void sendAt(ClientRequest asked, List<Parameter> all, int index) {
+        send(asked, all.get(index), all.size(), index);
     }
 
-    private static void tell(ClientRequest asked, Parameter parameter, int count, int index) {
+    private static void send(ClientRequest asked, Parameter parameter, int count, int index) {
         asked.answer(new ParamValue(
                 parameter.name(),
                 codec(asked).encode(parameter.type(), parameter.value()),
@@ -253,10 +253,10 @@ final class ClientParameterHandler {
             List<Parameter> all = known(asked).all();
             int index = indexOf(all, wanted.name());
             if (index >= 0) {
-                tell(asked, all, index);
+                sendAt(asked, all, index);
             } else if (why.isEmpty()) {
                 // It was read back, though nobody has asked for the whole list yet.
-                tell(asked, wanted, all.size(), NO_PLACE);
+                send(asked, wanted, all.size(), NO_PLACE);
             }
         }
     }

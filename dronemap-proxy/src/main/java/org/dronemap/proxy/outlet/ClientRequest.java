@@ -10,13 +10,13 @@ import org.dronemap.mavlink.Message;
  */
 record ClientRequest(OutletClient client, DroneId drone, VehicleTap vehicle, Frame frame) {
     /** In which it is answered. */
-    private AutopilotSender voice() {
+    private AutopilotSender replySender() {
         return new AutopilotSender(client, drone, vehicle);
     }
 
     /** Answers in the name of the drone's autopilot. */
     void answer(Message message) {
-        voice().say(message);
+        replySender().send(message);
     }
 
     /** Who asked, as an answer is addressed. */
@@ -30,6 +30,6 @@ record ClientRequest(OutletClient client, DroneId drone, VehicleTap vehicle, Fra
 
     /** Says why not, in as many parts as that takes. */
     void explain(String sentence) {
-        voice().explain(sentence);
+        replySender().explain(sentence);
     }
 }

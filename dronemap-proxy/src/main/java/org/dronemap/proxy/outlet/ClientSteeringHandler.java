@@ -45,7 +45,7 @@ final class ClientSteeringHandler {
         this.orders = orders;
     }
 
-    void take(ClientRequest asked, long now) {
+    void handle(ClientRequest asked, long now) {
         Principal principal = asked.client().principal();
         DroneState state = cloud.drone(asked.drone()).orElse(null);
         if (principal == null || state == null) {
@@ -66,7 +66,7 @@ final class ClientSteeringHandler {
         if (wish instanceof ClientSteeringReader.Intent.Denied denied) {
             explain(asked, denied.sentence(), now);
         } else if (wish instanceof ClientSteeringReader.Intent.LetGo) {
-            letGo(seat, hands.remove(seat));
+            release(seat, hands.remove(seat));
         } else if (wish instanceof ClientSteeringReader.Intent.Steer steer) {
             hands.put(seat, new SteeringState(principal, places(seat), true));
             steer.remark().ifPresent(sentence -> explain(asked, sentence, now));
@@ -79,7 +79,7 @@ final class ClientSteeringHandler {
     private void place(ClientRequest asked, Principal principal, Setpoint.Track track, long now) {
         ClientDrone seat = new ClientDrone(asked.client().id(), asked.drone());
         PositionTargetClassifier places = places(seat);
-        switch (places.heard(track, now)) {
+        switch (places.classify(track, now)) {
             case GO_TO -> {
                 hands.put(seat, new SteeringState(principal, places, false));
                 goTo(asked, principal, track);
@@ -100,7 +100,7 @@ final class ClientSteeringHandler {
     private void goTo(ClientRequest asked, Principal principal, Setpoint.Track track) {
         if (asked.client().mayOrder()) {
             Command command = new Command.GoTo(track.point(), track.altitude());
-            orders.give(principal, asked.drone(), command, new GoToReporter(asked));
+            orders.submit(principal, asked.drone(), command, new GoToReporter(asked));
         }
     }
 
@@ -121,14 +121,14 @@ final class ClientSteeringHandler {
     void forget(String client) {
         for (ClientDrone seat : Set.copyOf(hands.keySet())) {
             if (seat.client().equals(client)) {
-                letGo(seat, hands.remove(seat));
+                release(seat, hands.remove(seat));
             }
         }
     }
 
-    private void letGo(ClientDrone seat, @Nullable SteeringState hand) {
+    private void release(ClientDrone seat, @Nullable SteeringState hand) {
         if (hand != null && hand.leads() && cloud.drone(seat.drone()).isPresent()) {
-            cloud.setpoints().letGo(source(hand.principal()), seat.drone());
+            cloud.setpoints().stopSteering(source(hand.principal()), seat.drone());
         }
     }
 
@@ -137,7 +137,7 @@ final class ClientSteeringHandler {
     }
 
     private static void explain(ClientRequest asked, String why, long now) {
-        if (asked.client().mayBeTold(why, now, BETWEEN_SENTENCES_NANOS)) {
+        if (asked.client().mayExplain(why, now, BETWEEN_SENTENCES_NANOS)) {
             asked.explain(why);
         }
     }

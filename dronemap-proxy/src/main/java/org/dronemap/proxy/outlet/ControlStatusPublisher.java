@@ -40,12 +40,12 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
     }
 
     /** Tells all of all; whose link takes nothing is told a second later. */
-    void second() {
+    void publishAll() {
         vehicles.forEach((drone, vehicle) -> {
             ControlState control = cloud.controls().control(drone);
             for (OutletClient client : room.clients()) {
                 if (client.outbox().isEmpty() && client.shows(drone)) {
-                    new AutopilotSender(client, drone, vehicle).say(status(client, control));
+                    new AutopilotSender(client, drone, vehicle).send(status(client, control));
                 }
             }
         });
@@ -54,10 +54,10 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
     /** Any thread. */
     @Override
     public void controlChanged(DroneId drone, ControlState now, ControlChange change) {
-        room.later(() -> tell(drone, now, change));
+        room.later(() -> publish(drone, now, change));
     }
 
-    private void tell(DroneId drone, ControlState now, ControlChange change) {
+    private void publish(DroneId drone, ControlState now, ControlChange change) {
         VehicleTap vehicle = vehicles.get(drone);
         if (vehicle == null) {
             return;
@@ -65,8 +65,8 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
         for (OutletClient client : room.clients()) {
             if (client.shows(drone)) {
                 AutopilotSender voice = new AutopilotSender(client, drone, vehicle);
-                voice.say(status(client, now));
-                tell(voice, change);
+                voice.send(status(client, now));
+                notifyClient(voice, change);
             }
         }
     }
@@ -80,14 +80,14 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
         return new ControlStatus(flags, free ? 0 : own);
     }
 
-    private static void tell(AutopilotSender voice, ControlChange change) {
+    private static void notifyClient(AutopilotSender voice, ControlChange change) {
         OutletClient client = voice.client();
         LeaseHolder other = change.other();
         if (other == null || !other.is(client.user()) || change.by().is(client.user())) {
             return;
         }
         if (change.kind() == ControlChange.Kind.REQUESTED) {
-            voice.say(new CommandLong(
+            voice.send(new CommandLong(
                     client.systemId(),
                     0,
                     ClientCommandReader.OPERATOR_CONTROL,

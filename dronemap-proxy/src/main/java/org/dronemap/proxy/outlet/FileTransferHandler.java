@@ -30,7 +30,7 @@ final class FileTransferHandler {
 
     private FileTransferHandler() {}
 
-    static void take(ClientRequest asked) {
+    static void handle(ClientRequest asked) {
         FileTransferProtocol question = FileTransferProtocol.decode(asked.frame());
         int opcode = question.payload()[OPCODE];
         if (opcode >= ACK) {

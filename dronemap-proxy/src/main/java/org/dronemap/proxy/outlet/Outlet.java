@@ -70,7 +70,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         for (int number = 0; number < urls.size(); number++) {
             String id = "outlet-" + (number + 1);
             if (patient) {
-                links.keep(id, urls.get(number));
+                links.retryLater(id, urls.get(number));
             } else {
                 links.open(id, urls.get(number));
             }
@@ -155,8 +155,8 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     }
 
     /** A client sent something by its right; false when there was no room. */
-    boolean heard(Peer peer, OutletCredential pass, Frame frame) {
-        return room.heard(peer, pass, frame);
+    boolean receivedFromClient(Peer peer, OutletCredential pass, Frame frame) {
+        return room.receivedFromClient(peer, pass, frame);
     }
 
     /** Somebody spoke to a personal port of somebody else. */
@@ -170,15 +170,15 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     }
 
     /** A vehicle said something. */
-    void said(DroneId drone, Frame frame) {
-        room.said(drone, frame);
+    void receivedFromVehicle(DroneId drone, Frame frame) {
+        room.receivedFromVehicle(drone, frame);
     }
 
-    void speaks(DroneId drone, VehicleTap tap) {
+    void vehicleConnected(DroneId drone, VehicleTap tap) {
         vehicles.put(drone, tap);
     }
 
-    void silent(DroneId drone, VehicleTap tap) {
+    void vehicleDisconnected(DroneId drone, VehicleTap tap) {
         vehicles.remove(drone, tap);
     }
 

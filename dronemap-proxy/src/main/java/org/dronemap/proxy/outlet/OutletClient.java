@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One ground station or program attached to the outlet: its user's rights and its send queue. Owned by the outlet's
- * thread; only {@link #rightsAre} comes from another one.
+ * thread; only {@link #setRights} comes from another one.
  */
 final class OutletClient {
     /** MAV_COMP_ID_MISSIONPLANNER: what speaks for a ground station. */
@@ -49,9 +49,9 @@ final class OutletClient {
     /** When it was told what; of a few sentences. */
     private static final Pattern NUMBERS = Pattern.compile("[-0-9.]+");
 
-    private final Map<String, Long> toldNanos = new HashMap<>();
+    private final Map<String, Long> explainedNanos = new HashMap<>();
 
-    private long lastHeardNanos;
+    private long lastReceivedNanos;
     private volatile @Nullable Principal principal;
 
     /** The identity of a client: its credential, its own system id, and since when it is attached. */
@@ -62,7 +62,7 @@ final class OutletClient {
         this.pass = entry.pass();
         this.systemId = entry.systemId();
         this.since = entry.since();
-        this.lastHeardNanos = entry.nowNanos();
+        this.lastReceivedNanos = entry.nowNanos();
         this.peer = peer;
         this.numbers = numbers;
         this.principal = pass.rights(principal);
@@ -104,7 +104,7 @@ final class OutletClient {
     }
 
     /** What its user may do from now on; null: nothing any more. Any thread. */
-    void rightsAre(@Nullable Principal now) {
+    void setRights(@Nullable Principal now) {
         principal = now == null ? null : pass.rights(now);
     }
 
@@ -124,17 +124,17 @@ final class OutletClient {
         return shown.contains(drone) && sees(drone);
     }
 
-    void heard(long nowNanos) {
-        lastHeardNanos = nowNanos;
+    void received(long nowNanos) {
+        lastReceivedNanos = nowNanos;
         in.count();
     }
 
     long silenceNanos(long nowNanos) {
-        return nowNanos - lastHeardNanos;
+        return nowNanos - lastReceivedNanos;
     }
 
     /** Shows what a vehicle said; what finds no room waits as the newest of its kind, or as an event in order. */
-    void show(ClientMessage.OfVehicle letter, boolean isEvent) {
+    void forward(ClientMessage.OfVehicle letter, boolean isEvent) {
         if (!sees(letter.drone())) {
             return;
         }
@@ -148,7 +148,7 @@ final class OutletClient {
     }
 
     /** Says something of the cloud's own, after what waits already. */
-    void say(ClientMessage letter) {
+    void enqueue(ClientMessage letter) {
         outbox.add(letter);
         flush();
     }
@@ -163,8 +163,8 @@ final class OutletClient {
     }
 
     /** A sign of life of the cloud itself, for whoever sees no vehicle. */
-    void beat() {
-        say(new ClientMessage.OfCloud(HEARTBEAT));
+    void sendHeartbeat() {
+        enqueue(new ClientMessage.OfCloud(HEARTBEAT));
     }
 
     /** False when the link took no more before: nothing was begun. */
@@ -259,14 +259,14 @@ final class OutletClient {
     }
 
     /** True at most once in so long for each sentence. */
-    boolean mayBeTold(String sentence, long nowNanos, long everyNanos) {
+    boolean mayExplain(String sentence, long nowNanos, long everyNanos) {
         // The same with other numbers is the same.
         String kind = NUMBERS.matcher(sentence).replaceAll("#");
-        Long before = toldNanos.get(kind);
+        Long before = explainedNanos.get(kind);
         boolean due = before == null || nowNanos - before > everyNanos;
         if (due) {
-            toldNanos.values().removeIf(then -> nowNanos - then > everyNanos);
-            toldNanos.put(kind, nowNanos);
+            explainedNanos.values().removeIf(then -> nowNanos - then > everyNanos);
+            explainedNanos.put(kind, nowNanos);
         }
         return due;
     }

@@ -99,14 +99,14 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
     }
 
     /** False when there was no room. Any thread. */
-    boolean heard(Peer peer, OutletCredential pass, Frame frame) {
+    boolean receivedFromClient(Peer peer, OutletCredential pass, Frame frame) {
         boolean taken = fromClients.offer(new ClientFrame(peer, pass, frame));
         loop.wake();
         return taken;
     }
 
     /** Dropped and counted when the clients' thread is behind. Any thread. */
-    void said(DroneId drone, Frame frame) {
+    void receivedFromVehicle(DroneId drone, Frame frame) {
         if (!all.isEmpty() && !fromVehicles.offer(new VehicleFrame(drone, frame))) {
             counts.unread();
         }
@@ -171,7 +171,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
         for (ClientFrame heard = fromClients.poll();
                 heard != null;
                 heard = count < AT_ONCE ? fromClients.poll() : null) {
-            take(heard, now);
+            dispatch(heard, now);
             count++;
         }
         for (VehicleFrame said = fromVehicles.poll();
@@ -182,7 +182,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
         }
         if (now - tickNanos >= TICK_NANOS) {
             tickNanos = now;
-            uplink.tick(now);
+            uplink.advance(now);
         }
         clients.values().forEach(OutletClient::flush);
         if (now - secondNanos >= SECOND_NANOS) {
@@ -196,25 +196,25 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
         boolean event = ClientMessageFilter.isEvent(said.frame());
         ClientMessage.OfVehicle letter = new ClientMessage.OfVehicle(said.drone(), said.frame());
         for (OutletClient client : clients.values()) {
-            client.show(letter, event);
+            client.forward(letter, event);
         }
     }
 
-    private void take(ClientFrame heard, long now) {
+    private void dispatch(ClientFrame heard, long now) {
         if (heard.pass().isWithdrawn()) {
             return;
         }
         OutletClient client = clients.get(heard.peer());
         if (client != null && client.pass() == heard.pass()) {
-            client.heard(now);
-            uplink.take(client, heard.frame(), now);
+            client.received(now);
+            uplink.dispatch(client, heard.frame(), now);
         } else {
-            knock(heard, now);
+            requestAdmission(heard, now);
         }
     }
 
     /** Asks once what a new client's user may do; what it sends meanwhile is lost, and is sent again by all who need it. */
-    private void knock(ClientFrame heard, long now) {
+    private void requestAdmission(ClientFrame heard, long now) {
         Disconnected whom =
                 new Disconnected(heard.pass().user(), heard.peer().address().host());
         if (isBefore(now, outsideUntil.get(heard.peer())) || isBefore(now, sentAwayUntil.get(whom))) {
@@ -222,7 +222,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
             return;
         }
         outsideUntil.put(heard.peer(), now + REFUSED_NANOS);
-        if (!rights.ask(heard.pass().user(), principal -> tasks.add(() -> welcome(heard, principal)))) {
+        if (!rights.ask(heard.pass().user(), principal -> tasks.add(() -> admit(heard, principal)))) {
             counts.turnedAway();
         }
     }
@@ -231,7 +231,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
         return until != null && now - until < 0;
     }
 
-    private void welcome(ClientFrame heard, @Nullable Principal principal) {
+    private void admit(ClientFrame heard, @Nullable Principal principal) {
         OutletCredential pass = heard.pass();
         long ofUser = clients.values().stream()
                 .filter(client -> client.user().equals(pass.user()))
@@ -284,7 +284,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
             } else {
                 client.second();
                 if (vehicles.keySet().stream().noneMatch(client::sees)) {
-                    client.beat();
+                    client.sendHeartbeat();
                 }
             }
         }

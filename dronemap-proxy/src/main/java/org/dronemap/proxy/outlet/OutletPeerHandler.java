@@ -65,7 +65,7 @@ final class OutletPeerHandler implements PeerHandler {
         }
         key = owner;
         taken++;
-        if (!outlet.heard(peer, owner, frame)) {
+        if (!outlet.receivedFromClient(peer, owner, frame)) {
             counters.droppedIn();
         }
     }

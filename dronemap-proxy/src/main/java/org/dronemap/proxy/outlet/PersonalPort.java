@@ -129,7 +129,7 @@ final class PersonalPort implements OutletCredential, PeerHandler.Factory {
                 return;
             }
             taken++;
-            if (!outlet.heard(peer, PersonalPort.this, frame)) {
+            if (!outlet.receivedFromClient(peer, PersonalPort.this, frame)) {
                 counters.droppedIn();
             }
         }

@@ -16,7 +16,7 @@ final class PositionTargetClassifier {
     private static final long OFTEN_NANOS = 300_000_000L;
 
     private Setpoint.@Nullable Track place;
-    private long heardNanos;
+    private long receivedNanos;
     private long sinceNanos;
     private int times;
     private boolean leads;
@@ -28,11 +28,11 @@ final class PositionTargetClassifier {
         LEADS
     }
 
-    Meaning heard(Setpoint.Track said, long nowNanos) {
-        boolean goesOn = place != null && nowNanos - heardNanos < STREAM_NANOS;
+    Meaning classify(Setpoint.Track said, long nowNanos) {
+        boolean goesOn = place != null && nowNanos - receivedNanos < STREAM_NANOS;
         boolean same = said.equals(place);
         place = said;
-        heardNanos = nowNanos;
+        receivedNanos = nowNanos;
         if (!goesOn || !same) {
             leads = goesOn;
             sinceNanos = nowNanos;

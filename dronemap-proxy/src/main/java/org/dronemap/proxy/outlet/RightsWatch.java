@@ -74,7 +74,7 @@ final class RightsWatch implements AutoCloseable {
     /** On the thread that calls. */
     void judge(OutletLoop room) {
         for (OutletClient client : room.clients()) {
-            client.rightsAre(rights.principal(client.user()).orElse(null));
+            client.setRights(rights.principal(client.user()).orElse(null));
         }
     }
 

@@ -27,7 +27,7 @@ final class UserKey implements FrameSigner, OutletCredential {
     private final byte[] dtlsSecret;
     private final OutgoingSigner signer;
     /** What was signed until then may have been heard before: which streams there were is not stored. */
-    private final long heardBefore;
+    private final long acceptedAfterStamp;
 
     private long storedStamp;
     private volatile boolean withdrawn;
@@ -40,7 +40,7 @@ final class UserKey implements FrameSigner, OutletCredential {
         check = new SignatureCheck(key, clock);
         signer = new OutgoingSigner(key, clock, OUTLET_LINK);
         storedStamp = kept.stamp();
-        heardBefore = inUse ? clock.now() : 0;
+        acceptedAfterStamp = inUse ? clock.now() : 0;
     }
 
     /** One that nobody has signed with yet. */
@@ -88,7 +88,7 @@ final class UserKey implements FrameSigner, OutletCredential {
     }
 
     synchronized SignatureVerdict judge(Frame frame) {
-        boolean early = frame.signed() && frame.signatureTimestamp() <= heardBefore && key.signed(frame);
+        boolean early = frame.signed() && frame.signatureTimestamp() <= acceptedAfterStamp && key.signed(frame);
         return early ? SignatureVerdict.TOO_OLD : check.judge(frame);
     }
 

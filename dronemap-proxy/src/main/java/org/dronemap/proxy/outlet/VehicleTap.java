@@ -44,7 +44,7 @@ final class VehicleTap implements FrameTap {
     }
 
     @Override
-    public void heard(Frame frame) {
+    public void received(Frame frame) {
         // Not all that is heard is let in.
     }
 
@@ -59,7 +59,7 @@ final class VehicleTap implements FrameTap {
         }
         DroneId bound = drone;
         if (bound != null) {
-            outlet.said(bound, frame);
+            outlet.receivedFromVehicle(bound, frame);
         }
     }
 
@@ -70,21 +70,21 @@ final class VehicleTap implements FrameTap {
     }
 
     @Override
-    public void said(byte[] frame, SendAuthority mandate) {
+    public void sent(byte[] frame, SendAuthority mandate) {
         // What goes to vehicles is not for clients.
     }
 
     @Override
     public void bound(DroneId bound) {
         drone = bound;
-        outlet.speaks(bound, this);
+        outlet.vehicleConnected(bound, this);
     }
 
     @Override
     public void ended() {
         DroneId bound = drone;
         if (bound != null) {
-            outlet.silent(bound, this);
+            outlet.vehicleDisconnected(bound, this);
         }
     }
 }

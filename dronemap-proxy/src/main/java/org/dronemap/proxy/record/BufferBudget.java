@@ -13,7 +13,7 @@ final class BufferBudget {
     }
 
     /** False, and nothing is taken, when there is not so much. */
-    boolean take(int bytes) {
+    boolean tryAcquire(int bytes) {
         if (free.addAndGet(-bytes) >= 0) {
             return true;
         }
@@ -21,7 +21,7 @@ final class BufferBudget {
         return false;
     }
 
-    void giveBack(int bytes) {
+    void release(int bytes) {
         free.addAndGet(bytes);
     }
 }

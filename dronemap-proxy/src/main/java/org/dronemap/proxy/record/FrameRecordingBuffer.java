@@ -23,17 +23,17 @@ final class FrameRecordingBuffer extends RecordingBuffer implements FrameTap {
     }
 
     @Override
-    public void heard(Frame frame) {
-        hears();
+    public void received(Frame frame) {
+        markReceived();
         if (frame.messageId() == Heartbeat.ID && frame.componentId() == autopilot && frame.verified()) {
             arming((Heartbeat.decode(frame).baseMode() & ARMED) != 0);
         }
-        keep(frame.length(), (stretch, now) -> stretch.heard(now, frame));
+        keep(frame.length(), (stretch, now) -> stretch.addReceived(now, frame));
     }
 
     @Override
-    public void said(byte[] frame, SendAuthority mandate) {
-        keep(frame.length, (stretch, now) -> stretch.said(now, frame, mandate));
+    public void sent(byte[] frame, SendAuthority mandate) {
+        keep(frame.length, (stretch, now) -> stretch.addSent(now, frame, mandate));
     }
 
     @Override

@@ -18,14 +18,14 @@ final class LineRecordingBuffer extends RecordingBuffer implements LineTap {
     }
 
     @Override
-    public void heard(@Nullable String text, int bytes) {
-        hears();
+    public void received(@Nullable String text, int bytes) {
+        markReceived();
         byte[] rest = rest(text, bytes, true);
         keep(rest.length, (stretch, now) -> stretch.line(now, rest, null));
     }
 
     @Override
-    public void said(@Nullable String text, int bytes, SendAuthority mandate) {
+    public void sent(@Nullable String text, int bytes, SendAuthority mandate) {
         byte[] rest = rest(text, bytes, false);
         keep(rest.length, (stretch, now) -> stretch.line(now, rest, mandate));
     }

@@ -12,10 +12,10 @@ public interface LineTap {
     /** Hears nothing. */
     LineTap NONE = new LineTap() {
         @Override
-        public void heard(@Nullable String text, int bytes) {}
+        public void received(@Nullable String text, int bytes) {}
 
         @Override
-        public void said(@Nullable String text, int bytes, SendAuthority mandate) {}
+        public void sent(@Nullable String text, int bytes, SendAuthority mandate) {}
 
         @Override
         public void working(boolean now) {}
@@ -28,10 +28,10 @@ public interface LineTap {
     };
 
     /** A message came from the drone. */
-    void heard(@Nullable String text, int bytes);
+    void received(@Nullable String text, int bytes);
 
     /** A message went to it by that mandate. */
-    void said(@Nullable String text, int bytes, SendAuthority mandate);
+    void sent(@Nullable String text, int bytes, SendAuthority mandate);
 
     /** Whether there is something to record: it is armed, moves, or is told what to do. */
     void working(boolean now);

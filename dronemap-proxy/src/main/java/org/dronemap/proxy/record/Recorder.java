@@ -56,7 +56,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     private final BufferBudget room = new BufferBudget(WAITING_BYTES);
     private final Collection<RecordingBuffer> tapes = new CopyOnWriteArrayList<>();
     private final Map<String, FlightFile> unfinished = new ConcurrentHashMap<>();
-    private final FileRecordingArchive shelf;
+    private final FileRecordingArchive archive;
     private final Worker writer;
     private final AtomicBoolean closed = new AtomicBoolean();
     // Owned by the writer.
@@ -79,7 +79,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         this.time = time;
         this.writer = time.worker("recorder", MOST_WAITING);
         this.freeBytes = freeBytes;
-        this.shelf = new FileRecordingArchive(files, policy, keeping, time, this);
+        this.archive = new FileRecordingArchive(files, policy, keeping, time, this);
     }
 
     /**
@@ -90,13 +90,13 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     public void start() throws IOException {
         Files.createDirectories(files.directory());
         new RecordingRecovery(keeping.store(), files, keeping.names()).clear();
-        shelf.measure();
+        archive.measure();
         ScheduledTask unused = writer.every(ROUND, ROUND, this::round);
     }
 
     /** What is recorded, for those who read it. */
-    public FileRecordingArchive shelf() {
-        return shelf;
+    public FileRecordingArchive archive() {
+        return archive;
     }
 
     @Override
@@ -179,7 +179,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
             rounds++;
             if (rounds % ROUNDS_BETWEEN_LOOKS == 0) {
                 lookAtDisk();
-                shelf.keepWithin();
+                archive.keepWithin();
             }
         } catch (RuntimeException e) {
             LOG.error("A round of the recorder failed", e);
@@ -191,7 +191,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         for (RecordingBuffer tape : tapes) {
             DroneId drone = tape.drone();
             if (drone != null) {
-                newest.merge(drone, tape, (a, b) -> b.heardMicros() > a.heardMicros() ? b : a);
+                newest.merge(drone, tape, (a, b) -> b.receivedMicros() > a.receivedMicros() ? b : a);
             }
         }
         tapes.forEach(tape -> write(tape, all));
@@ -203,15 +203,15 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (drone == null || !newest.containsKey(drone)) {
             return;
         }
-        RecordingChunk full = tape.take(spare, all);
-        long drops = tape.takeDrops();
+        RecordingChunk full = tape.drain(spare, all);
+        long drops = tape.drainDrops();
         FlightFile file = open.get(drone);
         // What still goes to an old address begins no new recording of the drone that came back from another.
         if (file == null && (full != null || drops > 0) && mayBegin(drone, tape)) {
             file = begin(
                     drone,
                     tape.ending(),
-                    full == null ? tape.heardMicros() : full.records().firstMicros());
+                    full == null ? tape.receivedMicros() : full.records().firstMicros());
         }
         if (file != null) {
             file.dropped(drops);
@@ -221,9 +221,9 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
             if (file != null) {
                 long before = file.recording().bytes();
                 file.append(full);
-                shelf.grown(file.recording().bytes() - before);
+                archive.grown(file.recording().bytes() - before);
             }
-            room.giveBack(length);
+            room.release(length);
             full.clear();
             spare = full;
         }

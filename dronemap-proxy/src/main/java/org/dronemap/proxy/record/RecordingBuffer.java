@@ -33,7 +33,7 @@ abstract sealed class RecordingBuffer permits FrameRecordingBuffer, LineRecordin
     private boolean recording;
     private boolean ended;
     private long disarmedMicros;
-    private long heardMicros;
+    private long receivedMicros;
     private long drops;
 
     /**
@@ -67,8 +67,8 @@ abstract sealed class RecordingBuffer permits FrameRecordingBuffer, LineRecordin
         boolean into(RecordingChunk stretch, long micros);
     }
 
-    final synchronized void hears() {
-        heardMicros = now();
+    final synchronized void markReceived() {
+        receivedMicros = now();
     }
 
     /** The ending of its file's name. */
@@ -92,8 +92,8 @@ abstract sealed class RecordingBuffer permits FrameRecordingBuffer, LineRecordin
         return ended;
     }
 
-    synchronized long heardMicros() {
-        return heardMicros;
+    synchronized long receivedMicros() {
+        return receivedMicros;
     }
 
     /** A flight goes on, or its last seconds. */
@@ -113,7 +113,7 @@ abstract sealed class RecordingBuffer permits FrameRecordingBuffer, LineRecordin
     }
 
     /** How many frames found no room since this was last asked. */
-    synchronized long takeDrops() {
+    synchronized long drainDrops() {
         long taken = drops;
         drops = 0;
         return taken;
@@ -123,7 +123,7 @@ abstract sealed class RecordingBuffer permits FrameRecordingBuffer, LineRecordin
      * What waits, for an empty stretch in exchange; null when it may wait for more. Give the bytes back to the room when
      * they are written.
      */
-    synchronized @Nullable RecordingChunk take(RecordingChunk empty, boolean all) {
+    synchronized @Nullable RecordingChunk drain(RecordingChunk empty, boolean all) {
         boolean worthIt = waiting.records().length() >= WORTH_WRITING_BYTES
                 || now() - waiting.records().firstMicros() >= LONGEST_WAIT_MICROS
                 || !recording
@@ -173,7 +173,7 @@ abstract sealed class RecordingBuffer permits FrameRecordingBuffer, LineRecordin
 
     private void keepBefore(RecordingChunk half) {
         int frames = half.records().frames();
-        if (!room.take(half.records().length()) || !waiting.addAll(half)) {
+        if (!room.tryAcquire(half.records().length()) || !waiting.addAll(half)) {
             drops += frames;
         }
         half.clear();
@@ -198,13 +198,13 @@ abstract sealed class RecordingBuffer permits FrameRecordingBuffer, LineRecordin
 
     private boolean admit(int frameBytes) {
         return waiting.records().length() + TIME_BYTES + frameBytes <= MOST_WAITING_BYTES
-                && room.take(TIME_BYTES + frameBytes);
+                && room.tryAcquire(TIME_BYTES + frameBytes);
     }
 
     /** A frame may take less than was set aside for it: its signature is not kept, and some frames are not at all. */
     private void settle(int setAside, int lengthBefore, boolean kept) {
         if (kept) {
-            room.giveBack(setAside - (waiting.records().length() - lengthBefore));
+            room.release(setAside - (waiting.records().length() - lengthBefore));
         } else {
             drops++;
         }

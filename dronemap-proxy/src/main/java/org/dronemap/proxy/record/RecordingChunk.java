@@ -30,12 +30,12 @@ final class RecordingChunk {
     }
 
     /** False when there is no room. */
-    boolean heard(long micros, Frame frame) {
+    boolean addReceived(long micros, Frame frame) {
         return records.add(micros, frame);
     }
 
     /** The same for a frame that goes out. */
-    boolean said(long micros, byte[] frame, SendAuthority mandate) {
+    boolean addSent(long micros, byte[] frame, SendAuthority mandate) {
         int offset = records.length();
         boolean kept = records.add(micros, frame);
         if (records.length() > offset) {

@@ -110,7 +110,7 @@ public final class ReplayRegistry implements AutoCloseable {
     @Override
     public void close() {
         all().forEach(RecordingReplay::cancel);
-        steps.callOff();
+        steps.cancel();
         if (!thread.finish(LONGEST_CLOSE)) {
             LOG.warn("A recording did not stop in time");
         }

@@ -14,17 +14,17 @@ final class CloudHeartbeatSender {
 
     private final Consumer<RobotOrder> send;
     private boolean begun;
-    private long saidNanos;
+    private long sentNanos;
 
     CloudHeartbeatSender(Consumer<RobotOrder> send) {
         this.send = send;
     }
 
     /** What was left out while the lane stood still is not made up for. */
-    void tick(long nowNanos) {
-        if (!begun || nowNanos - saidNanos >= BETWEEN_NANOS) {
+    void sendDue(long nowNanos) {
+        if (!begun || nowNanos - sentNanos >= BETWEEN_NANOS) {
             begun = true;
-            saidNanos = nowNanos;
+            sentNanos = nowNanos;
             send.accept(HEARTBEAT);
         }
     }

@@ -44,7 +44,7 @@ final class RobotCommandExchange {
     }
 
     /** The robot has reported that, and these are the facts with it. */
-    void heard(RobotMessage message, RobotStatus facts, long nowNanos) {
+    void received(RobotMessage message, RobotStatus facts, long nowNanos) {
         boolean bears = aim.isAbout(message) && aim.isShownBy(facts);
         if (ended || !bears || nowNanos - begunNanos < UNDER_WAY_NANOS) {
             return;
@@ -58,7 +58,7 @@ final class RobotCommandExchange {
         }
     }
 
-    void tick(RobotStatus facts, long nowNanos) {
+    void advance(RobotStatus facts, long nowNanos) {
         if (ended) {
             return;
         }

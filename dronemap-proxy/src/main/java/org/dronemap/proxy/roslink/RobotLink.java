@@ -32,7 +32,7 @@ final class RobotLink {
     private final RobotSequenceTracker sequence = new RobotSequenceTracker();
     private volatile LinkQualityMeter.Counts counts = LinkQualityMeter.Counts.NONE;
     private volatile long sent;
-    private volatile long lastHeardNanos;
+    private volatile long lastReceivedNanos;
     private volatile RoslinkHeader header;
     private volatile boolean broken;
     private volatile boolean cut;
@@ -51,13 +51,13 @@ final class RobotLink {
         this.header = first;
         this.nanoTime = nanoTime;
         bornNanos = nanoTime.getAsLong();
-        lastHeardNanos = bornNanos;
+        lastReceivedNanos = bornNanos;
         loss = new LinkQualityMeter(bornNanos);
     }
 
     /** A message as its endpoint brought it; false for a copy. On the endpoint's thread. */
     boolean arrived(RoslinkPacket packet) {
-        lastHeardNanos = nanoTime.getAsLong();
+        lastReceivedNanos = nanoTime.getAsLong();
         header = packet.header();
         boolean isNew = sequence.isNew(packet.header());
         RobotSession owner = session;
@@ -126,7 +126,7 @@ final class RobotLink {
 
     /** For how long nothing came; for ever when its connection has ended. Any thread. */
     long silenceNanos() {
-        return broken || cut ? Long.MAX_VALUE : nanoTime.getAsLong() - lastHeardNanos;
+        return broken || cut ? Long.MAX_VALUE : nanoTime.getAsLong() - lastReceivedNanos;
     }
 
     /** Sends as long as the mandate's fence lets it, in the shape and with the words of the robot's newest message. */
@@ -142,7 +142,7 @@ final class RobotLink {
             peer.send(message);
             RobotSession owner = session;
             if (owner != null) {
-                owner.tape().said(message, robot, mandate);
+                owner.tape().sent(message, robot, mandate);
             }
         });
     }
@@ -150,7 +150,7 @@ final class RobotLink {
     /** True when the quality is worth telling: once an interval at most, and only news. */
     boolean measure(long nowNanos) {
         // Robots answer nothing that could be timed.
-        return loss.tick(nowNanos, counted(), null);
+        return loss.update(nowNanos, counted(), null);
     }
 
     /** What came by another link since the newest message here is not missing any more. */

@@ -79,7 +79,7 @@ final class RobotPeerHandler implements PeerHandler {
         boolean isNew = link.arrived(packet);
         RobotSession session = link.session();
         if (session != null) {
-            session.tape().heard(raw, packet.header());
+            session.tape().received(raw, packet.header());
         }
         if (session == null) {
             if (packet.message() instanceof RobotMessage.Heartbeat heartbeat) {

@@ -31,12 +31,12 @@ final class RobotRecordingTap {
     }
 
     /** The robot has said that. */
-    void heard(ByteBuffer message, RoslinkHeader header) {
+    void received(ByteBuffer message, RoslinkHeader header) {
         if (tap == LineTap.NONE) {
             return;
         }
         int bytes = message.remaining();
-        tap.heard(
+        tap.received(
                 bytes > LONGEST_BYTES
                         ? null
                         : blanked(StandardCharsets.UTF_8.decode(message).toString(), header.key()),
@@ -44,11 +44,11 @@ final class RobotRecordingTap {
     }
 
     /** The robot was told that. */
-    void said(byte[] message, RoslinkHeader header, SendAuthority mandate) {
+    void sent(byte[] message, RoslinkHeader header, SendAuthority mandate) {
         if (tap == LineTap.NONE) {
             return;
         }
-        tap.said(blanked(new String(message, StandardCharsets.UTF_8), header.key()), message.length, mandate);
+        tap.sent(blanked(new String(message, StandardCharsets.UTF_8), header.key()), message.length, mandate);
     }
 
     /** Null when a key may be hidden in it. */

@@ -20,21 +20,21 @@ final class RobotRefusals {
     private final LongAdder unreadable = new LongAdder();
     private final LongAdder robots = new LongAdder();
     private final LongAdder unknown = new LongAdder();
-    private final AtomicLong brokenToldNanos;
-    private final AtomicLong robotsToldNanos;
-    private final AtomicLong unknownToldNanos;
+    private final AtomicLong brokenLoggedNanos;
+    private final AtomicLong robotsLoggedNanos;
+    private final AtomicLong unknownLoggedNanos;
 
     RobotRefusals(LongSupplier nanoTime) {
         this.nanoTime = nanoTime;
         long before = nanoTime.getAsLong() - BETWEEN_NANOS;
-        brokenToldNanos = new AtomicLong(before);
-        robotsToldNanos = new AtomicLong(before);
-        unknownToldNanos = new AtomicLong(before);
+        brokenLoggedNanos = new AtomicLong(before);
+        robotsLoggedNanos = new AtomicLong(before);
+        unknownLoggedNanos = new AtomicLong(before);
     }
 
     void broken(PeerAddress from, PacketReadResult.Fault fault) {
         broken.increment();
-        if (isDue(brokenToldNanos)) {
+        if (isDue(brokenLoggedNanos)) {
             LOG.warn("What came from {} {}; {} such messages so far", from, fault.phrase(), broken.sum());
         }
     }
@@ -42,7 +42,7 @@ final class RobotRefusals {
     /** A whole message, but of a kind that robots do not send: an order, which only the cloud gives, or one of another bridge's own. */
     void unknown(PeerAddress from, RoslinkHeader header) {
         unknown.increment();
-        if (isDue(unknownToldNanos)) {
+        if (isDue(unknownLoggedNanos)) {
             LOG.warn(
                     "What came from {} as {} is of a kind that robots do not send; {} such messages so far",
                     from,
@@ -57,7 +57,7 @@ final class RobotRefusals {
 
     void robot(DroneKey robot, String why) {
         robots.increment();
-        if (isDue(robotsToldNanos)) {
+        if (isDue(robotsLoggedNanos)) {
             LOG.warn(
                     "A message of the robot at {} is not believed: {}; {} such messages so far",
                     robot,

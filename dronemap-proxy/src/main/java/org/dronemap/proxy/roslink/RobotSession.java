@@ -47,7 +47,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     private final CloudHeartbeatSender heartbeat;
     private volatile @Nullable DroneLink drone;
     private volatile boolean over;
-    private @Nullable LinkReport told;
+    private @Nullable LinkReport publishedReport;
 
     RobotSession(RobotSessionRegistry table, RobotLink first, RobotType type) {
         this.table = table;
@@ -59,12 +59,12 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         standstill = new ZeroVelocitySender(
                 type.words().flies(),
                 order -> links.best().send(order, SendAuthority.HOUSEKEEPING),
-                () -> tell(DRIVES_ON));
+                () -> publish(DRIVES_ON));
         // On each link: a fail-safe of the robot's own may look at either.
         heartbeat = new CloudHeartbeatSender(
                 order -> links.all().forEach(link -> link.send(order, SendAuthority.HOUSEKEEPING)));
         telemetry = new RobotTelemetryTranslator(
-                type, name.hardware(), this::tell, () -> table.refusals().unreadable());
+                type, name.hardware(), this::publish, () -> table.refusals().unreadable());
     }
 
     /** Any thread. */
@@ -104,7 +104,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         tape.bound(bound.id());
         Lane lane = bound.lane();
         lane.execute(() -> {
-            lane.addTicker(this);
+            lane.addPeriodicTask(this);
             telemetry.identified();
             standstill.calledIn(table.now());
         });
@@ -113,19 +113,19 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     /** Takes a message in; false when there was no room. Any thread. */
     boolean offer(RoslinkPacket packet) {
         DroneLink bound = drone;
-        return bound != null && bound.lane().offer(() -> table.atWork().at(mark, () -> take(bound, packet)));
+        return bound != null && bound.lane().offer(() -> table.atWork().at(mark, () -> process(bound, packet)));
     }
 
-    private void take(DroneLink bound, RoslinkPacket packet) {
+    private void process(DroneLink bound, RoslinkPacket packet) {
         if (over || isGone(bound)) {
             return;
         }
-        bound.heard();
-        telemetry.heard(packet.message());
+        bound.received();
+        telemetry.received(packet.message());
         RobotMessage message = packet.message();
         long now = table.now();
-        standstill.heard(message, telemetry.facts());
-        List.copyOf(errands.values()).forEach(errand -> errand.heard(message, telemetry.facts(), now));
+        standstill.received(message, telemetry.facts());
+        List.copyOf(errands.values()).forEach(errand -> errand.received(message, telemetry.facts(), now));
         errands.values().removeIf(RobotCommandExchange::isOver);
     }
 
@@ -138,7 +138,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         return false;
     }
 
-    private void tell(DroneEvent event) {
+    private void publish(DroneEvent event) {
         DroneLink bound = drone;
         if (bound != null) {
             bound.accept(event);
@@ -146,23 +146,23 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     }
 
     @Override
-    public void tick() {
+    public void advance() {
         DroneLink bound = Objects.requireNonNull(drone);
         if (over || isGone(bound)) {
             return;
         }
         long now = table.now();
         // A robot that drives on hears first that it shall stand.
-        standstill.tick(now);
-        heartbeat.tick(now);
-        List.copyOf(errands.values()).forEach(errand -> errand.tick(telemetry.facts(), now));
+        standstill.advance(now);
+        heartbeat.sendDue(now);
+        List.copyOf(errands.values()).forEach(errand -> errand.advance(telemetry.facts(), now));
         errands.values().removeIf(RobotCommandExchange::isOver);
         tape.working(isWorking());
         links.measure(now);
         LinkReport report = links.report();
-        if (!report.equals(told)) {
-            told = report;
-            bound.reached(report);
+        if (!report.equals(publishedReport)) {
+            publishedReport = report;
+            bound.linkChanged(report);
         }
         if (links.silenceNanos() > GIVEN_UP_NANOS && errands.isEmpty()) {
             end("The robot has fallen silent.");
@@ -190,7 +190,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         over = true;
         errands.values().forEach(errand -> errand.abandon(why));
         errands.clear();
-        Objects.requireNonNull(drone).lane().removeTicker(this);
+        Objects.requireNonNull(drone).lane().removePeriodicTask(this);
         tape.ended();
         table.ended(this);
     }
@@ -237,7 +237,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         }
         links.best().send(twist(velocity), mandate);
         if (velocity.isStill()) {
-            standstill.told(table.now());
+            standstill.stopSent(table.now());
         } else {
             standstill.moved();
         }

@@ -84,7 +84,7 @@ final class RobotSessionRegistry implements PeerHandler.Factory {
     }
 
     @Override
-    public boolean takes(String path) {
+    public boolean acceptsPath(String path) {
         return RobotWebSocketPath.of(path).isPresent();
     }
 
@@ -198,7 +198,7 @@ final class RobotSessionRegistry implements PeerHandler.Factory {
         Long before = alarmedNanos.get(session.name());
         if (drone != null && (before == null || now() - before > BETWEEN_ALARMS_NANOS)) {
             alarmedNanos.put(session.name(), now());
-            cloud.say(
+            cloud.publishMessage(
                     drone,
                     Severity.ALERT,
                     "Another robot at " + link.key() + " says that it is this one, but " + why

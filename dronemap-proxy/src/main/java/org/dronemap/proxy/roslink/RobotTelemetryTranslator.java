@@ -96,7 +96,7 @@ final class RobotTelemetryTranslator {
         news.accept(new DroneEvent.TextReported(Severity.INFO, WITHOUT_CLOUD));
     }
 
-    void heard(RobotMessage message) {
+    void received(RobotMessage message) {
         if (message instanceof RobotMessage.Status status) {
             status(status);
         } else if (message instanceof RobotMessage.Motion motion) {
@@ -141,7 +141,7 @@ final class RobotTelemetryTranslator {
         };
         facts = facts.flying(mode, armed == 1, phase);
         news.accept(new DroneEvent.ModeReported(RobotModes.name(mode), armed == 1));
-        tell(phase);
+        publishPhase(phase);
     }
 
     private void arDrone(int state) {
@@ -152,14 +152,14 @@ final class RobotTelemetryTranslator {
             default -> null;
         };
         facts = facts.flying(null, null, phase);
-        tell(phase);
+        publishPhase(phase);
         if (state == 0 && !emergency) {
             news.accept(new DroneEvent.TextReported(Severity.EMERGENCY, "The drone says that it is in an emergency."));
         }
         emergency = state == 0;
     }
 
-    private void tell(@Nullable FlightPhase phase) {
+    private void publishPhase(@Nullable FlightPhase phase) {
         if (phase != null) {
             news.accept(new DroneEvent.PhaseReported(phase));
         }

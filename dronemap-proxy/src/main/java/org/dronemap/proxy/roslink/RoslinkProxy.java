@@ -55,7 +55,7 @@ public final class RoslinkProxy implements AutoCloseable {
     /** Opens all configured endpoints; one whose port is taken is tried again. */
     public synchronized void keep() {
         for (int number = 0; number < urls.size(); number++) {
-            links.keep(id(number), urls.get(number));
+            links.retryLater(id(number), urls.get(number));
         }
     }
 

@@ -26,9 +26,9 @@ final class ZeroVelocitySender {
     private boolean moves;
     private boolean alarmed;
     private boolean moved;
-    private int said;
+    private int sentCount;
     private long begunNanos;
-    private long saidNanos;
+    private long sentNanos;
 
     /**
      * A robot that flies is left to its flight controller, for which a speed counts for moments, and never quite stands.
@@ -56,11 +56,11 @@ final class ZeroVelocitySender {
     }
 
     /** It shall stand, and has been told so once, if it was told to move before. */
-    void told(long nowNanos) {
+    void stopSent(long nowNanos) {
         if (moved) {
             begin(nowNanos);
-            said = 1;
-            saidNanos = nowNanos;
+            sentCount = 1;
+            sentNanos = nowNanos;
         }
     }
 
@@ -68,7 +68,7 @@ final class ZeroVelocitySender {
     void commanded(boolean stops, long nowNanos) {
         if (moved && !flies) {
             begin(nowNanos);
-            say(nowNanos);
+            sendZero(nowNanos);
         } else if (!stops) {
             wanted = false;
         }
@@ -79,19 +79,19 @@ final class ZeroVelocitySender {
         moved = false;
         moves = false;
         alarmed = false;
-        said = 0;
+        sentCount = 0;
         begunNanos = nowNanos;
     }
 
     /** A report has come, and these are the facts with it. */
-    void heard(RobotMessage report, RobotStatus facts) {
-        if (wanted && said >= QUICK_TIMES && report instanceof RobotMessage.Motion) {
+    void received(RobotMessage report, RobotStatus facts) {
+        if (wanted && sentCount >= QUICK_TIMES && report instanceof RobotMessage.Motion) {
             moves = !RobotGoal.Stopped.isStill(facts);
             wanted = moves;
         }
     }
 
-    void tick(long nowNanos) {
+    void advance(long nowNanos) {
         if (!wanted) {
             return;
         }
@@ -101,14 +101,14 @@ final class ZeroVelocitySender {
         }
         if (nowNanos - begunNanos > patienceNanos) {
             wanted = false;
-        } else if (said == 0 || nowNanos - saidNanos > (said < QUICK_TIMES ? QUICKLY_NANOS : SLOWLY_NANOS)) {
-            say(nowNanos);
+        } else if (sentCount == 0 || nowNanos - sentNanos > (sentCount < QUICK_TIMES ? QUICKLY_NANOS : SLOWLY_NANOS)) {
+            sendZero(nowNanos);
         }
     }
 
-    private void say(long nowNanos) {
-        said++;
-        saidNanos = nowNanos;
+    private void sendZero(long nowNanos) {
+        sentCount++;
+        sentNanos = nowNanos;
         send.accept(RobotOrder.Twist.STOP);
     }
 }

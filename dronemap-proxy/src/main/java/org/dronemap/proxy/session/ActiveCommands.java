@@ -52,20 +52,20 @@ final class ActiveCommands {
         return underway.values().stream().anyMatch(ActiveCommand::transfer);
     }
 
-    void heard(Frame frame, long nowNanos) {
+    void received(Frame frame, long nowNanos) {
         if (!underway.isEmpty()) {
-            underway.values().forEach(errand -> errand.exchange().heard(frame, nowNanos));
+            underway.values().forEach(errand -> errand.exchange().received(frame, nowNanos));
             settle();
         }
     }
 
-    void said(Severity severity, String text, long nowNanos) {
-        underway.values().forEach(errand -> errand.exchange().said(severity, text, nowNanos));
+    void textReceived(Severity severity, String text, long nowNanos) {
+        underway.values().forEach(errand -> errand.exchange().textReceived(severity, text, nowNanos));
     }
 
-    void tick(long nowNanos) {
+    void advance(long nowNanos) {
         if (!underway.isEmpty()) {
-            underway.values().forEach(errand -> errand.exchange().tick(nowNanos));
+            underway.values().forEach(errand -> errand.exchange().advance(nowNanos));
             settle();
         }
     }

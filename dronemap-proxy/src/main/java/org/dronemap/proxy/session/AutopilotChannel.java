@@ -73,11 +73,11 @@ final class AutopilotChannel {
                 first.systemId(), first.componentId(), links::send, links::roundTrip, new CommandSendTimes());
         autopilot = AutopilotAdapter.of(heartbeat);
         status = new VehicleStatus(heartbeat.type(), anyNumber(nanoTime.getAsLong()));
-        telemetry = new TelemetryTranslator(autopilot, status, this::tell);
-        parameters = new ParameterTable(autopilot, this::tell);
+        telemetry = new TelemetryTranslator(autopilot, status, this::publish);
+        parameters = new ParameterTable(autopilot, this::publish);
         rates = new MessageRates(target);
         autopilot.ownMessages().forEach(rates::also);
-        missions = new MissionWatch(target, autopilot, status, this::tell, missionRead);
+        missions = new MissionWatch(target, autopilot, status, this::publish, missionRead);
         time = new TimesyncResponder(target);
         gimbal = new GimbalControl(target, links::send);
         lastHeartbeatNanos = nanoTime.getAsLong() - HEARTBEAT_NANOS;
@@ -100,38 +100,38 @@ final class AutopilotChannel {
     }
 
     /** Another component of the vehicle said something. */
-    void overheard(Frame frame, long now) {
-        gimbal.heard(frame);
-        telemetry.overheard(frame, now);
+    void receivedFromComponent(Frame frame, long now) {
+        gimbal.received(frame);
+        telemetry.receivedFromComponent(frame, now);
     }
 
     /** The autopilot of a recording said something. */
-    void played(Frame frame, long now) {
-        telemetry.heard(frame, now);
-        parameters.heard(frame);
+    void replayed(Frame frame, long now) {
+        telemetry.received(frame, now);
+        parameters.received(frame);
     }
 
     /** The autopilot said something. */
-    void heard(Frame frame, long now) {
-        played(frame, now);
-        gimbal.heard(frame);
-        errands.heard(frame, now);
-        links.heard(frame, now);
+    void received(Frame frame, long now) {
+        replayed(frame, now);
+        gimbal.received(frame);
+        errands.received(frame, now);
+        links.received(frame, now);
         if (known) {
-            time.heard(frame, now);
+            time.received(frame, now);
         }
-        rates.heard(frame, now);
-        missions.heard(frame, now, errands.transferring());
+        rates.received(frame, now);
+        missions.received(frame, now, errands.transferring());
     }
 
-    void tick(long now) {
-        telemetry.tick(now);
-        errands.tick(now);
-        gimbal.tick(now);
+    void advance(long now) {
+        telemetry.advance(now);
+        errands.advance(now);
+        gimbal.advance(now);
     }
 
     /** Keeps a vehicle company that is known: it hears a ground station as long as the lane lives. */
-    void accompany(long now) {
+    void sendHeartbeat(long now) {
         if (now - lastHeartbeatNanos >= HEARTBEAT_NANOS) {
             lastHeartbeatNanos = now;
             links.send(OWN_HEARTBEAT);
@@ -141,8 +141,8 @@ final class AutopilotChannel {
     /** Asks a vehicle that is heard for what it does not tell by itself. */
     void ask(long now) {
         links.ask(now);
-        rates.tick(now);
-        missions.tick(now, errands.transferring());
+        rates.advance(now);
+        missions.advance(now, errands.transferring());
     }
 
     /** A drone listens from now on that knows nothing of the vehicle yet. */
@@ -169,8 +169,8 @@ final class AutopilotChannel {
         ReportingObserver observer = new ReportingObserver(report);
         MavlinkTarget fenced = target.through(message -> links.send(message, mandate));
         CommandContext cockpit = new CommandContext(
-                status, parameters, fenced, observer, this::tell, missions::changedByCloud, telemetry::remark);
-        errands.begin(id, command, autopilot.plan(command, cockpit), report, now);
+                status, parameters, fenced, observer, this::publish, missions::changedByCloud, telemetry::remark);
+        errands.begin(id, command, autopilot.exchangeFor(command, cockpit), report, now);
     }
 
     /** Says it once, now, as far as this autopilot knows a word for it. */
@@ -189,9 +189,9 @@ final class AutopilotChannel {
                 target.systemId(), target.componentId(), REQUEST_MESSAGE, 0, Heartbeat.ID, 0f, 0f, 0f, 0f, 0f, 0f));
     }
 
-    private void tell(DroneEvent event) {
+    private void publish(DroneEvent event) {
         if (event instanceof DroneEvent.TextReported text) {
-            errands.said(text.severity(), text.text(), nanoTime.getAsLong());
+            errands.textReceived(text.severity(), text.text(), nanoTime.getAsLong());
         }
         news.accept(event);
     }

@@ -9,9 +9,9 @@ import org.dronemap.mavlink.message.MissionItemInt;
 /** A frame tap that passes everything on to two others, such as the recorder and the outlet. */
 record CompositeFrameTap(FrameTap first, FrameTap second) implements FrameTap {
     @Override
-    public void heard(Frame frame) {
-        first.heard(frame);
-        second.heard(frame);
+    public void received(Frame frame) {
+        first.received(frame);
+        second.received(frame);
     }
 
     @Override
@@ -27,9 +27,9 @@ record CompositeFrameTap(FrameTap first, FrameTap second) implements FrameTap {
     }
 
     @Override
-    public void said(byte[] frame, SendAuthority mandate) {
-        first.said(frame, mandate);
-        second.said(frame, mandate);
+    public void sent(byte[] frame, SendAuthority mandate) {
+        first.sent(frame, mandate);
+        second.sent(frame, mandate);
     }
 
     @Override

@@ -50,7 +50,7 @@ final class DroneBinder {
     /** Asks the vehicle who it is as long as it did not say. */
     void ask(long nowNanos, boolean bound) {
         if (status.version() == null) {
-            question.tick(nowNanos, bound);
+            question.sendDue(nowNanos, bound);
         }
     }
 
@@ -102,7 +102,7 @@ final class DroneBinder {
     }
 
     /** A signature may come only after the vehicle was taken for somebody on its word; false when it is another one's. */
-    boolean tellProof(DroneLink bound) {
+    boolean publishProof(DroneLink bound) {
         Proof proof = links.best().proof();
         if (proof == null || proof.equals(shown)) {
             return true;

@@ -15,7 +15,7 @@ final class EarlyEvents {
     private final List<DroneEvent> texts = new ArrayList<>();
 
     /** Keeps the newest of each fact, and the first sentences as long as no drone has heard them. */
-    void heard(DroneEvent event, boolean told) {
+    void add(DroneEvent event, boolean told) {
         switch (event.kind().early()) {
             case NEWEST -> facts.put(event.kind(), event);
             case FIRST -> {
@@ -27,7 +27,7 @@ final class EarlyEvents {
         }
     }
 
-    void tellTo(DroneLink link) {
+    void publishTo(DroneLink link) {
         facts.values().forEach(link::accept);
         texts.forEach(link::accept);
         texts.clear();

@@ -10,14 +10,14 @@ final class EarlyVersions {
     private final Map<Integer, Frame> versions = new HashMap<>();
 
     /** At most one frame a system id. */
-    void heard(Frame frame) {
+    void received(Frame frame) {
         if (frame.messageId() == AutopilotVersion.ID) {
             versions.put(frame.systemId(), frame);
         }
     }
 
     /** Tells a link, just opened by a heartbeat, what was said before. */
-    void tell(VehicleLink link, int systemId) {
+    void replayTo(VehicleLink link, int systemId) {
         Frame version = versions.remove(systemId);
         if (version != null) {
             link.offer(version);

@@ -14,10 +14,10 @@ public interface FrameTap {
     /** Hears nothing. */
     FrameTap NONE = new FrameTap() {
         @Override
-        public void heard(Frame frame) {}
+        public void received(Frame frame) {}
 
         @Override
-        public void said(byte[] frame, SendAuthority mandate) {}
+        public void sent(byte[] frame, SendAuthority mandate) {}
 
         @Override
         public void bound(DroneId drone) {}
@@ -27,7 +27,7 @@ public interface FrameTap {
     };
 
     /** A frame came from the vehicle. */
-    void heard(Frame frame);
+    void received(Frame frame);
 
     /** A frame from the vehicle that was heard was also let in: it is no echo, and what has to be signed is. */
     default void admitted(Frame frame) {}
@@ -36,7 +36,7 @@ public interface FrameTap {
     default void missionRead(List<MissionItemInt> items) {}
 
     /** A frame, which belongs to the caller, went to the vehicle by that mandate. */
-    void said(byte[] frame, SendAuthority mandate);
+    void sent(byte[] frame, SendAuthority mandate);
 
     /** From now on the session speaks for this drone. */
     void bound(DroneId drone);

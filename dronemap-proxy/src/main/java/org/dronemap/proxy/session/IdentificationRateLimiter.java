@@ -9,7 +9,7 @@ public final class IdentificationRateLimiter {
     private long lastNanos;
     private boolean begun;
 
-    synchronized boolean take(long nowNanos) {
+    synchronized boolean tryAcquire(long nowNanos) {
         if (begun) {
             left = Math.min(AT_ONCE, left + (nowNanos - lastNanos) / 1e9 * A_SECOND);
         }

@@ -24,12 +24,12 @@ final class IdentificationRequester {
     }
 
     /** {@code known}: it is bound to a drone, so that asking for ever leads nowhere. */
-    void tick(long nowNanos, boolean known) {
+    void sendDue(long nowNanos, boolean known) {
         long pause = asked < EAGER ? SOON_NANOS : LATER_NANOS;
         if ((asked > 0 && nowNanos - lastNanos < pause) || (known && asked >= ENOUGH)) {
             return;
         }
-        if (!known && !allowance.take(nowNanos)) {
+        if (!known && !allowance.tryAcquire(nowNanos)) {
             return;
         }
         asked++;

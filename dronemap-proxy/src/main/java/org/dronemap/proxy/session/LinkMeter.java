@@ -39,7 +39,7 @@ final class LinkMeter {
         long receivedBefore = gaps.received();
         long lostBefore = gaps.lost();
         long doubledBefore = gaps.doubled();
-        gaps.heard(frame.sequence(), nowNanos);
+        gaps.count(frame.sequence(), nowNanos);
         LinkQualityMeter.Counts before = counts;
         counts = new LinkQualityMeter.Counts(
                 before.received() + gaps.received() - receivedBefore,
@@ -52,18 +52,18 @@ final class LinkMeter {
         return counts;
     }
 
-    void heard(Frame frame, long nowNanos) {
-        probe.heard(frame, nowNanos);
+    void received(Frame frame, long nowNanos) {
+        probe.received(frame, nowNanos);
     }
 
     /** Asks for a round trip when that is due. */
     void ask(long nowNanos) {
-        probe.tick(nowNanos);
+        probe.advance(nowNanos);
     }
 
     /** True when the quality is worth telling: once an interval at most, and only news. */
-    boolean tick(long nowNanos) {
-        return loss.tick(nowNanos, counts, probe.roundTrip().smoothedMillis());
+    boolean advance(long nowNanos) {
+        return loss.update(nowNanos, counts, probe.roundTrip().smoothedMillis());
     }
 
     RoundTripEstimator roundTrip() {

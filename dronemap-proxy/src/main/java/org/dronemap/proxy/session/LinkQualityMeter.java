@@ -30,7 +30,7 @@ public final class LinkQualityMeter {
      * @param now all counts so far
      * @param roundTripMillis null: not known
      */
-    public boolean tick(long nowNanos, Counts now, @Nullable Double roundTripMillis) {
+    public boolean update(long nowNanos, Counts now, @Nullable Double roundTripMillis) {
         if (nowNanos - takenNanos < INTERVAL_NANOS) {
             return false;
         }

@@ -26,13 +26,13 @@ final class LinkSelector {
 
     private final List<VehicleLink> links = new ArrayList<>();
     private VehicleLink best;
-    private LinkReport told;
+    private LinkReport publishedReport;
     private volatile boolean safe;
 
     LinkSelector(VehicleLink first) {
         links.add(first);
         best = first;
-        told = report();
+        publishedReport = report();
         safe = first.downlink().isSafe();
     }
 
@@ -91,8 +91,8 @@ final class LinkSelector {
     }
 
     /** A frame of the vehicle's autopilot, on whichever link. */
-    void heard(Frame frame, long nowNanos) {
-        links.forEach(link -> link.meter().heard(frame, nowNanos));
+    void received(Frame frame, long nowNanos) {
+        links.forEach(link -> link.meter().received(frame, nowNanos));
     }
 
     /** Asks for round trips when that is due; not where nobody has spoken for long: the vehicle may have moved on. */
@@ -105,19 +105,19 @@ final class LinkSelector {
     }
 
     /** True when there is news to tell. */
-    boolean tick(long nowNanos) {
+    boolean advance(long nowNanos) {
         boolean measured = false;
         for (VehicleLink link : links) {
-            measured |= link.meter().tick(nowNanos);
-            link.downlink().tick(nowNanos);
+            measured |= link.meter().advance(nowNanos);
+            link.downlink().releaseDue(nowNanos);
         }
         if (links.size() > 1) {
             giveUp(nowNanos);
             choose(nowNanos, measured);
         }
         LinkReport now = report();
-        boolean news = !now.equals(told);
-        told = now;
+        boolean news = !now.equals(publishedReport);
+        publishedReport = now;
         return news;
     }
 

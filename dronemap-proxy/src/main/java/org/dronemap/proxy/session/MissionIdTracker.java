@@ -22,7 +22,7 @@ final class MissionIdTracker {
     }
 
     /** True when this number is not that of the mission that was read. */
-    boolean heard(long stamp) {
+    boolean isChangedBy(long stamp) {
         if (stamp == MissionOpaqueId.NONE) {
             return false;
         }

@@ -75,24 +75,24 @@ final class MissionWatch {
 
     /** The cloud itself changed the mission and read it back. */
     void changedByCloud(MissionDownload readBack) {
-        take(readBack, true);
+        apply(readBack, true);
         wanted = false;
         disturbed = false;
     }
 
     /** {@code transferring}: a command has the mission protocol for itself. */
-    void heard(Frame frame, long nowNanos, boolean transferring) {
+    void received(Frame frame, long nowNanos, boolean transferring) {
         if (transferring) {
             disturb();
             return;
         }
-        boolean newStamp = stamps.heard(MissionOpaqueId.of(frame));
+        boolean newStamp = stamps.isChangedBy(MissionOpaqueId.of(frame));
         boolean hinted = hintsAtChange(frame);
         boolean changed = newStamp || hinted;
         MissionDownload current = reading;
         if (current != null) {
             changedMeanwhile |= changed;
-            current.heard(frame, nowNanos);
+            current.received(frame, nowNanos);
             settle(current, nowNanos);
         } else if (changed || countsForAnybody(frame)) {
             wanted = true;
@@ -127,7 +127,7 @@ final class MissionWatch {
         };
     }
 
-    void tick(long nowNanos, boolean transferring) {
+    void advance(long nowNanos, boolean transferring) {
         if (transferring) {
             disturb();
             nextNanos = nowNanos + BETWEEN_LOOKS_NANOS;
@@ -137,7 +137,7 @@ final class MissionWatch {
         disturbed = false;
         MissionDownload current = reading;
         if (current != null) {
-            current.tick(nowNanos);
+            current.advance(nowNanos);
             settle(current, nowNanos);
         } else if (nowNanos - nextNanos >= 0) {
             look(nowNanos);
@@ -176,7 +176,7 @@ final class MissionWatch {
         nextNanos = nowNanos + BETWEEN_LOOKS_NANOS;
         if (readingWhole) {
             wanted = false;
-            take(current, false);
+            apply(current, false);
         } else if (!isAsHeld(current)) {
             wanted = true;
             nextNanos = nowNanos;
@@ -209,7 +209,7 @@ final class MissionWatch {
         return true;
     }
 
-    private void take(MissionDownload read, boolean asUploaded) {
+    private void apply(MissionDownload read, boolean asUploaded) {
         List<MissionItem> mission = MissionCodec.fromWire(read.items(), autopilot.itemsBeforeMission());
         String hash = read.isExact() ? WireMissionItems.hash(read.items(), autopilot.itemsBeforeMission()) : null;
         stamps.read(read.stamp());

@@ -38,11 +38,11 @@ public final class ReplayFeed {
                 link = table.open(label, new VehicleSender(new DiscardingPeer(number)), frame)
                         .orElse(null);
                 if (link == null) {
-                    beforehand.heard(frame);
+                    beforehand.received(frame);
                     return true;
                 }
                 links.put(systemId, link);
-                beforehand.tell(link, systemId);
+                beforehand.replayTo(link, systemId);
             }
         }
         return link.isOver() || link.arrived(frame);

@@ -24,7 +24,7 @@ final class SequenceGaps {
     private long lost;
     private long doubled;
 
-    void heard(int sequence, long nowNanos) {
+    void count(int sequence, long nowNanos) {
         int ahead = Math.floorMod(sequence - newest, ROUND);
         if (!begun || (ahead > ABRUPT && ahead < ROUND - LATE && nowNanos - newestNanos < PAUSE_NANOS)) {
             begin(sequence, nowNanos);

@@ -27,7 +27,7 @@ final class VehicleLink {
     private final LongAdder dropped = new LongAdder();
     private volatile @Nullable VehicleSession session;
     private volatile @Nullable Proof proof;
-    private volatile long lastHeardNanos;
+    private volatile long lastReceivedNanos;
     private volatile boolean cut;
     private volatile boolean broken;
 
@@ -35,19 +35,19 @@ final class VehicleLink {
         this.label = label;
         this.downlink = downlink;
         this.nanoTime = nanoTime;
-        lastHeardNanos = nanoTime.getAsLong();
+        lastReceivedNanos = nanoTime.getAsLong();
         proof = label.identity() == null ? null : new Proof.OfLink(label.identity());
         MavlinkTarget target = new MavlinkTarget(
                 first.systemId(), first.componentId(), message -> send(message, SendAuthority.HOUSEKEEPING));
-        meter = new LinkMeter(new RoundTripProbe(target, new RoundTripEstimator()), lastHeardNanos);
+        meter = new LinkMeter(new RoundTripProbe(target, new RoundTripEstimator()), lastReceivedNanos);
     }
 
     /** Takes a frame in as its endpoint brought it; false when there was no room. On the endpoint's thread. */
     boolean arrived(Frame frame) {
         long now = nanoTime.getAsLong();
-        lastHeardNanos = now;
+        lastReceivedNanos = now;
         meter.arrived(frame, now);
-        downlink.heardVersion(frame.version());
+        downlink.setVersion(frame.version());
         boolean taken = offer(frame);
         if (!taken) {
             dropped.increment();
@@ -150,6 +150,6 @@ final class VehicleLink {
 
     /** For how long nothing came; for ever when its connection has ended. */
     long silenceNanos(long nowNanos) {
-        return broken ? Long.MAX_VALUE : nowNanos - lastHeardNanos;
+        return broken ? Long.MAX_VALUE : nowNanos - lastReceivedNanos;
     }
 }

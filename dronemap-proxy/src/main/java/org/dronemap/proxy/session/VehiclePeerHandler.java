@@ -50,11 +50,11 @@ final class VehiclePeerHandler implements PeerHandler {
             VehicleLink opened = table.open(LinkOrigin.of(peer, systemId), new VehicleSender(peer), frame)
                     .orElse(null);
             if (opened == null) {
-                beforehand.heard(frame);
+                beforehand.received(frame);
                 return;
             }
             link = opened;
-            beforehand.tell(opened, systemId);
+            beforehand.replayTo(opened, systemId);
             links.put(systemId, opened);
         }
         long lostBefore = link.lost();

@@ -50,7 +50,7 @@ final class VehicleSender {
         guard = newGuard;
     }
 
-    void heardVersion(int version) {
+    void setVersion(int version) {
         speaksVersion1 = version == 1;
     }
 
@@ -73,7 +73,7 @@ final class VehicleSender {
     }
 
     /** Lets go what was held when the wait is over. */
-    void tick(long nowNanos) {
+    void releaseDue(long nowNanos) {
         if (!held.isEmpty() && (guard == null || !guard.holds(nowNanos))) {
             release();
         }
@@ -87,7 +87,7 @@ final class VehicleSender {
     }
 
     private void transmit(Message message, SendAuthority mandate) {
-        mandate.fence().pass(() -> tap.said(put(message), mandate));
+        mandate.fence().pass(() -> tap.sent(put(message), mandate));
     }
 
     /** Sends at once what nobody but the vehicle may see: no tap, no log. */

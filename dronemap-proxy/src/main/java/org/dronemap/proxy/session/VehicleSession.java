@@ -47,7 +47,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private Lane lane;
     private volatile @Nullable DroneLink link;
     private boolean moving;
-    private long lastHeardNanos;
+    private long lastReceivedNanos;
     private volatile @Nullable VehicleSession carriedOnBy;
     private volatile boolean ended;
     private volatile boolean vanished;
@@ -64,20 +64,20 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         componentId = first.componentId();
         tap = label.replay() ? FrameTap.NONE : surroundings.taps().open(componentId);
         firstLink.downlink().tapBy(tap);
-        conversation = new AutopilotChannel(links, first, this::tell, tap::missionRead, surroundings.nanoTime());
+        conversation = new AutopilotChannel(links, first, this::publish, tap::missionRead, surroundings.nanoTime());
         introduction = new DroneBinder(surroundings, links, conversation);
         lane = surroundings.lanes().registry();
         String mark = label.peer().text();
         mailbox = new SessionFrameQueue(
-                lane, frame -> surroundings.watch().atWork().at(mark, () -> take(frame)));
-        lastHeardNanos = surroundings.now();
+                lane, frame -> surroundings.watch().atWork().at(mark, () -> process(frame)));
+        lastReceivedNanos = surroundings.now();
         Lane registry = lane;
-        registry.execute(() -> registry.addTicker(this));
+        registry.execute(() -> registry.addPeriodicTask(this));
     }
 
     /** Takes a frame in; false when there was no room. Any thread. */
     boolean offer(Frame frame) {
-        tap.heard(frame);
+        tap.received(frame);
         return mailbox.offer(frame);
     }
 
@@ -86,7 +86,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         return ended;
     }
 
-    private void take(Frame frame) {
+    private void process(Frame frame) {
         VehicleSession older = carriedOnBy;
         if (older != null) {
             older.carryOn(frame, lane);
@@ -100,12 +100,12 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         tap.admitted(frame);
         if (frame.componentId() != componentId || admission == FrameAdmission.ASIDE) {
             // Other components speak for themselves; their sentences are shown while the autopilot lives.
-            if (now - lastHeardNanos < 2 * SECOND_NANOS) {
-                conversation.overheard(frame, now);
+            if (now - lastReceivedNanos < 2 * SECOND_NANOS) {
+                conversation.receivedFromComponent(frame, now);
             }
             return;
         }
-        hear(frame, now);
+        dispatch(frame, now);
         if (link == null && !ended) {
             claimWhenKnown(now);
         }
@@ -114,7 +114,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     /** A frame that still came to the session which handed its link over, and is now on that lane. */
     private void carryOn(Frame frame, Lane here) {
         if (here == lane) {
-            take(frame);
+            process(frame);
         } else {
             mailbox.offer(frame);
         }
@@ -136,22 +136,22 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     }
 
     /** A frame of the autopilot itself. */
-    private void hear(Frame frame, long now) {
-        lastHeardNanos = now;
+    private void dispatch(Frame frame, long now) {
+        lastReceivedNanos = now;
         DroneLink bound = stillBound();
         if (ended) {
             return;
         }
         if (bound != null && frame.verified()) {
-            bound.heard();
+            bound.received();
         }
         if (bound != null && introduction.contradicts(frame) && !staysBound(bound, now)) {
             return;
         }
         if (label.replay()) {
-            conversation.played(frame, now);
+            conversation.replayed(frame, now);
         } else {
-            conversation.heard(frame, now);
+            conversation.received(frame, now);
         }
     }
 
@@ -189,7 +189,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     }
 
     @Override
-    public void tick() {
+    public void advance() {
         long now = surroundings.now();
         if (moving) {
             return;
@@ -198,21 +198,21 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             end();
             return;
         }
-        SetupSigning key = guard.tick(label.key().systemId(), componentId, now);
+        SetupSigning key = guard.advance(label.key().systemId(), componentId, now);
         if (key != null) {
             links.sendSecret(key);
         }
-        conversation.tick(now);
+        conversation.advance(now);
         if (!label.replay()) {
             talk(now);
         }
         DroneLink bound = stillBound();
-        boolean news = links.tick(now);
+        boolean news = links.advance(now);
         if (bound != null) {
             report(bound, news);
         }
         long patience = bound == null ? STRANGER_GIVEN_UP_NANOS : GIVEN_UP_NANOS;
-        if (now - lastHeardNanos > patience && conversation.isIdle()) {
+        if (now - lastReceivedNanos > patience && conversation.isIdle()) {
             end();
         } else if (bound == null && !ended) {
             claimWhenKnown(now);
@@ -221,18 +221,18 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     private void report(DroneLink bound, boolean linkNews) {
         if (linkNews) {
-            bound.reached(links.report());
+            bound.linkChanged(links.report());
         }
         if (played) {
-            bound.played();
+            bound.replayEnded();
         }
-        if (!introduction.tellProof(bound)) {
+        if (!introduction.publishProof(bound)) {
             end();
         }
     }
 
     private void talk(long now) {
-        boolean talkative = now - lastHeardNanos < TALKATIVE_NANOS;
+        boolean talkative = now - lastReceivedNanos < TALKATIVE_NANOS;
         if (talkative) {
             introduction.ask(now, link != null);
         }
@@ -240,14 +240,14 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             // Whoever is behind that address gets nothing else until it is known.
             return;
         }
-        conversation.accompany(now);
+        conversation.sendHeartbeat(now);
         if (talkative) {
             conversation.ask(now);
         }
     }
 
     private void claimWhenKnown(long now) {
-        if (vanished || now - lastHeardNanos > TALKATIVE_NANOS || !introduction.isDue(now)) {
+        if (vanished || now - lastReceivedNanos > TALKATIVE_NANOS || !introduction.isDue(now)) {
             return;
         }
         DroneLink found = introduction.claim(this, guard, now);
@@ -258,7 +258,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     /** On the drone's lane, where both are now or arrive next. */
     @Override
-    public boolean takesOver(VehicleChannel newer) {
+    public boolean supersedes(VehicleChannel newer) {
         if (!(newer instanceof VehicleSession other) || other == this || ended || label.replay() || !isLike(other)) {
             return false;
         }
@@ -268,7 +268,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         joining.downlink().tapBy(tap);
         joining.belongsTo(this);
         other.carriedOnBy = this;
-        lastHeardNanos = surroundings.now();
+        lastReceivedNanos = surroundings.now();
         return true;
     }
 
@@ -288,14 +288,14 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         Lane to = bound.lane();
         moving = true;
         lane = to;
-        from.removeTicker(this);
+        from.removePeriodicTask(this);
         try {
             to.execute(() -> arrive(bound));
         } catch (RejectedExecutionException e) {
             LOG.warn("The lane of {} had no room for its session; it will try again", bound.id(), e);
             moving = false;
             lane = from;
-            from.addTicker(this);
+            from.addPeriodicTask(this);
             return;
         }
         mailbox.moveTo(to);
@@ -315,20 +315,20 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             end();
             return;
         }
-        lane.addTicker(this);
+        lane.addPeriodicTask(this);
         conversation.begin(surroundings.now());
-        news.tellTo(bound);
+        news.publishTo(bound);
     }
 
-    private void tell(DroneEvent event) {
+    private void publish(DroneEvent event) {
         if (event instanceof DroneEvent.TextReported text) {
-            guard.said(text.text());
+            guard.textReceived(text.text());
         }
         DroneLink bound = link;
         if (bound != null) {
             bound.accept(event);
         }
-        news.heard(event, bound != null);
+        news.add(event, bound != null);
     }
 
     /** The drone that it speaks for, once bound. Any thread. */
@@ -360,7 +360,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         if (!ended) {
             ended = true;
             guard.leave();
-            lane.removeTicker(this);
+            lane.removePeriodicTask(this);
             tap.ended();
             onEnd.run();
         }

@@ -22,7 +22,7 @@ final class KeyChange {
     private final KeyChangeKind kind;
     private int tries;
     private long lastTryNanos;
-    private boolean heardOldSince;
+    private boolean oldKeyUsedSince;
     private @Nullable KeyChangeResult result;
 
     /** The key that a valid frame was signed with. */
@@ -48,7 +48,7 @@ final class KeyChange {
         }
         tries++;
         lastTryNanos = nowNanos;
-        heardOldSince = false;
+        oldKeyUsedSince = false;
         return true;
     }
 
@@ -56,26 +56,26 @@ final class KeyChange {
         if (result != null || tries < TRIES || nowNanos - lastTryNanos < PATIENCE_NANOS) {
             return;
         }
-        result = heardOldSince
+        result = oldKeyUsedSince
                 ? new KeyChangeResult.Failed(
                         KeyChangeFault.NOT_DONE, "The vehicle was asked " + TRIES + " times and goes on as before.")
                 : new KeyChangeResult.Unknown("The vehicle was asked " + TRIES + " times and was not heard since.");
     }
 
     /** A frame of the vehicle that is beyond doubt, and how it was signed. */
-    void heard(Use use, long nowNanos) {
+    void received(Use use, long nowNanos) {
         if (result != null || tries == 0) {
             return;
         }
         if (use == (kind == KeyChangeKind.REVOKE ? Use.NONE : Use.NEW)) {
             result = new KeyChangeResult.Done();
         } else if (nowNanos - lastTryNanos > IN_FLIGHT_NANOS) {
-            heardOldSince = true;
+            oldKeyUsedSince = true;
         }
     }
 
     /** The vehicle says something; a complaint about signing is its answer. */
-    void said(String text) {
+    void textReceived(String text) {
         if (result == null && tries > 0 && REFUSAL.matcher(text).find()) {
             result = new KeyChangeResult.Failed(KeyChangeFault.REFUSED, "The vehicle says: " + text);
         }

@@ -58,7 +58,7 @@ final class Keyring {
         this.systemId = systemId;
         this.keeper = keeper;
         // Ahead of the clock when stopped: up to a minute of it may not have been stored.
-        boolean ahead = security.stamp() > SigningClock.ticks(wall.instant());
+        boolean ahead = security.stamp() > SigningClock.timestampOf(wall.instant());
         clock = new SigningClock(wall, ahead ? security.stamp() + MINUTE : security.stamp());
         policy = security.policy();
         current = held(security.key());
@@ -132,7 +132,7 @@ final class Keyring {
 
     private SignatureVerdict judge(Frame frame, long nowNanos) {
         if (!frame.signed()) {
-            tellChange(frame, KeyChange.Use.NONE, nowNanos);
+            verifiedDuringChange(frame, KeyChange.Use.NONE, nowNanos);
             return SignatureVerdict.UNSIGNED;
         }
         SignatureVerdict verdict = verdict(current, frame);
@@ -150,14 +150,14 @@ final class Keyring {
             }
         }
         if (verdict.isValid()) {
-            tellChange(frame, use, nowNanos);
+            verifiedDuringChange(frame, use, nowNanos);
         }
         return verdict;
     }
 
-    private void tellChange(Frame frame, KeyChange.Use use, long nowNanos) {
+    private void verifiedDuringChange(Frame frame, KeyChange.Use use, long nowNanos) {
         if (change != null && frame.verified()) {
-            change.heard(use, nowNanos);
+            change.received(use, nowNanos);
             settle();
         }
     }
@@ -204,15 +204,15 @@ final class Keyring {
         return change != null && change.holds(nowNanos);
     }
 
-    synchronized void said(String text) {
+    synchronized void textReceived(String text) {
         if (change != null) {
-            change.said(text);
+            change.textReceived(text);
             settle();
         }
     }
 
     /** What is to be sent to the vehicle now, over this link; null: nothing. */
-    synchronized @Nullable Request tick(LinkGuard link, long nowNanos) {
+    synchronized @Nullable Request advance(LinkGuard link, long nowNanos) {
         if (current != null && (stampedNanos == 0 || nowNanos - stampedNanos > STAMP_NANOS)) {
             stampedNanos = nowNanos;
             keeper.stamp().accept(security());

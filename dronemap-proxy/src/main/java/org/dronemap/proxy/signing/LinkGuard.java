@@ -126,17 +126,17 @@ public final class LinkGuard {
     }
 
     /** The vehicle's own words may be its answer to a new key. */
-    public void said(String text) {
+    public void textReceived(String text) {
         Keyring ring = bound == null ? null : keyring();
         if (ring != null) {
-            ring.said(text);
+            ring.textReceived(text);
         }
     }
 
     /** A key to be sent to the vehicle now and never to be shown to anybody else; null: none. */
-    public @Nullable SetupSigning tick(int systemId, int componentId, long nowNanos) {
+    public @Nullable SetupSigning advance(int systemId, int componentId, long nowNanos) {
         Keyring ring = bound == null ? null : keyring();
-        Keyring.Request request = ring == null ? null : ring.tick(this, nowNanos);
+        Keyring.Request request = ring == null ? null : ring.advance(this, nowNanos);
         if (request == null) {
             return null;
         }

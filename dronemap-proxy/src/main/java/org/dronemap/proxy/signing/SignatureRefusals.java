@@ -13,7 +13,7 @@ final class SignatureRefusals {
     private static final long SAY_AGAIN_NANOS = 600_000_000_000L;
 
     private final Map<SignatureVerdict, Long> counts = new EnumMap<>(SignatureVerdict.class);
-    private final Map<SignatureVerdict, Long> lastHeardNanos = new EnumMap<>(SignatureVerdict.class);
+    private final Map<SignatureVerdict, Long> lastRefusedNanos = new EnumMap<>(SignatureVerdict.class);
 
     void valid() {
         counts.merge(SignatureVerdict.VALID, 1L, Long::sum);
@@ -22,7 +22,7 @@ final class SignatureRefusals {
     /** A sentence when such frames are news: the first, and the first after ten minutes without any. */
     Optional<String> refused(SignatureVerdict why, long nowNanos) {
         counts.merge(why, 1L, Long::sum);
-        Long last = lastHeardNanos.put(why, nowNanos);
+        Long last = lastRefusedNanos.put(why, nowNanos);
         return last == null || nowNanos - last > SAY_AGAIN_NANOS ? Optional.of(sentence(why)) : Optional.empty();
     }
 

@@ -67,11 +67,11 @@ class DatagramQueueTest {
             send(chance, 40);
         }
         patiently().until(() -> {
-            intake.takeFrom(socket);
+            intake.readFrom(socket);
             return intake.waiting() == MOST;
         });
 
-        intake.takeFrom(socket);
+        intake.readFrom(socket);
         assertThat(intake.waiting()).isEqualTo(MOST);
         patiently().until(() -> isTaken(MOST + 4));
     }
@@ -89,7 +89,7 @@ class DatagramQueueTest {
 
     /** Makes room when there is none. */
     private boolean isTaken(int sent) throws IOException {
-        intake.takeFrom(socket);
+        intake.readFrom(socket);
         return worked.size() + intake.waiting() == sent || (workOff() && worked.size() + intake.waiting() == sent);
     }
 
@@ -106,7 +106,7 @@ class DatagramQueueTest {
 
     private boolean workOff() throws IOException {
         InetSocketAddress expected = (InetSocketAddress) vehicle.getLocalAddress();
-        return intake.workOff((from, datagram) -> {
+        return intake.process((from, datagram) -> {
             assertThat(from).isEqualTo(expected);
             ByteBuffer copy = ByteBuffer.allocate(datagram.remaining());
             copy.put(datagram).flip();

@@ -44,7 +44,7 @@ class EndpointRegistryTest {
     @Test
     void triesAnEndpointAgainUntilItCanOpen() throws IOException {
         try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            links.keep("a", EndpointUrl.parse("tcpserver://127.0.0.1:" + other.getLocalPort()));
+            links.retryLater("a", EndpointUrl.parse("tcpserver://127.0.0.1:" + other.getLocalPort()));
 
             assertThat(only().state().phase()).isEqualTo(EndpointState.Phase.FAILED);
             assertThat(only().state().reason()).contains("taken by another program");
@@ -55,15 +55,15 @@ class EndpointRegistryTest {
 
     @Test
     void opensNoEndpointTwiceAndForgetsARemovedOne() {
-        links.keep("a", EndpointUrl.parse("udpserver://127.0.0.1:0"));
+        links.retryLater("a", EndpointUrl.parse("udpserver://127.0.0.1:0"));
         EndpointUrl taken = only().url();
 
-        assertThatThrownBy(() -> links.keep("b", taken))
+        assertThatThrownBy(() -> links.retryLater("b", taken))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("There is an endpoint " + taken + " already.");
         assertThat(links.remove("a")).isTrue();
         assertThat(links.remove("a")).isFalse();
-        links.keep("b", taken);
+        links.retryLater("b", taken);
         assertThat(only().state()).isEqualTo(EndpointState.OPEN);
     }
 
@@ -115,7 +115,7 @@ class EndpointRegistryTest {
 
     @Test
     void asksTheSystemForTheDropsOfAUdpSocket() {
-        links.keep("a", EndpointUrl.parse("udpserver://127.0.0.1:0"));
+        links.retryLater("a", EndpointUrl.parse("udpserver://127.0.0.1:0"));
 
         assertThat(only().kernelDrops().isPresent()).isEqualTo(Files.isReadable(Path.of("/proc/net/udp6")));
     }

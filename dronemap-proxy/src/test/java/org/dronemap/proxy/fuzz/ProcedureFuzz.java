@@ -76,7 +76,7 @@ final class ProcedureFuzz {
                 event -> {},
                 items -> {},
                 sentence -> {});
-        Exchange exchange = autopilot.plan(command, cockpit);
+        Exchange exchange = autopilot.exchangeFor(command, cockpit);
         exchange.start(now);
         for (int inputs = random.nextInt(400); inputs > 0 && exchange.outcome() == null; inputs--) {
             disturb(exchange, telemetry, sent);
@@ -89,8 +89,8 @@ final class ProcedureFuzz {
         byte[] bytes = hostile.next();
         List<Frame> frames = HostileFrames.parsed(bytes);
         Runnable work = () -> frames.forEach(frame -> {
-            telemetry.heard(frame, now);
-            exchange.heard(frame, now);
+            telemetry.received(frame, now);
+            exchange.received(frame, now);
         });
         if (rounds < WARM_UP) {
             work.run();
@@ -98,11 +98,12 @@ final class ProcedureFuzz {
             SlowInputCheck.check(name, bytes, work);
         }
         if (random.nextInt(20) == 0) {
-            exchange.said(Severity.values()[random.nextInt(Severity.values().length)], "PreArm: " + bytes.length, now);
+            exchange.textReceived(
+                    Severity.values()[random.nextInt(Severity.values().length)], "PreArm: " + bytes.length, now);
         }
         for (int ticks = random.nextInt(60); ticks > 0; ticks--) {
             now += TICK;
-            exchange.tick(now);
+            exchange.advance(now);
         }
         assertThat(sent.get() - before).as("sent for one input (%s)", name).isLessThan(MOST_SENT_PER_INPUT);
     }
@@ -111,7 +112,7 @@ final class ProcedureFuzz {
         long deadline = now + LONGEST_SILENCE;
         while (exchange.outcome() == null && now < deadline) {
             now += 5 * TICK;
-            exchange.tick(now);
+            exchange.advance(now);
         }
         assertThat(exchange.outcome()).as("%s (%s)", command.summary(), name).isNotNull();
     }

@@ -55,10 +55,10 @@ final class TranslatorFuzz {
         now += 20_000_000L;
         for (TelemetryTranslator translator : translators) {
             frames.forEach(frame -> {
-                translator.heard(frame, now);
-                translator.overheard(frame, now);
+                translator.received(frame, now);
+                translator.receivedFromComponent(frame, now);
             });
-            translator.tick(now);
+            translator.advance(now);
         }
     }
 

@@ -201,10 +201,10 @@ final class MatrixTestBench implements AutoCloseable {
 
     private record SentFrameTap(List<SentFrame> frames) implements FrameTap {
         @Override
-        public void heard(Frame frame) {}
+        public void received(Frame frame) {}
 
         @Override
-        public void said(byte[] frame, SendAuthority mandate) {
+        public void sent(byte[] frame, SendAuthority mandate) {
             frames.add(new SentFrame(HexFormat.of().formatHex(frame), mandate.command() == null));
         }
 

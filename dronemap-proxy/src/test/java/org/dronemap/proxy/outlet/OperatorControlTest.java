@@ -74,14 +74,14 @@ class OperatorControlTest {
         OutletTestBench.Station ann = house.new Station("ann", 255);
         OutletTestBench.Station other = house.new Station("ann", 252);
         assertThat(asks(ann, 1, 0)).isEqualTo(ACCEPTED);
-        long before = tenure().heardNanos();
+        long before = tenure().renewedNanos();
         // A heartbeat at the moment of the take would keep nothing that anybody could see.
         house.letPass(Duration.ofMillis(300));
         other.says(OutletTestBench.GROUND);
         assertThat(asks(other, 2, 0)).isEqualTo(DENIED);
-        assertThat(tenure().heardNanos()).isEqualTo(before);
+        assertThat(tenure().renewedNanos()).isEqualTo(before);
         ann.says(OutletTestBench.GROUND);
-        house.await(() -> tenure().heardNanos() > before, "the heartbeat keeps nothing");
+        house.await(() -> tenure().renewedNanos() > before, "the heartbeat keeps nothing");
         // What another window took is its own to keep.
         house.control(new LeaseEvent.Take("ann"));
         assertThat(asks(ann, 1, 0)).isEqualTo(ACCEPTED);

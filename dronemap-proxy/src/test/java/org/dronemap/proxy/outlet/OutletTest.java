@@ -145,7 +145,7 @@ class OutletTest {
         outlet.close();
         assertThat(store.keys())
                 .filteredOn(kept -> kept.user().equals("ann"))
-                .allMatch(kept -> kept.stamp() > SigningClock.ticks(NOW.plus(Duration.ofMinutes(10))));
+                .allMatch(kept -> kept.stamp() > SigningClock.timestampOf(NOW.plus(Duration.ofMinutes(10))));
         byte[] early = new Client("ann", 255).frame(GROUND);
         outlet = open();
         new Client("ann", 255).sends(early);

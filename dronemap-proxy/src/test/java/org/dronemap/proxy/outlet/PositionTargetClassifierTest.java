@@ -46,7 +46,7 @@ class PositionTargetClassifierTest {
                 new Geodetic(47 + north / 1_000, 8), Altitude.aboveHome(20), null, Setpoint.Facing.ANY);
         List<Meaning> meanings = new ArrayList<>();
         for (int time = 0; time < times; time++) {
-            meanings.add(watch.heard(track, now));
+            meanings.add(watch.classify(track, now));
             now += everyMillis * MILLI;
         }
         return meanings;

@@ -149,12 +149,12 @@ class SteppedProxyTest {
         assertThat(time.advanceUntil(() -> drone().isPresent(), PATIENCE)).isTrue();
         heartbeat = FakeVehicle.copter(4, true);
         time.advance(Duration.ofSeconds(20));
-        String id = recorder.shelf().recordings().get(0).id();
-        assertThat(recorder.shelf().file(id)).isPresent();
+        String id = recorder.archive().recordings().get(0).id();
+        assertThat(recorder.archive().file(id)).isPresent();
         heartbeat = FakeVehicle.copter(4, false);
         time.advance(Duration.ofSeconds(7));
 
-        Recording done = recorder.shelf().recording(id).orElseThrow();
+        Recording done = recorder.archive().recording(id).orElseThrow();
         assertThat(done.state()).isEqualTo(Recording.State.COMPLETE);
         assertThat(done.frames()).isGreaterThanOrEqualTo(100);
     }

@@ -130,7 +130,7 @@ class RecorderTest {
             clock.pass(1);
         }
         recorder.flush();
-        assertThat(recorder.shelf().recordings()).isEmpty();
+        assertThat(recorder.archive().recordings()).isEmpty();
         assertThat(directory).isEmptyDirectory();
     }
 
@@ -175,7 +175,7 @@ class RecorderTest {
         Recording done = awaitEnd();
         says(first, new Heartbeat(6, 8, 0, 0, 4, 3), false);
         recorder.flush();
-        assertThat(recorder.shelf().recordings()).hasSize(1);
+        assertThat(recorder.archive().recordings()).hasSize(1);
         assertThat(read(done)).hasSize(4);
     }
 
@@ -188,7 +188,7 @@ class RecorderTest {
         clock.passAfterTheNextLookOf("recorder", 10);
         Recording done = awaitEnd();
         recorder.flush();
-        assertThat(recorder.shelf().recordings()).hasSize(1);
+        assertThat(recorder.archive().recordings()).hasSize(1);
         assertThat(read(done)).hasSize(2);
     }
 
@@ -221,7 +221,7 @@ class RecorderTest {
         freeBytes.set(1_000);
         TestCloud.await(
                 PATIENCE,
-                () -> recorder.shelf().recordings().stream().anyMatch(recording -> recording.notice() != null),
+                () -> recorder.archive().recordings().stream().anyMatch(recording -> recording.notice() != null),
                 () -> "nothing was said");
         hears(tap, heartbeat(false), false);
         clock.pass(10);
@@ -235,7 +235,7 @@ class RecorderTest {
         recorder.start();
         armed();
         recorder.flush();
-        Recording cut = recorder.shelf().recordings().get(0);
+        Recording cut = recorder.archive().recordings().get(0);
         Files.write(file(cut), new byte[] {0, 5, 4, 3, 2, 1, 0, 0, (byte) 0xFD, 40, 0, 7}, StandardOpenOption.APPEND);
         Files.copy(file(cut), directory.resolve("20260101T000000Z_lost-one.tlog"));
         // What was known at the crash; the one that "crashed" still lives, and goes on saving.
@@ -244,13 +244,14 @@ class RecorderTest {
 
         Recorder next = recorder(RecordingPolicy.DEFAULT, known);
         next.start();
-        Recording mended = next.shelf().recording(cut.id()).orElseThrow();
+        Recording mended = next.archive().recording(cut.id()).orElseThrow();
         assertThat(mended.state()).isEqualTo(Recording.State.INCOMPLETE);
         assertThat(mended.notice()).contains("The server stopped");
         assertThat(mended.frames()).isEqualTo(1);
         assertThat(mended.bytes()).isEqualTo(Files.size(file(cut)));
         assertThat(read(mended)).hasSize(1);
-        Recording adopted = next.shelf().recording("20260101T000000Z_lost-one").orElseThrow();
+        Recording adopted =
+                next.archive().recording("20260101T000000Z_lost-one").orElseThrow();
         assertThat(adopted.drone().value()).isEqualTo("lost-one");
         assertThat(adopted.frames()).isEqualTo(1);
         next.close();
@@ -267,11 +268,11 @@ class RecorderTest {
         recorder.close();
         recorder = recorder(new RecordingPolicy(RecordingPolicy.When.FLIGHTS, 1_300, 0));
         recorder.start();
-        TestCloud.await(PATIENCE, () -> recorder.shelf().room().removed() == 1, () -> "nothing was removed");
+        TestCloud.await(PATIENCE, () -> recorder.archive().room().removed() == 1, () -> "nothing was removed");
         assertThat(store.recordings()).extracting(Recording::id).containsExactly("r3", "r2");
         assertThat(directory.resolve("r1.tlog")).doesNotExist();
-        assertThat(recorder.shelf().room().notice()).contains("oldest");
-        assertThat(recorder.shelf().room().usedBytes()).isEqualTo(1_200);
+        assertThat(recorder.archive().room().notice()).contains("oldest");
+        assertThat(recorder.archive().room().usedBytes()).isEqualTo(1_200);
     }
 
     @Test
@@ -285,7 +286,7 @@ class RecorderTest {
         recorder = recorder(new RecordingPolicy(RecordingPolicy.When.FLIGHTS, 1_300, 2));
         clock.pass(60);
         recorder.start();
-        TestCloud.await(PATIENCE, () -> recorder.shelf().room().removed() == 2, () -> "nothing was removed");
+        TestCloud.await(PATIENCE, () -> recorder.archive().room().removed() == 2, () -> "nothing was removed");
         assertThat(store.recordings()).extracting(Recording::id).containsExactly("r1");
     }
 
@@ -294,16 +295,16 @@ class RecorderTest {
         recorder.start();
         FrameTap tap = armed();
         recorder.flush();
-        String id = recorder.shelf().recordings().get(0).id();
-        assertThat(recorder.shelf().delete(id))
+        String id = recorder.archive().recordings().get(0).id();
+        assertThat(recorder.archive().delete(id))
                 .hasValueSatisfying(why -> assertThat(why).contains("goes on"));
         hears(tap, heartbeat(false), false);
         clock.pass(10);
         Recording done = awaitEnd();
-        assertThat(recorder.shelf().delete(id)).isEmpty();
+        assertThat(recorder.archive().delete(id)).isEmpty();
         assertThat(directory).isEmptyDirectory();
-        assertThat(recorder.shelf().recordings()).isEmpty();
-        assertThat(recorder.shelf().delete(id))
+        assertThat(recorder.archive().recordings()).isEmpty();
+        assertThat(recorder.archive().delete(id))
                 .hasValueSatisfying(why -> assertThat(why).contains("There is no recording"));
     }
 
@@ -315,12 +316,12 @@ class RecorderTest {
         says(tap, new Heartbeat(6, 8, 0, 0, 4, 3), true);
         hears(tap, heartbeat(true), true);
         byte[] arm = cloud.frame(new CommandLong(1, 1, 400, 0, 1f, 0f, 0f, 0f, 0f, 0f, 0f));
-        tap.said(arm, new SendAuthority(new CommandId("arm-it-now"), 7L, "ann", EpochGuard.NONE));
+        tap.sent(arm, new SendAuthority(new CommandId("arm-it-now"), 7L, "ann", EpochGuard.NONE));
         recorder.flush();
 
-        String id = recorder.shelf().recordings().get(0).id();
-        byte[] tlog = Files.readAllBytes(recorder.shelf().file(id).orElseThrow());
-        List<String> lines = Files.readAllLines(recorder.shelf().sent(id).orElseThrow());
+        String id = recorder.archive().recordings().get(0).id();
+        byte[] tlog = Files.readAllBytes(recorder.archive().file(id).orElseThrow());
+        List<String> lines = Files.readAllLines(recorder.archive().sent(id).orElseThrow());
         assertThat(lines)
                 .startsWith("offset\tcommand\tepoch\tby", "0\t-\t-\tdronemap")
                 .hasSize(3);
@@ -353,7 +354,7 @@ class RecorderTest {
 
     private void hears(FrameTap tap, Message message, boolean kept) {
         byte[] raw = vehicle.frame(message);
-        new FrameReader().read(ByteBuffer.wrap(raw), tap::heard);
+        new FrameReader().read(ByteBuffer.wrap(raw), tap::received);
         if (kept) {
             expected.add(raw);
         }
@@ -361,7 +362,7 @@ class RecorderTest {
 
     private void says(FrameTap tap, Message message, boolean kept) {
         byte[] raw = cloud.frame(message);
-        tap.said(raw, SendAuthority.HOUSEKEEPING);
+        tap.sent(raw, SendAuthority.HOUSEKEEPING);
         if (kept) {
             expected.add(raw);
         }
@@ -373,7 +374,7 @@ class RecorderTest {
                 () -> store.recordings().stream()
                         .filter(recording -> recording.end() != null)
                         .findFirst(),
-                () -> "no recording has ended: " + recorder.shelf().recordings());
+                () -> "no recording has ended: " + recorder.archive().recordings());
     }
 
     private Path file(Recording recording) {

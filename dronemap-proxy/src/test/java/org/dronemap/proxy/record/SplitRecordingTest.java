@@ -57,19 +57,19 @@ class SplitRecordingTest {
 
     private void hears(boolean armed) {
         byte[] raw = vehicle.frame(new Heartbeat(2, 3, armed ? 0x81 : 1, 4, 4, 3));
-        new FrameReader().read(ByteBuffer.wrap(raw), tap::heard);
+        new FrameReader().read(ByteBuffer.wrap(raw), tap::received);
     }
 
     private Recording newest() throws IOException {
         recorder.flush();
-        return recorder.shelf().recordings().get(0);
+        return recorder.archive().recordings().get(0);
     }
 
     @Test
     void endsThoughItsLastSecondsAreNotOver() throws IOException {
         assertThat(newest().state()).isEqualTo(Recording.State.RUNNING);
 
-        recorder.shelf().part(DRONE);
+        recorder.archive().part(DRONE);
 
         Recording before = newest();
         assertThat(before.state()).isEqualTo(Recording.State.COMPLETE);
@@ -80,7 +80,7 @@ class SplitRecordingTest {
     void theNextOneHasNothingOfWhatCameBefore() throws IOException {
         clock.pass(6);
         hears(false);
-        recorder.shelf().part(DRONE);
+        recorder.archive().part(DRONE);
         clock.pass(1);
         hears(true);
 

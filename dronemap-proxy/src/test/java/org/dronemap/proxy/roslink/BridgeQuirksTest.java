@@ -70,7 +70,7 @@ class BridgeQuirksTest {
                 "\"time_boot_ms\":\"now\","
             })
     void whatATimeSaysChangesNothing(String time) {
-        robot(RobotType.TURTLEBOT).heard(read(2, time + "\"x\":1,\"y\":2,\"z\":0"));
+        robot(RobotType.TURTLEBOT).received(read(2, time + "\"x\":1,\"y\":2,\"z\":0"));
 
         assertThat(news).contains(new DroneEvent.LocalPositionReported(new LocalPosition(1, 2, null, 0.0)));
     }
@@ -79,8 +79,8 @@ class BridgeQuirksTest {
     @Test
     void aHeartbeatSaysNeitherModeNorState() {
         RobotTelemetryTranslator drone = robot(RobotType.GAPTER);
-        drone.heard(read(0, "\"type\":2,\"name\":\"gapter\",\"system_status\":2,\"owner_id\":1,\"mode\":0"));
-        drone.heard(read(1, "\"type\":2,\"name\":\"gapter\",\"system_status\":3,\"owner_id\":1,\"mode\":0"));
+        drone.received(read(0, "\"type\":2,\"name\":\"gapter\",\"system_status\":2,\"owner_id\":1,\"mode\":0"));
+        drone.received(read(1, "\"type\":2,\"name\":\"gapter\",\"system_status\":3,\"owner_id\":1,\"mode\":0"));
 
         assertThat(news).isEmpty();
         assertThat(drone.facts()).isEqualTo(RobotStatus.NONE);
@@ -157,7 +157,7 @@ class BridgeQuirksTest {
     /** Angles are in radians, and a drone's heading is not its z. */
     @Test
     void aHeadingOfADroneIsInRadians() {
-        robot(RobotType.GAPTER).heard(read(2, "\"x\":0,\"y\":0,\"z\":4,\"heading\":1.5707963267948966"));
+        robot(RobotType.GAPTER).received(read(2, "\"x\":0,\"y\":0,\"z\":4,\"heading\":1.5707963267948966"));
 
         assertThat(news).contains(new DroneEvent.LocalPositionReported(new LocalPosition(0, 0, 4.0, 90.0)));
     }

@@ -126,11 +126,11 @@ class CloudHeartbeatSenderTest extends SteppedRobotTestBase {
         List<RobotOrder> said = new ArrayList<>();
         CloudHeartbeatSender heartbeat = new CloudHeartbeatSender(said::add);
         long second = SECOND.toNanos();
-        heartbeat.tick(-5);
-        heartbeat.tick(second - 6);
+        heartbeat.sendDue(-5);
+        heartbeat.sendDue(second - 6);
         assertThat(said).hasSize(1);
-        heartbeat.tick(20 * second);
-        heartbeat.tick(20 * second + 20_000_000);
+        heartbeat.sendDue(20 * second);
+        heartbeat.sendDue(20 * second + 20_000_000);
         assertThat(said).hasSize(2).containsOnly(new RobotOrder.Heartbeat());
     }
 }

@@ -48,7 +48,7 @@ class LenientPacketTest {
         for (int messageId = 0; messageId < BODIES.size(); messageId++) {
             for (int choice = 0; choice < 1 << BODIES.get(messageId).size(); choice++) {
                 if (reader.read(message(messageId, choice, value)) instanceof PacketReadResult.Good good) {
-                    telemetry.heard(good.packet().message());
+                    telemetry.received(good.packet().message());
                 }
             }
         }

@@ -98,7 +98,7 @@ class RecordedRobotTest extends RobotTestBase {
 
     private List<Recording> shelf() {
         Recorder made = recorder;
-        return made == null ? List.of() : made.shelf().recordings();
+        return made == null ? List.of() : made.archive().recordings();
     }
 
     private String text() throws java.io.IOException {
@@ -107,7 +107,7 @@ class RecordedRobotTest extends RobotTestBase {
         if (all.isEmpty() || made == null) {
             return "";
         }
-        Path file = made.shelf().file(all.get(0).id()).orElseThrow();
+        Path file = made.archive().file(all.get(0).id()).orElseThrow();
         assertThat(file.toString()).endsWith(".jsonl");
         return Files.readString(file);
     }

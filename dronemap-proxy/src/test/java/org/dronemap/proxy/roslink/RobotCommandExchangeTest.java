@@ -173,7 +173,7 @@ class RobotCommandExchangeTest {
     private void later(double seconds) {
         now += (long) (seconds * SECOND);
         if (errand != null) {
-            errand.tick(telemetry.facts(), now);
+            errand.advance(telemetry.facts(), now);
         }
     }
 
@@ -188,9 +188,9 @@ class RobotCommandExchangeTest {
     }
 
     private void telemetryHears(RobotMessage message) {
-        telemetry.heard(message);
+        telemetry.received(message);
         if (errand != null) {
-            errand.heard(message, telemetry.facts(), now);
+            errand.received(message, telemetry.facts(), now);
         }
     }
 

@@ -139,7 +139,7 @@ class RobotGoalExchangeTest {
     private void later(double seconds) {
         now += (long) (seconds * SECOND);
         if (errand != null) {
-            errand.tick(telemetry.facts(), now);
+            errand.advance(telemetry.facts(), now);
         }
     }
 
@@ -154,9 +154,9 @@ class RobotGoalExchangeTest {
     }
 
     private void hears(RobotMessage message) {
-        telemetry.heard(message);
+        telemetry.received(message);
         if (errand != null) {
-            errand.heard(message, telemetry.facts(), now);
+            errand.received(message, telemetry.facts(), now);
         }
     }
 

@@ -165,7 +165,7 @@ class RobotKeyTest extends RobotTestBase {
             await(() -> known.heartbeats() > 1);
             assertThat(stranger.ordersWaiting() + stranger.heartbeats()).isZero();
 
-            house.cloud().letIn(house.cloud().waiting().get(0).id(), "turtle");
+            house.cloud().admit(house.cloud().waiting().get(0).id(), "turtle");
             await(() -> {
                 beat(stranger);
                 return house.cloud().drones().stream()

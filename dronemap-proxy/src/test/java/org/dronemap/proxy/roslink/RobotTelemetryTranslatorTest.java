@@ -24,7 +24,7 @@ class RobotTelemetryTranslatorTest {
 
     @Test
     void takesThePartsOfAStateApart() {
-        robot(RobotType.GAPTER).heard(new RobotMessage.Status(4_104, null, null, null));
+        robot(RobotType.GAPTER).received(new RobotMessage.Status(4_104, null, null, null));
 
         assertThat(news)
                 .containsExactly(
@@ -33,7 +33,7 @@ class RobotTelemetryTranslatorTest {
 
     @Test
     void hasNoNameForAModeThatBridgesCannotSet() {
-        robot(RobotType.GAPTER).heard(new RobotMessage.Status(3_016, null, null, null));
+        robot(RobotType.GAPTER).received(new RobotMessage.Status(3_016, null, null, null));
 
         assertThat(news).first().isEqualTo(new DroneEvent.ModeReported(null, false));
     }
@@ -42,7 +42,7 @@ class RobotTelemetryTranslatorTest {
     void saysWhereAnArDroneIsBetweenGroundAndAir() {
         RobotTelemetryTranslator drone = robot(RobotType.PARROT);
         for (int state : new int[] {2, 5, 4, 0, 0, 77}) {
-            drone.heard(new RobotMessage.Status(state, null, null, null));
+            drone.received(new RobotMessage.Status(state, null, null, null));
         }
 
         assertThat(news)
@@ -56,14 +56,14 @@ class RobotTelemetryTranslatorTest {
 
     @Test
     void takesZForAYawOnWheelsAndForAHeightInTheAir() {
-        robot(RobotType.TURTLEBOT).heard(motion(1, 2, Math.PI / 2));
+        robot(RobotType.TURTLEBOT).received(motion(1, 2, Math.PI / 2));
         assertThat(news)
                 .containsExactly(
                         new DroneEvent.LocalPositionReported(new LocalPosition(1, 2, null, 90.0)),
                         new DroneEvent.MotionReported(new Motion(0.5, null, null, null)));
 
         news.clear();
-        robot(RobotType.QUADROTOR).heard(motion(1, 2, 7.0));
+        robot(RobotType.QUADROTOR).received(motion(1, 2, 7.0));
         assertThat(news)
                 .contains(
                         new DroneEvent.LocalPositionReported(new LocalPosition(1, 2, 7.0, null)),
@@ -73,9 +73,9 @@ class RobotTelemetryTranslatorTest {
     @Test
     void tellsNoBatteryWhereNoneIsMeasured() {
         RobotTelemetryTranslator robot = robot(RobotType.TURTLEBOT);
-        robot.heard(new RobotMessage.Status(0, 0.0, 0.0, 0.0));
-        robot.heard(new RobotMessage.Status(null, null, null, null));
-        robot.heard(new RobotMessage.Status(0, -1.0, null, -1.0));
+        robot.received(new RobotMessage.Status(0, 0.0, 0.0, 0.0));
+        robot.received(new RobotMessage.Status(null, null, null, null));
+        robot.received(new RobotMessage.Status(0, -1.0, null, -1.0));
 
         assertThat(news).isEmpty();
     }
@@ -83,8 +83,8 @@ class RobotTelemetryTranslatorTest {
     @Test
     void tellsVoltsWhetherABridgeSendsThemOrMillivolts() {
         RobotTelemetryTranslator robot = robot(RobotType.TURTLEBOT);
-        robot.heard(new RobotMessage.Status(null, 11_900.0, null, 80.0));
-        robot.heard(new RobotMessage.Status(null, 11.9, null, 0.0));
+        robot.received(new RobotMessage.Status(null, 11_900.0, null, 80.0));
+        robot.received(new RobotMessage.Status(null, 11.9, null, 0.0));
 
         assertThat(news)
                 .containsExactly(
@@ -94,7 +94,7 @@ class RobotTelemetryTranslatorTest {
 
     @Test
     void tellsPerCentWhereABridgeKnowsNothingElse() {
-        robot(RobotType.TURTLEBOT).heard(new RobotMessage.Status(null, null, null, 83.0));
+        robot(RobotType.TURTLEBOT).received(new RobotMessage.Status(null, null, null, 83.0));
 
         assertThat(news).containsExactly(new DroneEvent.BatteryReported(new Battery(83, null, null)));
     }
@@ -102,17 +102,17 @@ class RobotTelemetryTranslatorTest {
     @Test
     void tellsNoPlaceWhereTheReceiverHasNone() {
         RobotTelemetryTranslator robot = robot(RobotType.GAPTER);
-        robot.heard(new RobotMessage.Satellites(0, 0.0, 0.0, 0.0, null));
-        robot.heard(new RobotMessage.Satellites(3, null, 46.0, 1.0, null));
-        robot.heard(new RobotMessage.Satellites(-1, 24.0, 46.0, 1.0, null));
-        robot.heard(new RobotMessage.Satellites(3, 240.0, 46.0, 1.0, null));
+        robot.received(new RobotMessage.Satellites(0, 0.0, 0.0, 0.0, null));
+        robot.received(new RobotMessage.Satellites(3, null, 46.0, 1.0, null));
+        robot.received(new RobotMessage.Satellites(-1, 24.0, 46.0, 1.0, null));
+        robot.received(new RobotMessage.Satellites(3, 240.0, 46.0, 1.0, null));
 
         assertThat(news).noneMatch(DroneEvent.PositionReported.class::isInstance);
     }
 
     @Test
     void takesAnAltitudeThatIsNeverFilledForUnknown() {
-        robot(RobotType.GAPTER).heard(new RobotMessage.Satellites(3, 24.5, 46.5, 0.0, 9));
+        robot(RobotType.GAPTER).received(new RobotMessage.Satellites(3, 24.5, 46.5, 0.0, 9));
 
         assertThat(news).contains(new DroneEvent.PositionReported(new Position(new Geodetic(24.5, 46.5), null, null)));
     }

@@ -37,7 +37,7 @@ class ZeroVelocitySenderTest {
         pass(rover, 100);
         assertThat(orders).as("it says nothing, and may drive").hasSizeGreaterThan(before);
 
-        rover.heard(MOTION, speed(0));
+        rover.received(MOTION, speed(0));
         int settled = orders.size();
         pass(rover, 200);
         assertThat(orders).hasSize(settled).containsOnly(RobotOrder.Twist.STOP);
@@ -46,8 +46,8 @@ class ZeroVelocitySenderTest {
     @Test
     void believesNoReportThatMayBeOlderThanTheLastSpeeds() {
         rover.moved();
-        rover.told(now);
-        rover.heard(MOTION, speed(0));
+        rover.stopSent(now);
+        rover.received(MOTION, speed(0));
         pass(rover, 25);
 
         assertThat(orders).as("five more within half a second").hasSize(5);
@@ -56,10 +56,10 @@ class ZeroVelocitySenderTest {
     @Test
     void goesOnAsLongAsItReportsThatItMoves() {
         rover.moved();
-        rover.told(now);
+        rover.stopSent(now);
         pass(rover, 30);
         int before = orders.size();
-        rover.heard(MOTION, speed(0.4));
+        rover.received(MOTION, speed(0.4));
         pass(rover, 60);
 
         assertThat(orders).hasSizeGreaterThanOrEqualTo(before + 2);
@@ -68,17 +68,17 @@ class ZeroVelocitySenderTest {
     @Test
     void tellsOnceOfARobotThatDrivesOnWhateverItHears() {
         rover.moved();
-        rover.told(now);
+        rover.stopSent(now);
         for (int report = 0; report < 12; report++) {
             pass(rover, 50);
-            rover.heard(MOTION, speed(0.4));
+            rover.received(MOTION, speed(0.4));
             assertThat(alarms).as("%d s", report).hasValue(report < 5 ? 0 : 1);
         }
-        rover.heard(MOTION, speed(0));
+        rover.received(MOTION, speed(0));
         rover.moved();
-        rover.told(now);
+        rover.stopSent(now);
         pass(rover, 60);
-        rover.heard(MOTION, speed(0));
+        rover.received(MOTION, speed(0));
         pass(rover, 600);
         assertThat(alarms).hasValue(1);
     }
@@ -86,7 +86,7 @@ class ZeroVelocitySenderTest {
     @Test
     void endsWhenItNeverReportsAnything() {
         rover.moved();
-        rover.told(now);
+        rover.stopSent(now);
         pass(rover, 31 * 50);
         int before = orders.size();
         pass(rover, 10 * 50);
@@ -105,7 +105,7 @@ class ZeroVelocitySenderTest {
 
     @Test
     void aStickInTheMiddleIsNoStopOfItsOwn() {
-        rover.told(now);
+        rover.stopSent(now);
         pass(rover, 100);
         assertThat(orders).isEmpty();
     }
@@ -125,7 +125,7 @@ class ZeroVelocitySenderTest {
         pass(drone, 10);
         assertThat(orders).isEmpty();
         drone.moved();
-        drone.told(now);
+        drone.stopSent(now);
         drone.commanded(false, now);
         pass(drone, 200);
         assertThat(orders).isEmpty();
@@ -146,7 +146,7 @@ class ZeroVelocitySenderTest {
                     alarms::incrementAndGet);
             long begun = now;
             stop.moved();
-            stop.told(now);
+            stop.stopSent(now);
             pass(stop, 25);
             assertThat(heard).isNotEmpty();
             assertThat(heard.get(0) - begun).isLessThanOrEqualTo(25 * TICK);
@@ -156,7 +156,7 @@ class ZeroVelocitySenderTest {
     private void pass(ZeroVelocitySender stop, int ticks) {
         for (int tick = 0; tick < ticks; tick++) {
             now += TICK;
-            stop.tick(now);
+            stop.advance(now);
         }
     }
 

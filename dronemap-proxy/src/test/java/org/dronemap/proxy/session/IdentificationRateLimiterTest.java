@@ -11,7 +11,9 @@ class IdentificationRateLimiterTest {
     private final IdentificationRateLimiter allowance = new IdentificationRateLimiter();
 
     private long taken(int tries, long nowNanos) {
-        return IntStream.range(0, tries).filter(i -> allowance.take(nowNanos)).count();
+        return IntStream.range(0, tries)
+                .filter(i -> allowance.tryAcquire(nowNanos))
+                .count();
     }
 
     @Test

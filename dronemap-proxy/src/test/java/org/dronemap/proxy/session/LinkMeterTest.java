@@ -41,7 +41,7 @@ class LinkMeterTest {
             if (i % 4 != 0) {
                 meter.arrived(CapturingPeer.frame(frame), now);
             }
-            told += meter.tick(now) ? 1 : 0;
+            told += meter.advance(now) ? 1 : 0;
         }
         assertThat(told).isLessThanOrEqualTo(10);
         assertThat(meter.quality().lossShort()).isBetween(0.2, 0.3);

@@ -50,13 +50,13 @@ class LinkSelectorTest {
         for (int i = 0; i < 10; i++) {
             brings(first, ofFirst, 0);
             brings(second, ofSecond, 0);
-            choice.tick(now += SECOND);
+            choice.advance(now += SECOND);
         }
         assertThat(choice.best()).isSameAs(first);
         for (int i = 0; i < 10; i++) {
             brings(first, ofFirst, 10);
             brings(second, ofSecond, 0);
-            choice.tick(now += SECOND);
+            choice.advance(now += SECOND);
         }
         assertThat(choice.best()).isSameAs(second);
         choice.send(BEAT);
@@ -76,7 +76,7 @@ class LinkSelectorTest {
         for (int i = 0; i < 20; i++) {
             brings(first, ofFirst, i % 2);
             brings(second, ofSecond, 0);
-            choice.tick(now += SECOND);
+            choice.advance(now += SECOND);
             assertThat(choice.best()).isSameAs(first);
         }
     }
@@ -89,7 +89,7 @@ class LinkSelectorTest {
         choice.join(second);
         now += 2 * SECOND;
         brings(second, new FrameWriter(1, 1, 2), 0);
-        choice.tick(now);
+        choice.advance(now);
         assertThat(choice.best()).isSameAs(second);
     }
 

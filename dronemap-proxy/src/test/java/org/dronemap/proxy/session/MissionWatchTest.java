@@ -39,13 +39,13 @@ class MissionWatchTest {
         }
 
         @Override
-        public void heard(org.dronemap.mavlink.Frame frame, long nowNanos) {
-            watch.heard(frame, nowNanos, false);
+        public void received(org.dronemap.mavlink.Frame frame, long nowNanos) {
+            watch.received(frame, nowNanos, false);
         }
 
         @Override
-        public void tick(long nowNanos) {
-            watch.tick(nowNanos, false);
+        public void advance(long nowNanos) {
+            watch.advance(nowNanos, false);
         }
 
         @Override

@@ -17,7 +17,7 @@ class SequenceGapsTest {
     private void hear(int... sequences) {
         for (int sequence : sequences) {
             now += 20 * MILLI;
-            gaps.heard(sequence, now);
+            gaps.count(sequence, now);
         }
     }
 

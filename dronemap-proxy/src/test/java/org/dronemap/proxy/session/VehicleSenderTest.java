@@ -43,7 +43,7 @@ class VehicleSenderTest {
         guard.bound(DRONE, 1);
         downlink.guardedBy(guard);
         assertThat(keyrings.change(DRONE, KeyChangeKind.ROTATE, key(2), false)).isNotDone();
-        assertThat(guard.tick(1, 1, now)).isNotNull();
+        assertThat(guard.advance(1, 1, now)).isNotNull();
     }
 
     @AfterEach
@@ -84,10 +84,10 @@ class VehicleSenderTest {
     @Test
     void letsTheOldestFallOutOfWhatWaits() {
         send(0, 300);
-        downlink.tick(now);
+        downlink.releaseDue(now);
         assertThat(hop.heard()).isEmpty();
 
-        downlink.tick(now + 2 * SECOND);
+        downlink.releaseDue(now + 2 * SECOND);
         assertThat(numbers())
                 .containsExactlyElementsOf(
                         LongStream.range(300 - 256, 300).boxed().toList());
@@ -106,7 +106,7 @@ class VehicleSenderTest {
         send(2, 3);
         open.set(false);
 
-        downlink.tick(now + 2 * SECOND);
+        downlink.releaseDue(now + 2 * SECOND);
         assertThat(numbers()).containsExactly(2L);
     }
 

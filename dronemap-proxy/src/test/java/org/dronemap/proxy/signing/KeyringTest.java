@@ -126,7 +126,7 @@ class KeyringTest {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
 
-        Keyring.Request request = ring.tick(safe, now);
+        Keyring.Request request = ring.advance(safe, now);
         assertThat(request).isNotNull();
         assertThat(request.key()).isEqualTo(NEXT);
         assertThat(ring.holds(now)).isTrue();
@@ -154,7 +154,7 @@ class KeyringTest {
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         int asked = 0;
         for (int i = 0; i < 200 && !end.isDone(); i++) {
-            asked += ring.tick(safe, now) == null ? 0 : 1;
+            asked += ring.advance(safe, now) == null ? 0 : 1;
             hear(ring, vehicle.signed(KEY));
             pass(0.1);
         }
@@ -172,7 +172,7 @@ class KeyringTest {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         for (int i = 0; i < 200 && !end.isDone(); i++) {
-            ring.tick(safe, now);
+            ring.advance(safe, now);
             pass(0.1);
         }
         assertThat(end.join()).isInstanceOf(KeyChangeResult.Unknown.class);
@@ -187,10 +187,10 @@ class KeyringTest {
     void theVehiclesOwnRefusalEndsTheRotationAtOnce() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
-        ring.tick(safe, now);
-        ring.said("EKF3 IMU0 is using GPS");
+        ring.advance(safe, now);
+        ring.textReceived("EKF3 IMU0 is using GPS");
         assertThat(end).isNotDone();
-        ring.said("ERROR: Won't setup signing when armed");
+        ring.textReceived("ERROR: Won't setup signing when armed");
 
         assertThat(end.join())
                 .isEqualTo(new KeyChangeResult.Failed(
@@ -213,15 +213,15 @@ class KeyringTest {
         assertThat(ring.obstacle(KeyChangeKind.ROTATE, false)).isNull();
 
         ring.begin(KeyChangeKind.ROTATE, NEXT, false);
-        assertThat(ring.tick(open, now)).isNull();
-        assertThat(ring.tick(safe, now)).isNotNull();
+        assertThat(ring.advance(open, now)).isNull();
+        assertThat(ring.advance(safe, now)).isNotNull();
     }
 
     @Test
     void installingEndsWhenTheVehicleIsHeardToSign() {
         Keyring ring = ring(LinkPolicy.OPTIONAL, false);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.INSTALL, null, false);
-        assertThat(ring.tick(safe, now)).extracting(Keyring.Request::key).isEqualTo(KEY);
+        assertThat(ring.advance(safe, now)).extracting(Keyring.Request::key).isEqualTo(KEY);
         assertThat(ring.holds(now)).isFalse();
         hear(ring, vehicle.unsigned());
         assertThat(end).isNotDone();
@@ -235,7 +235,7 @@ class KeyringTest {
     void revokingEndsWhenTheVehicleIsHeardUnsigned() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.REVOKE, null, false);
-        assertThat(ring.tick(open, now)).extracting(Keyring.Request::key).isNull();
+        assertThat(ring.advance(open, now)).extracting(Keyring.Request::key).isNull();
         hear(ring, vehicle.signed(KEY));
         assertThat(end).isNotDone();
 
@@ -256,7 +256,7 @@ class KeyringTest {
     void theTimeOfSignaturesIsStoredEveryMinuteAndNeverGoesBack() {
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
         for (int second = 0; second < 300; second++) {
-            ring.tick(safe, now);
+            ring.advance(safe, now);
             pass(1);
         }
         assertThat(stamps).hasSizeBetween(5, 7).isSorted();
@@ -272,7 +272,7 @@ class KeyringTest {
         String secret = java.util.HexFormat.of().formatHex(KEY.secret());
         Keyring ring = ring(LinkPolicy.REQUIRED, true);
 
-        assertThat(ring.security().toString() + ring.status() + ring.tick(safe, now) + KEY)
+        assertThat(ring.security().toString() + ring.status() + ring.advance(safe, now) + KEY)
                 .doesNotContainIgnoringCase(secret.substring(0, 8));
     }
 }

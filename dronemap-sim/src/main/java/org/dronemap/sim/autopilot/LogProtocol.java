@@ -35,7 +35,7 @@ final class LogProtocol {
         }
     }
 
-    void pour(LogRequestData request) {
+    void sendBlock(LogRequestData request) {
         if (request.id() >= 1 && request.id() <= SIZES.length && request.ofs() < SIZES[request.id() - 1]) {
             pouring = request.id();
             offset = request.ofs();

@@ -63,7 +63,7 @@ final class MessageStreams {
         }
     }
 
-    void pour(long nowMillis, IntConsumer send) {
+    void sendDue(long nowMillis, IntConsumer send) {
         if (nowMillis < nextDue) {
             return;
         }

@@ -77,7 +77,7 @@ final class MissionProtocol {
         if (nowMillis - lastItemAt >= style.giveUpMillis()) {
             receiving = false;
             acknowledge(CANCELLED, 0);
-            say(TextSeverity.WARNING, "Mission upload timeout");
+            sendText(TextSeverity.WARNING, "Mission upload timeout");
         } else if (nowMillis - askedAt >= style.askAgainMillis()) {
             ask(nowMillis);
         }
@@ -100,7 +100,7 @@ final class MissionProtocol {
         }
         if (message.count() > style.maxItems()) {
             acknowledge(NO_SPACE, 0);
-            say(TextSeverity.WARNING, "Only " + style.maxItems() + " items are supported");
+            sendText(TextSeverity.WARNING, "Only " + style.maxItems() + " items are supported");
             return;
         }
         total = message.count();
@@ -133,7 +133,7 @@ final class MissionProtocol {
         int last = message.endIndex();
         if (first < 0 || last < first || last >= plan.size()) {
             acknowledge(ERROR, 0);
-            say(TextSeverity.WARNING, "Flight plan update rejected");
+            sendText(TextSeverity.WARNING, "Flight plan update rejected");
             return;
         }
         expected = first;
@@ -221,7 +221,7 @@ final class MissionProtocol {
         }
         autopilot.missionChanged();
         acknowledge(ACCEPTED, 0);
-        say(TextSeverity.INFO, "Flight plan received");
+        sendText(TextSeverity.INFO, "Flight plan received");
     }
 
     void sendCount(int missionType, int toSystem, int toComponent) {
@@ -253,7 +253,7 @@ final class MissionProtocol {
         MissionItemInt message =
                 MissionItemMessages.write(item, new MissionItemMessages.Address(index, 0, toSystem, toComponent));
         if (inFloats && style.overwritesInPlace()) {
-            say(TextSeverity.WARNING, "got MISSION_REQUEST; use MISSION_REQUEST_INT!");
+            sendText(TextSeverity.WARNING, "got MISSION_REQUEST; use MISSION_REQUEST_INT!");
         }
         out.accept(inFloats ? FloatMissionItems.of(message) : message);
     }
@@ -276,7 +276,7 @@ final class MissionProtocol {
         out.accept(new MissionAck(peerSystem, peerComponent, type, missionType));
     }
 
-    private void say(TextSeverity severity, String text) {
+    private void sendText(TextSeverity severity, String text) {
         if (style.speaks()) {
             events.accept(new FlightEvent.Text(severity, text));
         }

@@ -17,7 +17,7 @@ public interface SimulatedAutopilot {
     /** Flies on to {@code nowMillis} of the vehicle's clock. */
     void step(long nowMillis, double seconds);
 
-    CommandResult obey(MavCommand order);
+    CommandResult execute(MavCommand order);
 
     CommandResult setMode(int baseMode, long customMode);
 
@@ -36,7 +36,7 @@ public interface SimulatedAutopilot {
     void stick(int throttle);
 
     /** A heartbeat of the ground station that the fail-safe listens to. */
-    void groundStationHeard(int systemId);
+    void heartbeatReceived(int systemId);
 
     Heartbeat heartbeat();
 
@@ -57,7 +57,7 @@ public interface SimulatedAutopilot {
     Parameters parameters();
 
     /** A new signing key is taken in flight as well. */
-    boolean takesKeysWhenArmed();
+    boolean acceptsKeysWhenArmed();
 
     /** Integer parameters travel as their bits in the float. */
     boolean parametersAsBits();

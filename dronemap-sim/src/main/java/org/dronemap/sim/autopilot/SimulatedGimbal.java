@@ -22,7 +22,7 @@ public final class SimulatedGimbal {
     }
 
     /** As ArduPilot does: neutral goes before angles, and an angle that is no number is none. */
-    void hear(GimbalManagerSetPitchyaw message) {
+    void apply(GimbalManagerSetPitchyaw message) {
         if ((message.flags() & (RETRACT | NEUTRAL)) != 0) {
             wanted = 0;
         } else if (Float.isFinite(message.pitch()) && Float.isFinite(message.yaw())) {

@@ -83,7 +83,7 @@ public final class SimulatedPayload {
     /** Somebody says to a vehicle, maybe this one, where to look. */
     void point(GimbalManagerSetPitchyaw message, int systemId) {
         if (mount != null && message.targetSystem() == systemId) {
-            mount.hear(message);
+            mount.apply(message);
         }
     }
 

@@ -54,12 +54,13 @@ public final class SimulatedVehicle {
                 new VehicleSigning(settings.usb(), () -> Instant.ofEpochMilli(settings.epochMicros() / 1000 + now));
         this.nextBeat = settings.systemId() * 37L % BEAT_MILLIS;
         this.autopilot = makeAutopilot();
-        this.desk = new VehicleMessageHandler(autopilot, settings, 0, this::send, this::hear);
+        this.desk = new VehicleMessageHandler(autopilot, settings, 0, this::send, this::handle);
         this.bannerDue = true;
     }
 
     private SimulatedAutopilot makeAutopilot() {
-        SimulatedAutopilot made = kind.maker().make(craft, settings.systemId(), this::hear, this::send, this::beatNow);
+        SimulatedAutopilot made =
+                kind.maker().make(craft, settings.systemId(), this::handle, this::send, this::sendHeartbeat);
         made.stick(settings.stick());
         settings.presets().forEach((name, value) -> {
             if (!made.parameters().set(name, value)) {
@@ -76,11 +77,11 @@ public final class SimulatedVehicle {
             long step = Math.min(STEP_MILLIS, untilMillis - now);
             now += step;
             autopilot.step(now, step / 1000.0);
-            talk();
+            sendTelemetry();
         }
     }
 
-    private void talk() {
+    private void sendTelemetry() {
         if (isSilent()) {
             return;
         }
@@ -91,13 +92,13 @@ public final class SimulatedVehicle {
         if (now >= nextBeat) {
             // Beats that were missed while it could not speak are not made up for.
             nextBeat += BEAT_MILLIS * ((now - nextBeat) / BEAT_MILLIS + 1);
-            beatNow();
+            sendHeartbeat();
             send(new Timesync(0, now * 1_000_000, 0, 0));
         }
         desk.step(now);
     }
 
-    private void beatNow() {
+    private void sendHeartbeat() {
         send(autopilot.heartbeat());
     }
 
@@ -107,11 +108,11 @@ public final class SimulatedVehicle {
         }
     }
 
-    private void hear(FlightEvent event) {
+    private void handle(FlightEvent event) {
         if (event instanceof FlightEvent.Text text) {
             send(new Statustext(text.severity().number(), text.text(), 0, 0));
         } else if (event instanceof FlightEvent.Ordered ordered) {
-            obey(ordered.order());
+            execute(ordered.order());
         } else if (event instanceof FlightEvent.ItemReached reached) {
             send(new MissionItemReached(reached.index()));
             desk.reached(reached.index());
@@ -121,14 +122,14 @@ public final class SimulatedVehicle {
         }
     }
 
-    private void obey(StoredMissionItem order) {
+    private void execute(StoredMissionItem order) {
         boolean onePicture = (order.command() == StoredMissionItem.DIGICAM_CONTROL && order.x() == 1)
                 || (order.command() == MavCmd.IMAGE_START_CAPTURE && order.param3() == 1);
         if (onePicture) {
             send(autopilot.takePicture());
         } else if (order.command() == StoredMissionItem.SET_SERVO
                 && !autopilot.payload().setServo((int) order.param1(), (int) order.param2())) {
-            say(TextSeverity.INFO, "ServoRelayEvent: Channel " + (int) order.param1() + " is already in use");
+            sendText(TextSeverity.INFO, "ServoRelayEvent: Channel " + (int) order.param1() + " is already in use");
         }
     }
 
@@ -141,7 +142,7 @@ public final class SimulatedVehicle {
             return;
         }
         if (frame.messageId() == Heartbeat.ID) {
-            autopilot.groundStationHeard(frame.systemId());
+            autopilot.heartbeatReceived(frame.systemId());
             return;
         }
         if (desk.receive(frame, now)) {
@@ -153,8 +154,8 @@ public final class SimulatedVehicle {
         if (setup.targetSystem() != settings.systemId()) {
             return;
         }
-        if (craft.armed() && !autopilot.takesKeysWhenArmed()) {
-            say(TextSeverity.WARNING, "ERROR: Won't setup signing when armed");
+        if (craft.armed() && !autopilot.acceptsKeysWhenArmed()) {
+            sendText(TextSeverity.WARNING, "ERROR: Won't setup signing when armed");
             return;
         }
         signing.setUp(setup);
@@ -174,7 +175,7 @@ public final class SimulatedVehicle {
         }
         autopilot.plan().replaceAll(items);
         autopilot.step(now, 0.001);
-        desk = new VehicleMessageHandler(autopilot, settings, bootedAt, this::send, this::hear);
+        desk = new VehicleMessageHandler(autopilot, settings, bootedAt, this::send, this::handle);
         silentUntil = now + REBOOT_MILLIS;
         nextBeat = now + REBOOT_MILLIS;
         bannerDue = true;
@@ -182,7 +183,7 @@ public final class SimulatedVehicle {
     }
 
     /** True once after a reboot: a new socket has a new port. */
-    public boolean takeNewAddress() {
+    public boolean changeAddress() {
         boolean due = newAddressDue && !isSilent();
         newAddressDue &= !due;
         return due;
@@ -201,8 +202,8 @@ public final class SimulatedVehicle {
         deaf = on;
     }
 
-    public void say(TextSeverity severity, String text) {
-        hear(new FlightEvent.Text(severity, text));
+    public void sendText(TextSeverity severity, String text) {
+        handle(new FlightEvent.Text(severity, text));
     }
 
     /** What it keeps otherwise than it was told; a reboot forgets it. */

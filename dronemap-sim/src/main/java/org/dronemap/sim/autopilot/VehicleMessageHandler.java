@@ -109,7 +109,7 @@ final class VehicleMessageHandler {
         missions.step(nowMillis);
         parameters.step();
         logs.step();
-        streams.pour(nowMillis, id -> {
+        streams.sendDue(nowMillis, id -> {
             if (!telemetry.isSilent(id)) {
                 out.accept(build(id, nowMillis));
             }
@@ -130,7 +130,7 @@ final class VehicleMessageHandler {
 
     void started(FlightEvent.ItemStarted started) {
         if (autopilot.missionStyle().firstItemIsHome()) {
-            say(TextSeverity.INFO, "Mission: " + started.index() + " " + started.type());
+            sendText(TextSeverity.INFO, "Mission: " + started.index() + " " + started.type());
         }
     }
 
@@ -138,11 +138,11 @@ final class VehicleMessageHandler {
         boolean waypoint = index < autopilot.plan().size()
                 && autopilot.plan().item(index).command() == org.dronemap.sim.flight.StoredMissionItem.WAYPOINT;
         if (waypoint && autopilot.missionStyle().firstItemIsHome()) {
-            say(TextSeverity.INFO, "Reached command #" + index);
+            sendText(TextSeverity.INFO, "Reached command #" + index);
         }
     }
 
-    private void say(TextSeverity severity, String text) {
+    private void sendText(TextSeverity severity, String text) {
         events.accept(new FlightEvent.Text(severity, text));
     }
 
@@ -152,12 +152,12 @@ final class VehicleMessageHandler {
             case CommandLong.ID -> {
                 CommandLong command = CommandLong.decode(frame);
                 return isForMe(command.targetSystem(), command.targetComponent())
-                        && obey(MavCommand.of(command), frame, nowMillis);
+                        && execute(MavCommand.of(command), frame, nowMillis);
             }
             case CommandInt.ID -> {
                 CommandInt command = CommandInt.decode(frame);
                 return isForMe(command.targetSystem(), command.targetComponent())
-                        && obey(MavCommand.of(command), frame, nowMillis);
+                        && execute(MavCommand.of(command), frame, nowMillis);
             }
             case SetMode.ID -> setMode(SetMode.decode(frame), frame);
             case SetPositionTargetGlobalInt.ID -> {
@@ -220,13 +220,13 @@ final class VehicleMessageHandler {
         out.accept(new CommandAck(command, result.number(), 0, 0, frame.systemId(), frame.componentId()));
     }
 
-    private boolean obey(MavCommand order, Frame frame, long nowMillis) {
+    private boolean execute(MavCommand order, Frame frame, long nowMillis) {
         CommandResult result = switch (order.command()) {
             case MavCmd.SET_MESSAGE_INTERVAL -> setInterval(order, nowMillis);
             case MavCmd.REQUEST_MESSAGE -> CommandResult.acceptedIf(telemetry.build((int) order.param1(), 0) != null);
             case MavCmd.REQUEST_CAPABILITIES, MavCmd.GET_HOME_POSITION -> CommandResult.ACCEPTED;
             case MavCmd.REBOOT -> CommandResult.acceptedIf(!autopilot.craft().armed());
-            default -> autopilot.obey(order);
+            default -> autopilot.execute(order);
         };
         acknowledge(order.command(), result, frame);
         if (result == CommandResult.ACCEPTED) {
@@ -274,10 +274,10 @@ final class VehicleMessageHandler {
                     missions.sendCount(request.missionType(), fromSystem, fromComponent);
                 }
             }
-            case MissionRequestInt.ID -> handOut(MissionRequestInt.decode(frame), false, frame);
+            case MissionRequestInt.ID -> answerItemRequest(MissionRequestInt.decode(frame), false, frame);
             case MissionRequest.ID -> {
                 MissionRequest old = MissionRequest.decode(frame);
-                handOut(
+                answerItemRequest(
                         new MissionRequestInt(old.targetSystem(), old.targetComponent(), old.seq(), old.missionType()),
                         true,
                         frame);
@@ -309,7 +309,7 @@ final class VehicleMessageHandler {
         }
     }
 
-    private void handOut(MissionRequestInt request, boolean inFloats, Frame frame) {
+    private void answerItemRequest(MissionRequestInt request, boolean inFloats, Frame frame) {
         if (isMine(request.targetSystem(), request.targetComponent())) {
             missions.sendItem(request, inFloats, frame.systemId(), frame.componentId());
         }
@@ -359,7 +359,7 @@ final class VehicleMessageHandler {
             case LogRequestData.ID -> {
                 LogRequestData request = LogRequestData.decode(frame);
                 if (isMine(request.targetSystem(), request.targetComponent())) {
-                    logs.pour(request);
+                    logs.sendBlock(request);
                 }
             }
             case LogRequestEnd.ID -> logs.stop();

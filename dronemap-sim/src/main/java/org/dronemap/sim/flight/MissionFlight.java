@@ -66,7 +66,7 @@ public final class MissionFlight implements Manoeuvre {
         while (index < plan.size() && !plan.item(index).isNavigation()) {
             StoredMissionItem order = plan.item(index);
             events.accept(new FlightEvent.ItemStarted(index, order.typeName()));
-            obey(order, craft);
+            execute(order, craft);
             events.accept(new FlightEvent.ItemReached(index));
             index++;
         }
@@ -91,7 +91,7 @@ public final class MissionFlight implements Manoeuvre {
         return leg instanceof GoTo last ? last : new Hover(craft, cruise);
     }
 
-    private void obey(StoredMissionItem order, SimulatedCraft craft) {
+    private void execute(StoredMissionItem order, SimulatedCraft craft) {
         if (order.command() == StoredMissionItem.CHANGE_SPEED && order.param2() > 0) {
             cruise.setHorizontal(order.param2());
         } else if (order.command() == StoredMissionItem.CONDITION_YAW) {

@@ -39,8 +39,8 @@ final class FleetMember {
 
     void advance(long untilMillis, long nowNanos) {
         if (uplink != null) {
-            uplink.tend(nowNanos);
-            if (vehicle.takeNewAddress()) {
+            uplink.maintain(nowNanos);
+            if (vehicle.changeAddress()) {
                 uplink.renew();
             }
         }

@@ -11,7 +11,7 @@ interface ServerLink {
     void ready(SelectionKey key);
 
     /** Looks after a broken connection; called some times a second. */
-    void tend(long nowNanos);
+    void maintain(long nowNanos);
 
     /** Goes on with a new local port. */
     void renew();

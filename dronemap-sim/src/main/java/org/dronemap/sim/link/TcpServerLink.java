@@ -34,7 +34,7 @@ final class TcpServerLink implements ServerLink {
     }
 
     @Override
-    public void tend(long nowNanos) {
+    public void maintain(long nowNanos) {
         if (channel != null || (triedAt != Long.MIN_VALUE && nowNanos - triedAt < RETRY_NANOS)) {
             return;
         }

@@ -65,7 +65,7 @@ final class UdpServerLink implements ServerLink {
     }
 
     @Override
-    public void tend(long nowNanos) {
+    public void maintain(long nowNanos) {
         // A UDP socket needs no care.
     }
 

@@ -55,14 +55,14 @@ final class RobotLoadSender {
             if (web != null && words.nextIsHeartbeat()) {
                 sayByUdp(words.heartbeat());
             }
-            say(words.next());
+            send(words.next());
         }
 
         void farewell() throws IOException {
-            say(words.motion());
+            send(words.motion());
         }
 
-        private void say(String text) throws IOException {
+        private void send(String text) throws IOException {
             if (web == null) {
                 sayByUdp(text);
             } else {

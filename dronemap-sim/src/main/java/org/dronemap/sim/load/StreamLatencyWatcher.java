@@ -49,7 +49,7 @@ final class StreamLatencyWatcher {
         socket.setTcpNoDelay(true);
         in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), 1 << 18));
         out = socket.getOutputStream();
-        shakeHands(arguments.integer("--port"), arguments.text("--key"));
+        performHandshake(arguments.integer("--port"), arguments.text("--key"));
         socket.setSoTimeout(READ_MILLIS);
     }
 
@@ -67,7 +67,7 @@ final class StreamLatencyWatcher {
         return Arrays.stream(lastStep).filter(step -> step >= 0).count();
     }
 
-    private void shakeHands(int port, String key) throws IOException {
+    private void performHandshake(int port, String key) throws IOException {
         byte[] nonce = new byte[16];
         new Random().nextBytes(nonce);
         out.write(("GET /stream HTTP/1.1\r\nHost: 127.0.0.1:" + port + "\r\nUpgrade: websocket\r\n"

@@ -70,7 +70,7 @@ final class MavrosDrone implements RobotMachine {
 
     /** It never says how high above the sea, as its bridge does not. */
     @Override
-    public Map<Integer, Map<String, Object>> sights() {
+    public Map<Integer, Map<String, Object>> images() {
         return Map.of(
                 3,
                 Map.of(
@@ -90,14 +90,14 @@ final class MavrosDrone implements RobotMachine {
     }
 
     @Override
-    public void leftAlone() {
+    public void cloudLost() {
         if (height > 0) {
             mode(LAND_MODE);
         }
     }
 
     @Override
-    public void obey(int order, JsonNode body) {
+    public void execute(int order, JsonNode body) {
         switch (order) {
             case RobotOrderIds.ARM -> armed = true;
             case RobotOrderIds.DISARM -> armed = armed && height > 0;

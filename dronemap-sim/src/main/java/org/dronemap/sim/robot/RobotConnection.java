@@ -58,9 +58,9 @@ final class RobotConnection implements SimulatedRobot.Links, AutoCloseable {
         });
     }
 
-    void turn(double seconds) throws IOException {
+    void advance(double seconds) throws IOException {
         listen();
-        robot.turn(seconds);
+        robot.advance(seconds);
     }
 
     @Override
@@ -73,7 +73,7 @@ final class RobotConnection implements SimulatedRobot.Links, AutoCloseable {
     }
 
     @Override
-    public void sayByWeb(Supplier<String> text) {
+    public void sendByWebSocket(Supplier<String> text) {
         CompletableFuture<WebSocket> opened = web;
         // What the link has no room for is not kept: the next report says more.
         if (opened != null && sending.isDone()) {
@@ -82,7 +82,7 @@ final class RobotConnection implements SimulatedRobot.Links, AutoCloseable {
     }
 
     @Override
-    public void sayByUdp(String text) {
+    public void sendByUdp(String text) {
         try {
             udp.write(ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8)));
         } catch (java.net.PortUnreachableException e) {
@@ -95,7 +95,7 @@ final class RobotConnection implements SimulatedRobot.Links, AutoCloseable {
 
     private void listen() throws IOException {
         for (String text = fromWeb.poll(); text != null; text = fromWeb.poll()) {
-            robot.heard(text);
+            robot.received(text);
         }
         while (true) {
             inbox.clear();
@@ -107,7 +107,7 @@ final class RobotConnection implements SimulatedRobot.Links, AutoCloseable {
                 return;
             }
             inbox.flip();
-            robot.heard(StandardCharsets.UTF_8.decode(inbox).toString());
+            robot.received(StandardCharsets.UTF_8.decode(inbox).toString());
         }
     }
 

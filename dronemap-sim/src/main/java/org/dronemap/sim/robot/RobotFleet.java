@@ -54,7 +54,7 @@ public final class RobotFleet implements AutoCloseable {
     private void turn() {
         for (RobotConnection bridge : bridges) {
             try {
-                bridge.turn(TURN_MILLIS / 1_000.0);
+                bridge.advance(TURN_MILLIS / 1_000.0);
             } catch (IOException e) {
                 LOG.warn("A robot could not speak: {}", e.getMessage());
             }

@@ -21,13 +21,13 @@ interface RobotMachine {
     Map<String, Object> motion();
 
     /** By the number of the message, further ones that are sent now and then. */
-    Map<Integer, Map<String, Object>> sights();
+    Map<Integer, Map<String, Object>> images();
 
     /** The answer to a question for its map; empty where it has none. */
     Map<String, Object> map();
 
-    void obey(int order, JsonNode body);
+    void execute(int order, JsonNode body);
 
     /** Nobody is there any more who would stop it: makes itself safe. */
-    void leftAlone();
+    void cloudLost();
 }

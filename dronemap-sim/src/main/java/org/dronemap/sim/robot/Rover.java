@@ -105,7 +105,7 @@ final class Rover implements RobotMachine {
     }
 
     @Override
-    public Map<Integer, Map<String, Object>> sights() {
+    public Map<Integer, Map<String, Object>> images() {
         return Map.of(4, scan(), 5, Map.of("data", base64(SimulatedRoom.view(x, y, yaw)), "height", 240, "width", 320));
     }
 
@@ -152,13 +152,13 @@ final class Rover implements RobotMachine {
     }
 
     @Override
-    public void leftAlone() {
+    public void cloudLost() {
         goal = null;
         stop();
     }
 
     @Override
-    public void obey(int order, JsonNode body) {
+    public void execute(int order, JsonNode body) {
         if (order == RobotOrderIds.TWIST) {
             // As navigation stacks do it: speeds from elsewhere do not end a journey, only its cancelling does.
             if (goal == null) {

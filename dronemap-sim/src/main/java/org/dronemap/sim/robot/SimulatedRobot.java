@@ -39,9 +39,9 @@ public final class SimulatedRobot {
         boolean isOnWeb();
 
         /** What the link has no room for is not even made: it has no number then. */
-        void sayByWeb(Supplier<String> text);
+        void sendByWebSocket(Supplier<String> text);
 
-        void sayByUdp(String text);
+        void sendByUdp(String text);
     }
 
     /** {@code number}: which of those that the options tell of, from 0. */
@@ -70,7 +70,7 @@ public final class SimulatedRobot {
     }
 
     /** Lives on for so long, and says what is due. */
-    public void turn(double seconds) {
+    public void advance(double seconds) {
         missCloud(seconds);
         machine.move(seconds);
         sinceBeat += seconds;
@@ -78,12 +78,12 @@ public final class SimulatedRobot {
         if (sinceBeat >= SECONDS_A_BEAT) {
             sinceBeat -= SECONDS_A_BEAT;
             beat();
-            say(STATUS, options.quirks().contains(BridgeQuirk.STATUS_IS_HEARTBEAT) ? heartbeat() : machine.status());
-            machine.sights().forEach(this::say);
+            send(STATUS, options.quirks().contains(BridgeQuirk.STATUS_IS_HEARTBEAT) ? heartbeat() : machine.status());
+            machine.images().forEach(this::send);
         }
         if (sinceReport >= 1 / options.motionHertz()) {
             sinceReport = 0;
-            say(MOTION, machine.motion());
+            send(MOTION, machine.motion());
         }
     }
 
@@ -92,14 +92,14 @@ public final class SimulatedRobot {
         double patience = options.cloudPatienceSeconds();
         if (accompanied && patience > 0 && sinceCloud >= patience) {
             accompanied = false;
-            machine.leftAlone();
+            machine.cloudLost();
         }
     }
 
     private void beat() {
-        say(HEARTBEAT, heartbeat());
+        send(HEARTBEAT, heartbeat());
         if (links.isOnWeb() && options.quirks().contains(BridgeQuirk.BEATS_ON_BOTH)) {
-            links.sayByUdp(speech.text(HEARTBEAT, heartbeat()));
+            links.sendByUdp(speech.text(HEARTBEAT, heartbeat()));
         }
     }
 
@@ -107,16 +107,16 @@ public final class SimulatedRobot {
         return Map.of("type", machine.type(), "name", "simulated", "system_status", 2, "mode", 0);
     }
 
-    private void say(int messageId, Map<String, Object> body) {
+    private void send(int messageId, Map<String, Object> body) {
         if (links.isOnWeb()) {
-            links.sayByWeb(() -> speech.text(messageId, body));
+            links.sendByWebSocket(() -> speech.text(messageId, body));
         } else {
-            links.sayByUdp(speech.text(messageId, body));
+            links.sendByUdp(speech.text(messageId, body));
         }
     }
 
     /** It is told something, by either link. */
-    public void heard(String text) {
+    public void received(String text) {
         JsonNode message;
         try {
             message = JsonMapper.shared().readTree(text);
@@ -133,9 +133,9 @@ public final class SimulatedRobot {
             return;
         }
         if (order == RobotOrderIds.GET_MAP && !machine.map().isEmpty()) {
-            say(MAP, machine.map());
+            send(MAP, machine.map());
         }
-        machine.obey(order, speech.body(message));
+        machine.execute(order, speech.body(message));
         deaf = order == RobotOrderIds.STOP && options.quirks().contains(BridgeQuirk.DIES_OF_STOP);
     }
 }

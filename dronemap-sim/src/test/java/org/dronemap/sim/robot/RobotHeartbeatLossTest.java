@@ -75,14 +75,14 @@ class RobotHeartbeatLossTest {
         }
 
         @Override
-        public void sayByWeb(Supplier<String> text) {}
+        public void sendByWebSocket(Supplier<String> text) {}
 
         @Override
-        public void sayByUdp(String text) {}
+        public void sendByUdp(String text) {}
     }
 
     private static void tell(SimulatedRobot robot, int kind, String body) {
-        robot.heard("{\"header\":{\"system_id\":7,\"message_id\":" + kind + ",\"key\":\"12\"}" + body + "}");
+        robot.received("{\"header\":{\"system_id\":7,\"message_id\":" + kind + ",\"key\":\"12\"}" + body + "}");
     }
 
     /** The server is heard for so many seconds. */
@@ -95,7 +95,7 @@ class RobotHeartbeatLossTest {
 
     private static void pass(SimulatedRobot robot, double seconds) {
         for (int turn = 0; turn < seconds * TURNS_A_SECOND; turn++) {
-            robot.turn(1.0 / TURNS_A_SECOND);
+            robot.advance(1.0 / TURNS_A_SECOND);
         }
     }
 }

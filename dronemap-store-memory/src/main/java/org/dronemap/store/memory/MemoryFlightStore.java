@@ -81,7 +81,7 @@ public final class MemoryFlightStore implements FlightStore {
                 StoredInstant.of(flight.start()),
                 flight.end() == null ? null : StoredInstant.of(flight.end()),
                 flight.state(),
-                StoredInstant.of(flight.heard()),
+                StoredInstant.of(flight.lastHeardAt()),
                 flight.measures(),
                 flight.users(),
                 flight.operation(),

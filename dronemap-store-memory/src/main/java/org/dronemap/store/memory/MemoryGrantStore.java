@@ -38,7 +38,7 @@ public final class MemoryGrantStore implements GrantStore {
     private final Set<GrantSubject> onlyGranted = new HashSet<>();
 
     @Override
-    public synchronized OrganisationDirectory holdings() {
+    public synchronized OrganisationDirectory directory() {
         return new OrganisationDirectory(
                 organisations.values().stream()
                         .sorted(GrantOrdering.ORGANISATIONS)

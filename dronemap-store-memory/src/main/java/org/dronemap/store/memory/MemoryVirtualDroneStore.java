@@ -50,12 +50,12 @@ public final class MemoryVirtualDroneStore implements VirtualDroneStore {
     }
 
     @Override
-    public synchronized void putIntoWarehouse(DroneId drone) {
+    public synchronized void addToWarehouse(DroneId drone) {
         warehouse.add(drone);
     }
 
     @Override
-    public synchronized boolean takeOutOfWarehouse(DroneId drone) {
+    public synchronized boolean removeFromWarehouse(DroneId drone) {
         return warehouse.remove(drone);
     }
 }

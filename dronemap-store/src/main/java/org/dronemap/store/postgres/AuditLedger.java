@@ -83,16 +83,16 @@ final class AuditLedger implements AutoCloseable {
         return record;
     }
 
-    void later(AuditEntry entry) {
+    void appendLater(AuditEntry entry) {
         if (!late.offer(entry)) {
             LOG.error("There is no room to keep this until the database is back: {}", entry);
         }
     }
 
     /** A change without a record was written. */
-    void alone(int rows) {
+    void unauditedWritten(int rows) {
         if (rows > 0) {
-            writability.wrote();
+            writability.succeeded();
         }
     }
 
@@ -143,7 +143,7 @@ final class AuditLedger implements AutoCloseable {
         List<QueuedWrite> batch = new ArrayList<>();
         List<AuditEntry> kept = new ArrayList<>();
         late.drainTo(kept, MOST_AT_ONCE);
-        kept.forEach(entry -> batch.add(new QueuedWrite(null, entry, keptAgain(entry))));
+        kept.forEach(entry -> batch.add(new QueuedWrite(null, entry, retryOnOutage(entry))));
         if (first != null) {
             batch.add(first);
             queue.drainTo(batch, MOST_AT_ONCE);
@@ -151,11 +151,11 @@ final class AuditLedger implements AutoCloseable {
         return batch;
     }
 
-    private CompletableFuture<WriteResult> keptAgain(AuditEntry entry) {
+    private CompletableFuture<WriteResult> retryOnOutage(AuditEntry entry) {
         CompletableFuture<WriteResult> done = new CompletableFuture<>();
         CompletableFuture<WriteResult> unused = done.whenComplete((written, failure) -> {
             if (failure instanceof SQLException e && (SqlErrorMessages.isOutOfReach(e) || SqlErrorMessages.isFull(e))) {
-                later(entry);
+                appendLater(entry);
             } else if (failure != null) {
                 LOG.error("This could not be written down: {}", entry, failure);
             }
@@ -166,7 +166,7 @@ final class AuditLedger implements AutoCloseable {
     private void write(List<QueuedWrite> batch) {
         try {
             List<WriteResult> written = commit(batch);
-            writability.wrote();
+            writability.succeeded();
             for (int i = 0; i < batch.size(); i++) {
                 batch.get(i).done().complete(written.get(i));
             }

@@ -94,7 +94,7 @@ final class BackupRestore {
             migration.to(staging, manifest.schemaVersion());
             fill(zip, manifest);
             migration.toLatest(staging);
-            changePlaces();
+            swapSchemas();
         } catch (SQLException e) {
             throw new StoreException(
                     "The backup cannot be restored; nothing was changed. " + SqlErrorMessages.of(e), e);
@@ -150,7 +150,7 @@ final class BackupRestore {
                 + " FROM " + schema + ".control_epoch))");
     }
 
-    private void changePlaces() throws SQLException {
+    private void swapSchemas() throws SQLException {
         try (Connection connection = dataSource.getConnection();
                 Statement statement = connection.createStatement()) {
             connection.setAutoCommit(false);

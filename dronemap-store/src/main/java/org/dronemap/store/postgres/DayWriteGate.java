@@ -23,7 +23,7 @@ final class DayWriteGate {
         void run() throws SQLException;
     }
 
-    void pass(List<TelemetryPoint> batch, DatabaseWork work) throws SQLException {
+    void write(List<TelemetryPoint> batch, DatabaseWork work) throws SQLException {
         lock.readLock().lock();
         try {
             LocalDate day = watched;

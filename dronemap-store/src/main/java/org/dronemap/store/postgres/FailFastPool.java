@@ -40,7 +40,7 @@ final class FailFastPool implements DataSource, AutoCloseable {
         } catch (SQLTransientConnectionException e) {
             // Without a cause all connections are busy: that is no database out of reach.
             if (e.getCause() != null && away.compareAndSet(null, e)) {
-                Thread search = FatalErrors.onDuty(new Thread(this::search, "database-search"));
+                Thread search = FatalErrors.onDuty(new Thread(this::awaitDatabase, "database-search"));
                 search.setDaemon(true);
                 search.start();
             }
@@ -48,7 +48,7 @@ final class FailFastPool implements DataSource, AutoCloseable {
         }
     }
 
-    private void search() {
+    private void awaitDatabase() {
         try {
             while (!pool.isClosed() && !isThere()) {
                 Thread.sleep(BETWEEN_LOOKS_MILLIS);

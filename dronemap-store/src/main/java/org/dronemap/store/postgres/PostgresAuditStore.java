@@ -29,7 +29,7 @@ final class PostgresAuditStore implements AuditStore {
 
     @Override
     public void appendLater(AuditEntry entry) {
-        ledger.later(entry);
+        ledger.appendLater(entry);
     }
 
     @Override

@@ -96,7 +96,7 @@ public final class PostgresFlightStore implements FlightStore {
                 flight.start(),
                 flight.end(),
                 flight.state(),
-                flight.heard(),
+                flight.lastHeardAt(),
                 measures.distanceMeters(),
                 measures.highestMeters(),
                 measures.fastest(),

@@ -30,7 +30,7 @@ public final class PostgresGrantStore implements GrantStore {
     }
 
     @Override
-    public OrganisationDirectory holdings() {
+    public OrganisationDirectory directory() {
         Map<DroneId, OrganisationId> owners = new HashMap<>();
         sql.list(
                         "SELECT * FROM drone_owner",

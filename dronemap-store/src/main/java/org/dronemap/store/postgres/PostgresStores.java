@@ -69,7 +69,7 @@ public final class PostgresStores implements Stores {
         try {
             new Migration(pool).toLatest(SCHEMA);
             PostgresStores database = new PostgresStores(pool, null);
-            ReusedAccountNames.tell(database.sql);
+            ReusedAccountNames.logWarnings(database.sql);
             return database;
         } catch (RuntimeException e) {
             pool.close();

@@ -38,7 +38,7 @@ public final class PostgresTelemetryStore implements TelemetryStore {
     @Override
     public void append(List<TelemetryPoint> points, List<HistoryEvent> events) {
         try {
-            gate.pass(points, () -> write(points, events));
+            gate.write(points, () -> write(points, events));
         } catch (SQLException e) {
             throw SqlErrorMessages.exception(e);
         }

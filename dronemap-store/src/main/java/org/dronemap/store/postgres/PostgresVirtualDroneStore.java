@@ -49,12 +49,12 @@ public final class PostgresVirtualDroneStore implements VirtualDroneStore {
     }
 
     @Override
-    public void putIntoWarehouse(DroneId drone) {
+    public void addToWarehouse(DroneId drone) {
         sql.update("INSERT INTO warehouse_drone (drone_id) VALUES (?) ON CONFLICT DO NOTHING", drone.value());
     }
 
     @Override
-    public boolean takeOutOfWarehouse(DroneId drone) {
+    public boolean removeFromWarehouse(DroneId drone) {
         return sql.update("DELETE FROM warehouse_drone WHERE drone_id = ?", drone.value()) > 0;
     }
 }

@@ -12,7 +12,7 @@ final class ReusedAccountNames {
 
     private ReusedAccountNames() {}
 
-    static void tell(SqlTransactions sql) {
+    static void logWarnings(SqlTransactions sql) {
         sql.list(
                         "SELECT name, removed_at FROM reused_name ORDER BY name",
                         row -> new Reused(row.text("name"), row.time("removed_at")))

@@ -83,7 +83,7 @@ final class SqlTransactions {
     private int alone(String sql, @Nullable Object... arguments) {
         try (Connection connection = dataSource.getConnection()) {
             int rows = update(connection, sql, arguments);
-            ledger.alone(rows);
+            ledger.unauditedWritten(rows);
             return rows;
         } catch (SQLException e) {
             ledger.failed(e);

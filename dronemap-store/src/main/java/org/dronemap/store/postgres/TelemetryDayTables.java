@@ -127,7 +127,7 @@ final class TelemetryDayTables {
 
     /** What has come for that day already, because it had no table, moves into it. */
     private void make(LocalDate day) throws SQLException {
-        patiently(connection -> {
+        withLockTimeout(connection -> {
             execute(connection, "LOCK TABLE telemetry_other IN ACCESS EXCLUSIVE MODE");
             create(connection, table(day));
             execute(
@@ -145,11 +145,11 @@ final class TelemetryDayTables {
         }
         for (Day day : days()) {
             if (day.date().isBefore(firstKept)) {
-                patiently(connection -> execute(connection, "DROP TABLE " + day.table()));
+                withLockTimeout(connection -> execute(connection, "DROP TABLE " + day.table()));
                 LOG.info("The telemetry of {} was dropped, for its time was over", day.date());
             }
         }
-        patiently(connection -> {
+        withLockTimeout(connection -> {
             execute(connection, "DELETE FROM telemetry_other WHERE at < " + begin(firstKept));
             execute(connection, "DELETE FROM drone_event WHERE at < " + begin(firstKept));
         });
@@ -160,7 +160,7 @@ final class TelemetryDayTables {
             if (firstFull != null
                     && day.form() != RowLayout.THINNED
                     && day.date().isBefore(firstFull)) {
-                patiently(connection -> thin(connection, day, retention));
+                withLockTimeout(connection -> thin(connection, day, retention));
                 LOG.info("The telemetry of {} was thinned", day.date());
             }
         }
@@ -213,12 +213,13 @@ final class TelemetryDayTables {
     private void sort(Day day, Day sorted) throws SQLException {
         gate.watch(day.date());
         // On its own: what was written is brought to the disk at the end, which may take long.
-        patiently(connection -> fill(connection, day, sorted));
-        if (gate.whileUntouched(() -> patiently(connection -> replace(connection, day, sorted)))) {
-            patiently(connection -> execute(connection, "ALTER TABLE " + sorted.table() + " DROP CONSTRAINT of_day"));
+        withLockTimeout(connection -> fill(connection, day, sorted));
+        if (gate.whileUntouched(() -> withLockTimeout(connection -> replace(connection, day, sorted)))) {
+            withLockTimeout(
+                    connection -> execute(connection, "ALTER TABLE " + sorted.table() + " DROP CONSTRAINT of_day"));
             LOG.info("The telemetry of {} was sorted by drone", day.date());
         } else {
-            patiently(connection -> execute(connection, "DROP TABLE " + sorted.table()));
+            withLockTimeout(connection -> execute(connection, "DROP TABLE " + sorted.table()));
             LOG.info("The telemetry of {} is sorted later, for more of it has come meanwhile", day.date());
         }
     }
@@ -274,7 +275,7 @@ final class TelemetryDayTables {
     }
 
     /** In one transaction, however long the work itself takes; but nobody is held up for long by its locks. */
-    private void patiently(DatabaseWork work) throws SQLException {
+    private void withLockTimeout(DatabaseWork work) throws SQLException {
         try (Connection connection = dataSource.getConnection()) {
             int usual = connection.getNetworkTimeout();
             connection.setNetworkTimeout(Runnable::run, LONGEST_MILLIS);

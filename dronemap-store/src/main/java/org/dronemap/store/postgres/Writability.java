@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 final class Writability {
     private volatile @Nullable String trouble;
 
-    void wrote() {
+    void succeeded() {
         trouble = null;
     }
 

@@ -144,7 +144,7 @@ public abstract class FlightStoreContract {
         Flight kept = store.flight("f1").orElseThrow();
         assertThat(kept.start()).isEqualTo(START);
         assertThat(kept.end()).isEqualTo(START.plusNanos(1_000));
-        assertThat(kept.heard()).isEqualTo(START.plusNanos(1_000));
+        assertThat(kept.lastHeardAt()).isEqualTo(START.plusNanos(1_000));
     }
 
     private List<String> found(FlightQuery query) {

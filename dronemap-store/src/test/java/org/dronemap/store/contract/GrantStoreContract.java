@@ -46,7 +46,7 @@ public abstract class GrantStoreContract {
 
     @Test
     void holdsNothingAtFirst() {
-        assertThat(store.holdings()).isEqualTo(OrganisationDirectory.NONE);
+        assertThat(store.directory()).isEqualTo(OrganisationDirectory.NONE);
     }
 
     @Test
@@ -54,11 +54,11 @@ public abstract class GrantStoreContract {
         Organisation survey = new Organisation(new OrganisationId("survey"), "land survey", NOON);
         store.save(RESCUE);
         store.save(survey);
-        assertThat(store.holdings().organisations()).containsExactly(survey, RESCUE);
+        assertThat(store.directory().organisations()).containsExactly(survey, RESCUE);
 
         Organisation renamed = new Organisation(RESCUE.id(), "Air rescue", RESCUE.madeAt());
         store.save(renamed);
-        assertThat(store.holdings().organisations()).containsExactly(renamed, survey);
+        assertThat(store.directory().organisations()).containsExactly(renamed, survey);
     }
 
     @Test
@@ -73,7 +73,7 @@ public abstract class GrantStoreContract {
         assertThat(store.deleteOrganisation(RESCUE.id())).isTrue();
         assertThat(store.deleteOrganisation(RESCUE.id())).isFalse();
 
-        assertThat(store.holdings())
+        assertThat(store.directory())
                 .isEqualTo(new OrganisationDirectory(
                         List.of(),
                         Map.of(),
@@ -91,13 +91,13 @@ public abstract class GrantStoreContract {
         Gift back = new Gift(ONE, "Kestrel", RESCUE.id(), OrganisationId.HOME, NOON.plusSeconds(1), false);
 
         store.give(there);
-        assertThat(store.holdings().owners()).isEqualTo(Map.of(ONE, RESCUE.id()));
+        assertThat(store.directory().owners()).isEqualTo(Map.of(ONE, RESCUE.id()));
         store.give(back);
 
-        assertThat(store.holdings().owners()).isEqualTo(Map.of(ONE, OrganisationId.HOME));
-        assertThat(store.holdings().gifts()).containsExactly(there, back);
+        assertThat(store.directory().owners()).isEqualTo(Map.of(ONE, OrganisationId.HOME));
+        assertThat(store.directory().gifts()).containsExactly(there, back);
         store.deleteOrganisation(RESCUE.id());
-        assertThat(store.holdings().gifts()).containsExactly(there, back);
+        assertThat(store.directory().gifts()).containsExactly(there, back);
     }
 
     @Test
@@ -107,7 +107,7 @@ public abstract class GrantStoreContract {
         store.assign(TWO, RESCUE.id());
         store.assign(TWO, OrganisationId.HOME);
         store.deleteOrganisation(RESCUE.id());
-        assertThat(store.holdings().owners()).isEqualTo(Map.of(ONE, RESCUE.id(), TWO, OrganisationId.HOME));
+        assertThat(store.directory().owners()).isEqualTo(Map.of(ONE, RESCUE.id(), TWO, OrganisationId.HOME));
     }
 
     @Test
@@ -115,10 +115,10 @@ public abstract class GrantStoreContract {
         store.save(group("g1", "crew", "ann"));
         store.save(group("g2", "Alone"));
         store.save(group("g1", "crew of two", "ann", "bob"));
-        assertThat(store.holdings().groups())
+        assertThat(store.directory().groups())
                 .containsExactly(group("g2", "Alone"), group("g1", "crew of two", "ann", "bob"));
         store.save(group("g1", "nobody"));
-        assertThat(store.holdings().groups()).containsExactly(group("g2", "Alone"), group("g1", "nobody"));
+        assertThat(store.directory().groups()).containsExactly(group("g2", "Alone"), group("g1", "nobody"));
     }
 
     @Test
@@ -130,7 +130,7 @@ public abstract class GrantStoreContract {
         assertThat(store.deleteGroup("g1")).isTrue();
         assertThat(store.deleteGroup("g1")).isFalse();
 
-        assertThat(store.holdings()).isEqualTo(OrganisationDirectory.NONE);
+        assertThat(store.directory()).isEqualTo(OrganisationDirectory.NONE);
     }
 
     @Test
@@ -139,14 +139,14 @@ public abstract class GrantStoreContract {
         Fleet smaller = new Fleet("f1", OrganisationId.HOME, "truck", Set.of(TWO));
         store.save(smaller);
         store.save(new Fleet("f2", OrganisationId.HOME, "none", Set.of()));
-        assertThat(store.holdings().fleets())
+        assertThat(store.directory().fleets())
                 .containsExactly(new Fleet("f2", OrganisationId.HOME, "none", Set.of()), smaller);
         store.add(grant("a", new GrantSubject.OfUser("ann"), new GrantObject.OfFleet("f1")));
 
         assertThat(store.deleteFleet("f1")).isTrue();
         assertThat(store.deleteFleet("f1")).isFalse();
 
-        assertThat(store.holdings().grants()).isEmpty();
+        assertThat(store.directory().grants()).isEmpty();
     }
 
     @Test
@@ -171,12 +171,12 @@ public abstract class GrantStoreContract {
         store.add(fleet);
         store.add(some);
         store.add(all);
-        assertThat(store.holdings().grants()).containsExactly(all, some, virtual, fleet);
+        assertThat(store.directory().grants()).containsExactly(all, some, virtual, fleet);
 
         assertThat(store.deleteGrant("b")).isTrue();
         assertThat(store.deleteGrant("b")).isFalse();
 
-        assertThat(store.holdings().grants()).containsExactly(all, virtual, fleet);
+        assertThat(store.directory().grants()).containsExactly(all, virtual, fleet);
     }
 
     @Test
@@ -187,10 +187,10 @@ public abstract class GrantStoreContract {
         store.setOnlyGranted(ann, true);
         store.setOnlyGranted(ann, true);
         store.setOnlyGranted(crew, true);
-        assertThat(store.holdings().onlyGranted()).containsExactlyInAnyOrder(ann, crew);
+        assertThat(store.directory().onlyGranted()).containsExactlyInAnyOrder(ann, crew);
         store.setOnlyGranted(ann, false);
         store.setOnlyGranted(ann, false);
-        assertThat(store.holdings().onlyGranted()).containsExactly(crew);
+        assertThat(store.directory().onlyGranted()).containsExactly(crew);
     }
 
     @Test
@@ -202,9 +202,9 @@ public abstract class GrantStoreContract {
 
         store.forgetUser("ann");
 
-        assertThat(store.holdings().groups()).containsExactly(group("g1", "crew", "bob"));
-        assertThat(store.holdings().grants()).extracting(Grant::id).containsExactly("b");
-        assertThat(store.holdings().onlyGranted()).isEmpty();
+        assertThat(store.directory().groups()).containsExactly(group("g1", "crew", "bob"));
+        assertThat(store.directory().grants()).extracting(Grant::id).containsExactly("b");
+        assertThat(store.directory().onlyGranted()).isEmpty();
     }
 
     protected static UserGroup group(String id, String name, String... members) {

@@ -69,7 +69,7 @@ public abstract class VirtualDroneStoreContract {
         assertThat(store.virtualDrones()).isEmpty();
         assertThat(store.warehouse()).isEmpty();
         assertThat(store.delete(new VirtualDroneId("v1"))).isFalse();
-        assertThat(store.takeOutOfWarehouse(COPTER)).isFalse();
+        assertThat(store.removeFromWarehouse(COPTER)).isFalse();
     }
 
     @Test
@@ -122,12 +122,12 @@ public abstract class VirtualDroneStoreContract {
 
     @Test
     void keepsWhichDronesMayServe() {
-        store.putIntoWarehouse(COPTER);
-        store.putIntoWarehouse(COPTER);
-        store.putIntoWarehouse(OTHER);
+        store.addToWarehouse(COPTER);
+        store.addToWarehouse(COPTER);
+        store.addToWarehouse(OTHER);
         assertThat(store.warehouse()).containsExactlyInAnyOrder(COPTER, OTHER);
 
-        assertThat(store.takeOutOfWarehouse(COPTER)).isTrue();
+        assertThat(store.removeFromWarehouse(COPTER)).isTrue();
         assertThat(store.warehouse()).containsExactly(OTHER);
     }
 

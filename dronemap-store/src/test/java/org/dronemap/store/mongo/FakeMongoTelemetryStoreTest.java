@@ -101,7 +101,7 @@ class FakeMongoTelemetryStoreTest extends TelemetryStoreContract {
         assertThatThrownBy(() -> adapter.tidy(Retention.DEFAULT, START))
                 .isInstanceOfSatisfying(
                         StoreException.class,
-                        away -> assertThat(away.isPassing()).isTrue())
+                        away -> assertThat(away.isTransient()).isTrue())
                 .hasMessageContaining("MongoDB");
         assertThatThrownBy(() -> MongoTelemetryStore.open("http://user:secret@host"))
                 .isInstanceOf(StoreException.class)

@@ -62,7 +62,7 @@ class FullDiskTest {
         assertThatThrownBy(() -> addInACall(ANN))
                 .isInstanceOfSatisfying(
                         StoreException.class,
-                        full -> assertThat(full.isPassing()).isTrue())
+                        full -> assertThat(full.isTransient()).isTrue())
                 .hasMessageStartingWith("The disk of the database is full");
         assertThat(database.health())
                 .isInstanceOfSatisfying(
@@ -79,7 +79,7 @@ class FullDiskTest {
         assertThatThrownBy(() -> database.access().addUser(ANN))
                 .isInstanceOfSatisfying(
                         StoreException.class,
-                        full -> assertThat(full.isPassing()).isTrue());
+                        full -> assertThat(full.isTransient()).isTrue());
         assertThat(database.health().isUp()).isFalse();
 
         makeRoom();

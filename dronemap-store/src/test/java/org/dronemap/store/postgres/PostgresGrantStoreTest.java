@@ -36,9 +36,9 @@ class PostgresGrantStoreTest extends GrantStoreContract {
 
         database.access().deleteUser("ann");
 
-        assertThat(store.holdings().grants()).isEmpty();
-        assertThat(store.holdings().onlyGranted()).isEmpty();
-        assertThat(store.holdings().groups()).extracting(UserGroup::members).containsExactly(Set.of());
+        assertThat(store.directory().grants()).isEmpty();
+        assertThat(store.directory().onlyGranted()).isEmpty();
+        assertThat(store.directory().groups()).extracting(UserGroup::members).containsExactly(Set.of());
     }
 
     @Test
@@ -48,6 +48,6 @@ class PostgresGrantStoreTest extends GrantStoreContract {
         database.access().addUser(new User("carl", Role.VIEWER, AccountState.ACTIVE, "x", false, RESCUE.id()));
 
         assertThatThrownBy(() -> store.deleteOrganisation(RESCUE.id())).isInstanceOf(StoreException.class);
-        assertThat(store.holdings().organisations()).containsExactly(RESCUE);
+        assertThat(store.directory().organisations()).containsExactly(RESCUE);
     }
 }

@@ -21,7 +21,7 @@ class PostgresVirtualDroneStoreTest extends VirtualDroneStoreContract {
     @Test
     void takesADroneThatIsForgottenOutOfTheWarehouse() {
         DroneId drone = new DroneId("copter-1");
-        database.virtualDrones().putIntoWarehouse(drone);
+        database.virtualDrones().addToWarehouse(drone);
 
         database.drones().delete(drone);
 

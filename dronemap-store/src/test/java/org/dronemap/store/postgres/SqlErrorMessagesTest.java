@@ -23,7 +23,7 @@ class SqlErrorMessagesTest {
     void tellsWhatPassesFromWhatDoesNot(String state, boolean passing, String sentence) {
         StoreException told = SqlErrorMessages.exception(new SQLException("so it is", state));
 
-        assertThat(told.isPassing()).isEqualTo(passing);
+        assertThat(told.isTransient()).isEqualTo(passing);
         assertThat(told).hasMessageContaining(sentence).hasMessageContaining("so it is");
     }
 
@@ -31,6 +31,6 @@ class SqlErrorMessagesTest {
     void seesThroughThePoolThatGaveUpWaiting() {
         SQLException pool = new SQLTransientConnectionException("request timed out", new SQLException("away", "08001"));
 
-        assertThat(SqlErrorMessages.exception(pool).isPassing()).isTrue();
+        assertThat(SqlErrorMessages.exception(pool).isTransient()).isTrue();
     }
 }

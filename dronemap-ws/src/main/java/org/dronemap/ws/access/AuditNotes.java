@@ -98,7 +98,7 @@ public final class AuditNotes {
             return body instanceof byte[] bytes ? bytes.length + " bytes" : "";
         }
         return Stream.concat(
-                        RecordAlternatives.toldBy(body.getClass()).entrySet().stream()
+                        RecordAlternatives.discriminators(body.getClass()).entrySet().stream()
                                 .map(told -> bare ? told.getKey() : told.getKey() + "=" + told.getValue()),
                         Stream.of(body.getClass().getRecordComponents())
                                 .flatMap(component -> member(body, component, bare).stream()))
@@ -125,7 +125,7 @@ public final class AuditNotes {
         if (!named && !TOLD.contains(name)) {
             return Optional.of(countOf(name, value));
         }
-        return Optional.of(name + "=" + told(String.valueOf(value)));
+        return Optional.of(name + "=" + withoutSecrets(String.valueOf(value)));
     }
 
     private static String countOf(String name, Object value) {
@@ -134,7 +134,7 @@ public final class AuditNotes {
 
     /** Without what may stand in an address to prove who comes by it. */
     private static String address(String url) {
-        return told(url.replaceFirst("[?#].*", "").replaceFirst("//[^/]*@", "//"));
+        return withoutSecrets(url.replaceFirst("[?#].*", "").replaceFirst("//[^/]*@", "//"));
     }
 
     /** Names with their values, for those that are there. */
@@ -146,14 +146,14 @@ public final class AuditNotes {
                 text.append(text.isEmpty() ? "" : ", ")
                         .append(namesAndValues[i])
                         .append('=')
-                        .append(told(value));
+                        .append(withoutSecrets(value));
             }
         }
         return text.toString();
     }
 
     /** For people: short, and nothing in it that looks like a key. */
-    public static String told(String value) {
+    public static String withoutSecrets(String value) {
         return AuditText.of(AuditText.withoutSecrets(value), LONGEST_VALUE);
     }
 

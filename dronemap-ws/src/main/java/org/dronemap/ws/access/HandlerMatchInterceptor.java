@@ -20,7 +20,7 @@ public final class HandlerMatchInterceptor implements HandlerInterceptor {
 
     @Override
     public boolean preHandle(HttpServletRequest request, HttpServletResponse response, Object handler) {
-        Access access = handler instanceof HandlerMethod method && !isToldOfAnError(method)
+        Access access = handler instanceof HandlerMethod method && !handlesErrors(method)
                 ? method.getMethodAnnotation(Access.class)
                 : null;
         if (access != null) {
@@ -34,7 +34,7 @@ public final class HandlerMatchInterceptor implements HandlerInterceptor {
     }
 
     /** It carries nothing out, and comes after the handler that was judged: not always by a dispatch of its own type. */
-    private static boolean isToldOfAnError(HandlerMethod method) {
+    private static boolean handlesErrors(HandlerMethod method) {
         return ErrorController.class.isAssignableFrom(method.getBeanType());
     }
 }

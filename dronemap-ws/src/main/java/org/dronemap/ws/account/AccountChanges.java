@@ -73,11 +73,11 @@ public final class AccountChanges {
                     change.apply(store.user(name).orElseThrow(() -> Rejection.unknown(NotFoundProblem.USER, name))));
             store.deleteOtherSignIns(name, keepTokenHash);
         }
-        tell(name);
+        notifyListeners(name);
     }
 
     /** Sessions or keys of that user have been taken away. */
-    public void tell(String name) {
+    public void notifyListeners(String name) {
         listeners.forEach(listener -> listener.accept(name));
     }
 
@@ -104,6 +104,6 @@ public final class AccountChanges {
             }
             change.run();
         }
-        tell(name);
+        notifyListeners(name);
     }
 }

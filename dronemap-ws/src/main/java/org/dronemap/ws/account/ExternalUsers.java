@@ -58,7 +58,7 @@ public final class ExternalUsers {
         }
         User changed = user.withRole(role);
         store.updateUser(changed);
-        accounts.tell(user.name());
+        accounts.notifyListeners(user.name());
         return changed;
     }
 

@@ -64,7 +64,7 @@ public class AuditController {
 
     @GetMapping("/file")
     @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
-    @FileMediaTypes(gives = {"text/csv", "application/jsonl"})
+    @FileMediaTypes(produces = {"text/csv", "application/jsonl"})
     @Operation(
             operationId = "exportAudit",
             summary = "Take all that are looked for along as a file (supervisor)",

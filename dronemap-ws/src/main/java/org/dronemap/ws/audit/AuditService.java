@@ -47,7 +47,7 @@ public final class AuditService {
 
     /** Takes records one after the other. */
     public interface AuditSink {
-        void take(AuditView record) throws IOException;
+        void accept(AuditView record) throws IOException;
     }
 
     public AuditService(AuditStore store, AuditHeadWriter heads, Verification verification) {
@@ -87,7 +87,7 @@ public final class AuditService {
         List<AuditedCallRecord> lines = store.search(query, before, PAGE_OF_EXPORT);
         while (!lines.isEmpty()) {
             for (AuditedCallRecord line : lines) {
-                to.take(AuditView.of(line));
+                to.accept(AuditView.of(line));
             }
             before = lines.get(lines.size() - 1).record().sequence();
             lines = lines.size() < PAGE_OF_EXPORT ? List.of() : store.search(query, before, PAGE_OF_EXPORT);
@@ -106,10 +106,10 @@ public final class AuditService {
 
     public VerdictView verify(Principal principal, @Nullable AuditReceiptView receipt) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
-        return told(verification.verify(receipt == null ? null : receipt.signedHead()));
+        return view(verification.verify(receipt == null ? null : receipt.signedHead()));
     }
 
-    private static VerdictView told(AuditVerdict verdict) {
+    private static VerdictView view(AuditVerdict verdict) {
         return new VerdictView(verdict.isSound(), verdict.head().sequence(), verdict.firstBad(), verdict.sentence());
     }
 }

@@ -54,7 +54,7 @@ public final class Budgets {
      *
      * @throws Throttled when there is none left, with how long to wait
      */
-    public void take(WorkKind work, String user) {
+    public void charge(WorkKind work, String user) {
         Double rate = rates.perSecond().get(work);
         if (rate == null) {
             return;

@@ -40,7 +40,7 @@ public final class Throttle {
      *
      * @throws Rejection when it is one too many, with how long to wait
      */
-    public synchronized void take(String who, String what) {
+    public synchronized void acquire(String who, String what) {
         Instant now = clock.instant();
         Deque<Instant> mine = asked.computeIfAbsent(who, unused -> new ArrayDeque<>(times));
         while (!mine.isEmpty() && !mine.peek().plus(within).isAfter(now)) {

@@ -82,7 +82,7 @@ public final class BroadcastService {
                     ? BroadcastView.Result.refused(drone, name, rejection)
                     : BroadcastView.Result.given(drone, name, commands.command(principal, refused));
         } catch (RuntimeException failed) {
-            return BroadcastView.Result.refused(drone, name, OutageClassifier.told(failed));
+            return BroadcastView.Result.refused(drone, name, OutageClassifier.rejectionOf(failed));
         }
     }
 

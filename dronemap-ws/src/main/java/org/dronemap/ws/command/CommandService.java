@@ -62,7 +62,7 @@ public final class CommandService {
     /** What is for safety costs nothing, however much somebody asked for before. */
     void pay(Principal principal, CommandRequest request) {
         if (!isForSafety(request)) {
-            budgets.take(WorkKind.COMMAND, principal.name());
+            budgets.charge(WorkKind.COMMAND, principal.name());
         }
     }
 
@@ -111,7 +111,7 @@ public final class CommandService {
     /** Gives a checked command; {@code givenId} is the client's own. */
     public CommandView give(
             Principal principal, String face, DroneState drone, @Nullable String givenId, Command command) {
-        budgets.take(WorkKind.COMMAND, principal.name());
+        budgets.charge(WorkKind.COMMAND, principal.name());
         return give(new CommandGate.Source(principal, face), drone, givenId, command);
     }
 

@@ -50,7 +50,7 @@ public class ControlController {
             operationId = "takeControl",
             summary = "Take control where nobody has it (operator)",
             description = "Also back from the pilot at the vehicle. Send the heartbeat every 2 s from then on.")
-    public ResponseEntity<ControlView> take(@PathVariable String id) {
+    public ResponseEntity<ControlView> takeControl(@PathVariable String id) {
         return act(id, new ControlRequest.Take());
     }
 

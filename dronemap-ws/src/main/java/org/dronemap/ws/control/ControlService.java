@@ -132,8 +132,8 @@ public final class ControlService {
     private boolean mayCommand(String user, DroneId drone) {
         return access.user(user)
                 .filter(User::isActive)
-                .map(known ->
-                        Principal.of(known, known.role(), KeyScope.ALL, null, grants.reach(known.organisation(), user)))
+                .map(known -> Principal.of(
+                        known, known.role(), KeyScope.ALL, null, grants.permissionsOf(known.organisation(), user)))
                 .filter(known -> known.may(Role.OPERATOR, drone))
                 .isPresent();
     }

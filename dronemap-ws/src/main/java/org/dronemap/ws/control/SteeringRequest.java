@@ -77,7 +77,7 @@ public record SteeringRequest(
         try {
             if (moved != null) {
                 return new Setpoint.Sticks(
-                        said(moved.forward()), said(moved.right()), said(moved.up()), said(moved.turn()));
+                        orZero(moved.forward()), orZero(moved.right()), orZero(moved.up()), orZero(moved.turn()));
             }
             return speeds(Objects.requireNonNull(speeds));
         } catch (IllegalArgumentException outside) {
@@ -91,7 +91,7 @@ public record SteeringRequest(
 
     private static Setpoint speeds(Velocity said) {
         return new Setpoint.Velocity(
-                frame(said.frame()), said(said.forward()), said(said.right()), said(said.down()), facing(said));
+                frame(said.frame()), orZero(said.forward()), orZero(said.right()), orZero(said.down()), facing(said));
     }
 
     private static Frame frame(@Nullable String name) {
@@ -117,7 +117,7 @@ public record SteeringRequest(
         return turn == null ? Facing.ANY : new Facing.Turning(turn);
     }
 
-    private static double said(@Nullable Double value) {
+    private static double orZero(@Nullable Double value) {
         return value == null ? 0 : value;
     }
 }

@@ -32,7 +32,7 @@ public final class SteeringService {
 
     /** Steers for at most half a second from now on; throws a rejection when nothing was taken. */
     public void steer(Principal principal, String face, String drone, SteeringRequest request) {
-        budgets.take(WorkKind.REQUEST, principal.name());
+        budgets.charge(WorkKind.REQUEST, principal.name());
         DroneId id = drones.state(principal, drone, Role.OPERATOR).id();
         Setpoint setpoint = request.setpoint();
         Optional<Refusal> why;
@@ -54,7 +54,7 @@ public final class SteeringService {
     /** Hands off: what this one steers stands still at once. What was begun by rights that are gone may be ended, too. */
     public void letGo(Principal principal, String face, String drone) {
         try {
-            cloud.setpoints().letGo(new CommandGate.Source(principal, face), new DroneId(drone));
+            cloud.setpoints().stopSteering(new CommandGate.Source(principal, face), new DroneId(drone));
         } catch (UnknownDroneException removedMeanwhile) {
             // There is nothing left that could move.
         }

@@ -44,7 +44,7 @@ public class SensingController {
     @GetMapping("/picture")
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @ResponseStatuses({200, 204})
-    @FileMediaTypes(gives = {"image/jpeg", "image/png"})
+    @FileMediaTypes(produces = {"image/jpeg", "image/png"})
     @Operation(
             operationId = "getSensedPicture",
             summary = "The newest picture of its camera",
@@ -56,7 +56,7 @@ public class SensingController {
     @GetMapping("/map")
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @ResponseStatuses({200, 204})
-    @FileMediaTypes(gives = {"image/jpeg", "image/png"})
+    @FileMediaTypes(produces = {"image/jpeg", "image/png"})
     @Operation(
             operationId = "getSensedMap",
             summary = "Its map, drawn from above",

@@ -28,7 +28,9 @@ public final class UnrestoredParameterService {
     /** The oldest first. */
     public List<UnrestoredDroneView> leftBehind(Principal principal) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
-        return cloud.leftBehind().stream().map(UnrestoredParameterService::view).toList();
+        return cloud.outstandingOverrides().stream()
+                .map(UnrestoredParameterService::view)
+                .toList();
     }
 
     private static UnrestoredDroneView view(ParameterOverrides left) {

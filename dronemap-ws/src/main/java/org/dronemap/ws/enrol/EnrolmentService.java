@@ -51,7 +51,7 @@ public final class EnrolmentService {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         String name = request.name() == null ? null : NameRules.checked("name", request.name(), LONGEST_NAME);
         OrganisationId owner = organisations.named(request.organisation());
-        return cloud.letIn(id, name, drone -> organisations.enrolled(drone, owner))
+        return cloud.admit(id, name, drone -> organisations.enrolled(drone, owner))
                 .map(state -> views.view(state, principal))
                 .orElseThrow(() -> Rejection.unknown(NotFoundProblem.WAITING_VEHICLE, id));
     }

@@ -78,7 +78,7 @@ public final class AccountRights implements VirtualDroneRights, OperationRights,
     }
 
     private Principal principal(User user) {
-        EffectivePermissions reach = grants.reach(user.organisation(), user.name());
+        EffectivePermissions reach = grants.permissionsOf(user.organisation(), user.name());
         return Principal.of(user, user.role(), KeyScope.ALL, null, reach);
     }
 }

@@ -117,7 +117,7 @@ final class FollowDroneSelector {
                         .filter(DroneState::airborne)
                         .filter(drone -> drone.capabilities()
                                 .steering(drone.mode())
-                                .filter(Steering::takesOrders)
+                                .filter(Steering::acceptsCommands)
                                 .isPresent())
                         .isPresent();
     }

@@ -33,10 +33,10 @@ public record FollowReceipt(
 
         /** False: it and those after it have to wait. */
         boolean add(long number, TargetReportResult reception) {
-            if (reception == TargetReportResult.CROWDED) {
+            if (reception == TargetReportResult.QUEUE_FULL) {
                 return false;
             }
-            if (reception == TargetReportResult.TAKEN) {
+            if (reception == TargetReportResult.ACCEPTED) {
                 taken++;
             } else {
                 known++;

@@ -85,35 +85,35 @@ public final class FollowReliefScheduler implements AutoCloseable {
 
     /** Looks at all follows from now on. */
     public void start() {
-        ScheduledTask begun = thread.every(PAUSE, PAUSE, this::look);
+        ScheduledTask begun = thread.every(PAUSE, PAUSE, this::check);
         LOG.debug("Looking for drones that run low begins: {}", begun);
     }
 
-    private void look() {
+    private void check() {
         List<Snapshot<FollowState>> all = operations.underWay(kind);
         troubles.keySet()
                 .retainAll(all.stream().map(follow -> follow.saved().id()).collect(Collectors.toSet()));
         for (Snapshot<FollowState> follow : all) {
             try {
-                look(follow);
+                check(follow);
                 troubles.remove(follow.saved().id());
             } catch (Operations.Refused late) {
                 LOG.debug("{} has changed meanwhile: {}", follow.saved().id(), late.why());
             } catch (RuntimeException e) {
-                said(follow.saved().id(), e);
+                logOnce(follow.saved().id(), e);
             }
         }
     }
 
     /** The same each second is said once. */
-    private void said(OperationId follow, RuntimeException e) {
+    private void logOnce(OperationId follow, RuntimeException e) {
         String why = String.valueOf(e.getMessage());
         if (!why.equals(troubles.put(follow, why))) {
             LOG.warn("Whether {} needs another drone is not known; it is looked again", follow, e);
         }
     }
 
-    private void look(Snapshot<FollowState> follow) {
+    private void check(Snapshot<FollowState> follow) {
         FollowState state = follow.state();
         double left = state.isRelievable() ? secondsLeft(state) : Double.POSITIVE_INFINITY;
         if (left > EARLIEST_SECONDS) {
@@ -125,7 +125,7 @@ public final class FollowReliefScheduler implements AutoCloseable {
             return;
         }
         Geodetic near = operations
-                .sighting(kind, follow.saved().id())
+                .newestReport(kind, follow.saved().id())
                 .map(TargetReport::point)
                 .orElse(state.order().near());
         Instant now = clock.instant().truncatedTo(ChronoUnit.MICROS);
@@ -138,15 +138,15 @@ public final class FollowReliefScheduler implements AutoCloseable {
         if (found.chosen().isPresent()) {
             FollowOrder.ChosenDrone chosen = found.chosen().get();
             if (left <= secondsNeeded(chosen, near, state)) {
-                tell(follow, new FollowInput.SendRelief(now, chosen));
+                submit(follow, new FollowInput.SendRelief(now, chosen));
             }
-        } else if (left <= TOLD_SECONDS && !state.crew().alone()) {
-            tell(follow, new FollowInput.NoReliefAvailable(now, why(candidates, found)));
+        } else if (left <= TOLD_SECONDS && !state.reliefOrNone().aloneReported()) {
+            submit(follow, new FollowInput.NoReliefAvailable(now, why(candidates, found)));
         }
     }
 
-    private void tell(Snapshot<FollowState> follow, FollowInput what) {
-        Snapshot<FollowState> unused = operations.wish(kind, follow.saved().id(), what);
+    private void submit(Snapshot<FollowState> follow, FollowInput what) {
+        Snapshot<FollowState> unused = operations.request(kind, follow.saved().id(), what);
     }
 
     private static String why(List<DroneState> candidates, FollowDroneSelector.Found found) {
@@ -182,8 +182,8 @@ public final class FollowReliefScheduler implements AutoCloseable {
         return drones.commandable(owner).stream()
                 .filter(drone -> waiting.contains(drone.id()) && drones.isFree(drone.id()))
                 .filter(drone -> !drone.id().equals(state.drone())
-                        && !state.crew().failed().contains(drone.id())
-                        && state.crew().others().stream()
+                        && !state.reliefOrNone().failed().contains(drone.id())
+                        && state.reliefOrNone().others().stream()
                                 .noneMatch(other -> other.drone().equals(drone.id())))
                 .toList();
     }

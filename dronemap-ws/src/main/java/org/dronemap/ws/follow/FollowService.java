@@ -114,20 +114,20 @@ public final class FollowService {
     }
 
     public FollowView start(Principal principal, String id) {
-        return wish(principal, id, (by, at) -> new FollowInput.Start(at, by));
+        return submit(principal, id, (by, at) -> new FollowInput.Start(at, by));
     }
 
     public FollowView cancel(Principal principal, String id) {
-        return wish(principal, id, (by, at) -> new FollowInput.Cancel(at, by));
+        return submit(principal, id, (by, at) -> new FollowInput.Cancel(at, by));
     }
 
     public FollowView pause(Principal principal, String id) {
-        return wish(principal, id, (by, at) -> new FollowInput.Pause(at, by));
+        return submit(principal, id, (by, at) -> new FollowInput.Pause(at, by));
     }
 
     /** The only way in which a drone that somebody took comes back to its follow. */
     public FollowView goOn(Principal principal, String id) {
-        return wish(principal, id, (by, at) -> new FollowInput.Resume(at, by), true);
+        return submit(principal, id, (by, at) -> new FollowInput.Resume(at, by), true);
     }
 
     /** A drone that nobody has any more, and that stands in the air, is taken for that. */
@@ -138,14 +138,14 @@ public final class FollowService {
                 && drones.isLeftAloft(follow.state().drone())) {
             goOn(principal, id);
         }
-        return wish(principal, id, (by, at) -> new FollowInput.Stop(at, by));
+        return submit(principal, id, (by, at) -> new FollowInput.Stop(at, by));
     }
 
     public FollowView change(Principal principal, String id, FollowRequest.PlaceRequest request) {
         RoleChecks.require(principal, Role.OPERATOR);
         FollowOrder.RelativePlace place = FollowReader.place(
                 request, desk.find(principal, id).state().order().place(), "");
-        return wish(principal, id, (by, at) -> new FollowInput.ChangePlace(at, by, place));
+        return submit(principal, id, (by, at) -> new FollowInput.ChangePlace(at, by, place));
     }
 
     /** Where the phone is; whoever asked to be followed says that, and nobody else. */
@@ -164,8 +164,8 @@ public final class FollowService {
         FollowReceipt.Count count = new FollowReceipt.Count();
         for (TargetReport sighting : FollowReader.sightings(request, desk.now())) {
             TargetReportResult reception =
-                    operations.sighted(kind, follow.saved().id(), sighting);
-            if (reception == TargetReportResult.UNHEARD) {
+                    operations.reported(kind, follow.saved().id(), sighting);
+            if (reception == TargetReportResult.NOT_EXPECTED) {
                 throw desk.over(id);
             }
             if (!count.add(sighting.number(), reception)) {
@@ -182,7 +182,7 @@ public final class FollowService {
 
     /** How its phone is reached from now on; false when it is not under way. */
     public boolean reached(String id, ReporterState how) {
-        return operations.reached(kind, new OperationId(id), how);
+        return operations.reporterStateChanged(kind, new OperationId(id), how);
     }
 
     /** Where the phone is at this moment, for those who say it with nothing between. */
@@ -219,12 +219,12 @@ public final class FollowService {
                 && principal.sees(follow.state().drone());
     }
 
-    private FollowView wish(Principal principal, String id, BiFunction<String, Instant, FollowInput> what) {
-        return wish(principal, id, what, false);
+    private FollowView submit(Principal principal, String id, BiFunction<String, Instant, FollowInput> what) {
+        return submit(principal, id, what, false);
     }
 
     /** {@code hands}: control that the user has of the drone goes over to the follow, once nothing speaks against the wish. */
-    private FollowView wish(
+    private FollowView submit(
             Principal principal, String id, BiFunction<String, Instant, FollowInput> what, boolean hands) {
         RoleChecks.require(principal, Role.OPERATOR);
         Snapshot<FollowState> follow = desk.find(principal, id);
@@ -235,8 +235,9 @@ public final class FollowService {
         }
         FollowInput input = what.apply(principal.name(), desk.now());
         if (hands) {
-            desk.takeBack(principal, id, follow.state(), input, follow.state().drone());
+            desk.releaseForRequest(
+                    principal, id, follow.state(), input, follow.state().drone());
         }
-        return views.view(desk.wish(follow, input));
+        return views.view(desk.submit(follow, input));
     }
 }

@@ -153,15 +153,15 @@ public record FollowView(
                 state.order().chosen().name(),
                 place(state.order().place()),
                 state.order().patienceSeconds(),
-                state.told().stream()
+                state.notices().stream()
                         .map(one -> new NoticeView(millis(one.at()), one.words()))
                         .toList(),
-                state.crew().others().stream()
+                state.reliefOrNone().others().stream()
                         .map(other -> new OtherView(
                                 other.drone().value(),
                                 other.droneName(),
                                 WireNames.camel(other.stage()),
-                                other.comes(state)))
+                                other.isComing(state)))
                         .toList(),
                 now);
     }

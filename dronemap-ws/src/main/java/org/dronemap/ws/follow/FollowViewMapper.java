@@ -35,9 +35,9 @@ final class FollowViewMapper {
 
     private FollowView.@Nullable NowView now(Snapshot<FollowState> follow) {
         FollowState state = follow.state();
-        TargetReport phone = operations.sighting(kind, follow.saved().id()).orElse(null);
+        TargetReport phone = operations.newestReport(kind, follow.saved().id()).orElse(null);
         String reach = operations
-                .reach(kind, follow.saved().id())
+                .reporterState(kind, follow.saved().id())
                 .map(WireNames::camel)
                 .orElse(null);
         Geodetic home = state.order().chosen().home();
@@ -69,7 +69,7 @@ final class FollowViewMapper {
                 point(phone.point()),
                 phone.accuracyMeters(),
                 phone.number(),
-                phone.heard().truncatedTo(ChronoUnit.MILLIS));
+                phone.receivedAt().truncatedTo(ChronoUnit.MILLIS));
     }
 
     private static FollowView.TelemetryPointView point(Geodetic point) {

@@ -69,7 +69,7 @@ public class FlightController {
 
     @GetMapping("/logbook")
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
-    @FileMediaTypes(gives = "text/csv")
+    @FileMediaTypes(produces = "text/csv")
     @Operation(operationId = "exportLogbook", summary = "Take all flights that are looked for along as a table (CSV)")
     public void logbook(
             @ParameterObject @ModelAttribute FlightSearchRequest search,
@@ -126,7 +126,7 @@ public class FlightController {
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
     @ResponseStatuses(refuses = 409)
     @FileMediaTypes(
-            gives = {
+            produces = {
                 "text/csv",
                 "application/geo+json",
                 "application/vnd.google-earth.kml+xml",

@@ -203,7 +203,7 @@ public final class FlightService {
 
     private static boolean isOf(Recording recording, Flight flight) {
         Instant end = recording.end();
-        Instant until = flight.end() == null ? flight.heard() : flight.end();
+        Instant until = flight.end() == null ? flight.lastHeardAt() : flight.end();
         return recording.drone().equals(flight.drone())
                 && !recording.start().isAfter(until)
                 && (end == null || !end.isBefore(flight.start()));

@@ -68,7 +68,7 @@ public record FlightView(
 
     static FlightView of(Flight flight, List<String> recordings) {
         FlightStatistics measures = flight.measures();
-        Instant until = flight.end() == null ? flight.heard() : flight.end();
+        Instant until = flight.end() == null ? flight.lastHeardAt() : flight.end();
         Flight.FlightOperation operation = flight.operation();
         return new FlightView(
                 flight.id(),

@@ -24,7 +24,7 @@ public final class NameRedaction {
                 flight.start(),
                 flight.end(),
                 flight.state(),
-                flight.heard(),
+                flight.lastHeardAt(),
                 flight.measures(),
                 flight.users().isEmpty() ? List.of() : List.of(OTHERS),
                 null,

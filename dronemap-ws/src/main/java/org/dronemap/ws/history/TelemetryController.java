@@ -70,7 +70,7 @@ public class TelemetryController {
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
     @ResponseStatuses(refuses = 409)
     @FileMediaTypes(
-            gives = {
+            produces = {
                 "text/csv",
                 "application/geo+json",
                 "application/vnd.google-earth.kml+xml",

@@ -29,9 +29,10 @@ record AuditedOperation(String name, @Nullable String drone, String parameters) 
         boolean ofDrone = pattern.equals(OF_DRONE) || pattern.startsWith(OF_DRONE + "/");
         String parameters = variables.entrySet().stream()
                 .filter(one -> !ofDrone || !one.getKey().equals("id"))
-                .map(one -> one.getKey() + "=" + AuditNotes.told(one.getValue()))
+                .map(one -> one.getKey() + "=" + AuditNotes.withoutSecrets(one.getValue()))
                 .collect(Collectors.joining(", "));
         String drone = ofDrone ? variables.get("id") : null;
-        return new AuditedOperation(operation.name(), drone == null ? null : AuditNotes.told(drone), parameters);
+        return new AuditedOperation(
+                operation.name(), drone == null ? null : AuditNotes.withoutSecrets(drone), parameters);
     }
 }

@@ -12,8 +12,8 @@ import java.lang.annotation.Target;
 @Target(ElementType.METHOD)
 public @interface FileMediaTypes {
     /** Media types, any of which the body may be. */
-    String[] takes() default {};
+    String[] consumes() default {};
 
     /** Media types, one of which the answer is. */
-    String[] gives() default {};
+    String[] produces() default {};
 }

@@ -154,7 +154,7 @@ public class ProblemAdvice {
 
     @ExceptionHandler(Exception.class)
     public ResponseEntity<ProblemView> broken(Exception e, HttpServletRequest request) {
-        FatalErrors.tellOf(e);
+        FatalErrors.reportCause(e);
         Throwable cause = e instanceof CompletionException ? e.getCause() : e;
         if (cause instanceof Rejection rejection) {
             return answer(rejection);

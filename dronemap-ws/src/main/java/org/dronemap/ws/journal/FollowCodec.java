@@ -37,9 +37,9 @@ public final class FollowCodec extends JsonOperationCodec<FollowState, FollowInp
                 ? new Observed(
                         looked.at(),
                         changed(looked.drone(), change),
-                        looked.sighted(),
+                        looked.lastReport(),
                         looked.reach(),
-                        looked.unsteered(),
+                        looked.steeringRefusal(),
                         looked.others().stream()
                                 .map(other -> new OtherDrone(
                                         other.drone(), changed(other.look(), change), other.apartMeters()))

@@ -111,7 +111,7 @@ public final class AccessKeyService {
         if (!store.replaceSecret(principal.name(), id, SecretGenerator.hash(secret))) {
             throw Rejection.unknown(NotFoundProblem.ACCESS_KEY, id);
         }
-        accounts.tell(principal.name());
+        accounts.notifyListeners(principal.name());
         return AccessKeyView.of(key, secret);
     }
 
@@ -124,7 +124,7 @@ public final class AccessKeyService {
         if (!store.deleteAccessKey(owner, id)) {
             throw Rejection.unknown(NotFoundProblem.ACCESS_KEY, id);
         }
-        accounts.tell(owner);
+        accounts.notifyListeners(owner);
     }
 
     private AccessKey find(Principal principal, String id) {

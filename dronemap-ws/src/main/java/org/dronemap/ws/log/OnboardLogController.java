@@ -75,7 +75,7 @@ public class OnboardLogController {
     @GetMapping("/{number}/file")
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
     @ResponseStatuses(refuses = 409)
-    @FileMediaTypes(gives = "application/octet-stream")
+    @FileMediaTypes(produces = "application/octet-stream")
     @Operation(operationId = "getLogFile", summary = "Save a log that was fetched")
     public ResponseEntity<Resource> file(@PathVariable String id, @PathVariable int number) {
         Path file = logs.file(current.principal(), id, number);

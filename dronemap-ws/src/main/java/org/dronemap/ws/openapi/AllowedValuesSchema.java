@@ -17,7 +17,7 @@ final class AllowedValuesSchema {
     private AllowedValuesSchema() {}
 
     @SuppressWarnings({"rawtypes", "unchecked"})
-    static void say(RecordComponent component, Schema<?> member) {
+    static void describe(RecordComponent component, Schema<?> member) {
         EnumValues values = component.getAnnotation(EnumValues.class);
         if (values != null) {
             Schema text = Optional.<Schema>ofNullable(member.getItems()).orElse(member);

@@ -55,7 +55,7 @@ public final class AlternativesSchemaCustomizer implements ModelConverter, OpenA
         Schema<Object> choice = new Schema<>();
         choice.setDescription(description);
         // One that is itself among the alternatives of another choice.
-        say(RecordAlternatives.toldBy(raw), choice);
+        addDiscriminator(RecordAlternatives.discriminators(raw), choice);
         Discriminator discriminator = new Discriminator().propertyName(all.member());
         all.records().forEach((name, record) -> {
             Schema<?> one = context.resolve(new AnnotatedType(record).resolveAsRef(true));
@@ -70,11 +70,11 @@ public final class AlternativesSchemaCustomizer implements ModelConverter, OpenA
     @SuppressWarnings("rawtypes")
     public void customise(OpenAPI description) {
         Map<String, Schema> schemas = description.getComponents().getSchemas();
-        schemas.forEach(
-                (name, schema) -> records.of(name).ifPresent(record -> say(RecordAlternatives.toldBy(record), schema)));
+        schemas.forEach((name, schema) -> records.of(name)
+                .ifPresent(record -> addDiscriminator(RecordAlternatives.discriminators(record), schema)));
     }
 
-    private static void say(Map<String, String> told, Schema<?> schema) {
+    private static void addDiscriminator(Map<String, String> told, Schema<?> schema) {
         told.forEach((member, value) -> {
             Schema<String> one = new StringSchema();
             one.setTypes(Set.of("string"));

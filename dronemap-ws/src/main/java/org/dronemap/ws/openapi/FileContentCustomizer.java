@@ -24,14 +24,14 @@ public final class FileContentCustomizer implements OperationCustomizer {
         if (files == null) {
             return operation;
         }
-        if (files.takes().length > 0) {
-            operation.setRequestBody(new RequestBody().required(true).content(content(files.takes())));
+        if (files.consumes().length > 0) {
+            operation.setRequestBody(new RequestBody().required(true).content(content(files.consumes())));
         }
-        if (files.gives().length > 0) {
+        if (files.produces().length > 0) {
             operation
                     .getResponses()
                     .computeIfAbsent("200", status -> new ApiResponse())
-                    .setContent(content(files.gives()));
+                    .setContent(content(files.produces()));
         }
         return operation;
     }

@@ -44,16 +44,16 @@ public final class NullabilityCustomizer implements OpenApiCustomizer {
                         ? null
                         : (Schema<?>) schema.getProperties().get(component.getName());
                 if (member != null) {
-                    AllowedValuesSchema.say(component, member);
+                    AllowedValuesSchema.describe(component, member);
                     boolean always = !component.getAccessor().isAnnotationPresent(JsonInclude.class);
-                    say(schema, component, member, whole && always, nulls && always);
+                    describe(schema, component, member, whole && always, nulls && always);
                 }
             }
         }));
     }
 
     @SuppressWarnings("unchecked")
-    private static void say(
+    private static void describe(
             Schema<?> schema, RecordComponent component, Schema<?> member, boolean whole, boolean nulls) {
         String name = component.getName();
         boolean nullable = component.getAnnotatedType().isAnnotationPresent(Nullable.class);

@@ -25,12 +25,12 @@ public final class RecordSchemaRegistry implements ModelConverter {
             AnnotatedType type, ModelConverterContext context, Iterator<ModelConverter> chain) {
         JavaType java = Json.mapper().constructType(type.getType());
         if (java != null && java.getRawClass().isRecord()) {
-            take(java.getRawClass());
+            register(java.getRawClass());
         }
         return chain.hasNext() ? chain.next().resolve(type, context, chain) : null;
     }
 
-    private void take(Class<?> record) {
+    private void register(Class<?> record) {
         String name = nameOf(record)
                 .orElseThrow(() -> new IllegalStateException(
                         record.getName() + " has no name for clients: say @Schema(name = ...) there."));

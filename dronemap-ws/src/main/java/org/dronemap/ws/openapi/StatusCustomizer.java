@@ -81,7 +81,7 @@ public final class StatusCustomizer implements OperationCustomizer {
             statuses.add(401);
             statuses.add(403);
         }
-        if (takes(handler, PathVariable.class)) {
+        if (hasParameter(handler, PathVariable.class)) {
             statuses.add(404);
         }
         if (gives(handler, parameter -> true)) {
@@ -91,7 +91,7 @@ public final class StatusCustomizer implements OperationCustomizer {
         if (gives(handler, parameter -> !isName(parameter))) {
             statuses.add(422);
         }
-        if (takesBody(handler)) {
+        if (hasBody(handler)) {
             statuses.addAll(Arrays.asList(408, 413, 415));
         }
         if (!isMapped(handler, GetMapping.class) && !isMapped(handler, DeleteMapping.class)) {
@@ -121,12 +121,12 @@ public final class StatusCustomizer implements OperationCustomizer {
         return parameter.hasParameterAnnotation(PathVariable.class) && parameter.getParameterType() == String.class;
     }
 
-    private static boolean takesBody(HandlerMethod handler) {
+    private static boolean hasBody(HandlerMethod handler) {
         FileMediaTypes files = handler.getMethodAnnotation(FileMediaTypes.class);
-        return takes(handler, RequestBody.class) || (files != null && files.takes().length > 0);
+        return hasParameter(handler, RequestBody.class) || (files != null && files.consumes().length > 0);
     }
 
-    private static boolean takes(HandlerMethod handler, Class<? extends Annotation> what) {
+    private static boolean hasParameter(HandlerMethod handler, Class<? extends Annotation> what) {
         return Stream.of(handler.getMethodParameters()).anyMatch(parameter -> parameter.hasParameterAnnotation(what));
     }
 }

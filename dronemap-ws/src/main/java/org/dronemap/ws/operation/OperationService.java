@@ -139,7 +139,7 @@ public final class OperationService<S, I> {
     }
 
     /** What a user has in hand goes over to the operation of the same user. */
-    public void giveBack(Principal principal, DroneId drone) {
+    public void releaseControl(Principal principal, DroneId drone) {
         if (cloud.controls().control(drone).isHeldBy(principal.name())) {
             cloud.controls().apply(drone, new LeaseEvent.Release(principal.name()));
         }
@@ -150,7 +150,7 @@ public final class OperationService<S, I> {
      * the pilot at the vehicle as well, before whom goes who says so in so many words. Nothing changes hands for a wish that
      * would be refused.
      */
-    public void takeBack(Principal principal, String id, S state, I wish, DroneId drone) {
+    public void releaseForRequest(Principal principal, String id, S state, I wish, DroneId drone) {
         kind.machine().refusal(state, wish).ifPresent(why -> {
             throw ObjectionProblem.rejection(why, id);
         });
@@ -158,11 +158,11 @@ public final class OperationService<S, I> {
         if (tenure != null && tenure.holder() instanceof LeaseHolder.Pilot) {
             cloud.controls().apply(drone, new LeaseEvent.Take(principal.name()));
         }
-        giveBack(principal, drone);
+        releaseControl(principal, drone);
     }
 
     public Snapshot<S> begin(Principal principal, OperationId id, String name, S state, Instant at) {
-        kind.machine().drones(state).forEach(drone -> giveBack(principal, drone));
+        kind.machine().drones(state).forEach(drone -> releaseControl(principal, drone));
         SavedOperation begun = SavedOperation.begun(
                 id,
                 kind.name(),
@@ -182,9 +182,9 @@ public final class OperationService<S, I> {
         }
     }
 
-    public Snapshot<S> wish(Snapshot<S> one, I input) {
+    public Snapshot<S> submit(Snapshot<S> one, I input) {
         try {
-            return operations.wish(kind, one.saved().id(), input);
+            return operations.request(kind, one.saved().id(), input);
         } catch (Operations.Refused refused) {
             throw ObjectionProblem.rejection(
                     refused.objection(), one.saved().id().value());

@@ -135,7 +135,7 @@ public final class GiftService {
     }
 
     /** Brings a drone back to those who gave it; what it did meanwhile is shown to those who had it, alone. */
-    public GiftView takeBack(Principal principal, String organisation, String drone) {
+    public GiftView revoke(Principal principal, String organisation, String drone) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         OrganisationId from = organisations.find(organisation).id();
         DroneState state = cloud.drones().stream()

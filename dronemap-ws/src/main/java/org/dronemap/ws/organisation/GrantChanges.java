@@ -13,11 +13,11 @@ public final class GrantChanges {
     public GrantChanges(GrantStore store, GrantRegistry book) {
         this.store = store;
         this.book = book;
-        book.replace(store.holdings());
+        book.replace(store.directory());
     }
 
     public OrganisationDirectory holdings() {
-        return book.holdings();
+        return book.directory();
     }
 
     GrantRegistry book() {
@@ -32,7 +32,7 @@ public final class GrantChanges {
         try {
             change.accept(store);
         } finally {
-            book.replace(store.holdings());
+            book.replace(store.directory());
         }
     }
 

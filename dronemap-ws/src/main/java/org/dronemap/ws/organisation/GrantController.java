@@ -70,8 +70,8 @@ public class GrantController {
             operationId = "revokeGrant",
             summary = "Take a grant back",
             description = "At once, on open streams too.")
-    public void takeBack(@PathVariable String id) {
-        grants.takeBack(current.principal(), id);
+    public void revoke(@PathVariable String id) {
+        grants.revoke(current.principal(), id);
     }
 
     @PutMapping("/users/{name}/only-granted")

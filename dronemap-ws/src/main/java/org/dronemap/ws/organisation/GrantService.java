@@ -133,7 +133,7 @@ public final class GrantService {
     }
 
     /** Gone at once, on open streams too. */
-    public void takeBack(Principal principal, String id) {
+    public void revoke(Principal principal, String id) {
         RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         String going = of(principal).stream()
                 .map(Grant::id)

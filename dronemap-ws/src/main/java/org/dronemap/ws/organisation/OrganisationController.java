@@ -114,8 +114,8 @@ public class OrganisationController {
             description =
                     "On the ground, disarmed, and out of every operation and the warehouse. What it did meanwhile is"
                             + " shown to those who had it then, alone.")
-    public GiftService.GiftView takeBack(@PathVariable String id, @PathVariable String drone) {
-        return gifts.takeBack(current.principal(), id, drone);
+    public GiftService.GiftView reclaimDrone(@PathVariable String id, @PathVariable String drone) {
+        return gifts.revoke(current.principal(), id, drone);
     }
 
     @DeleteMapping("/{id}")

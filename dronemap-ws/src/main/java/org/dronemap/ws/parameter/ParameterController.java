@@ -95,7 +95,7 @@ public class ParameterController {
     @GetMapping("/file")
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
     @ResponseStatuses(refuses = 409)
-    @FileMediaTypes(gives = "text/plain")
+    @FileMediaTypes(produces = "text/plain")
     @Operation(
             operationId = "exportParameters",
             summary = "Save the parameters as a file",
@@ -114,7 +114,7 @@ public class ParameterController {
     @PostMapping("/file")
     @Access(from = AccessLevel.OPERATOR, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
     @ResponseStatuses({200, 202})
-    @FileMediaTypes(takes = "text/plain")
+    @FileMediaTypes(consumes = "text/plain")
     @Operation(
             operationId = "importParameters",
             summary = "Compare with a file, or load it (operator)",

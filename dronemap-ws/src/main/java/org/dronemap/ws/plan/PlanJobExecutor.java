@@ -89,8 +89,8 @@ public final class PlanJobExecutor implements AutoCloseable {
             jobs.put(job.id(), kept);
             oldest.ifPresent(one -> jobs.remove(one.id()));
         }
-        oldest.ifPresent(this::tellRemoved);
-        tell(job);
+        oldest.ifPresent(this::notifyRemoved);
+        notifyChanged(job);
     }
 
     private void requireFewUnderWay(String account) {
@@ -142,7 +142,7 @@ public final class PlanJobExecutor implements AutoCloseable {
                     .toList();
             old.forEach(job -> jobs.remove(job.id()));
         }
-        old.forEach(this::tellRemoved);
+        old.forEach(this::notifyRemoved);
     }
 
     private List<PlanJob> all() {
@@ -169,14 +169,14 @@ public final class PlanJobExecutor implements AutoCloseable {
     /** Cancels what is under way; forgets what has ended. */
     void remove(PlanJob job) {
         if (job.cancel(time.nanos())) {
-            kept(job).ifPresent(kept -> pool.callOff(kept.work()));
-            tell(job);
+            kept(job).ifPresent(kept -> pool.remove(kept.work()));
+            notifyChanged(job);
             return;
         }
         synchronized (this) {
             jobs.remove(job.id());
         }
-        tellRemoved(job);
+        notifyRemoved(job);
     }
 
     private synchronized Optional<RetainedJob> kept(PlanJob job) {
@@ -184,11 +184,11 @@ public final class PlanJobExecutor implements AutoCloseable {
     }
 
     /** Something about it has changed. */
-    void tell(PlanJob job) {
+    void notifyChanged(PlanJob job) {
         listeners.forEach(listener -> listener.changed(job));
     }
 
-    private void tellRemoved(PlanJob job) {
+    private void notifyRemoved(PlanJob job) {
         listeners.forEach(listener -> listener.removed(job));
     }
 
@@ -204,17 +204,17 @@ public final class PlanJobExecutor implements AutoCloseable {
         if (!job.begin()) {
             return;
         }
-        tell(job);
+        notifyChanged(job);
         PlanJobInput order = job.order();
         long began = time.nanos();
         try {
             SearchBudget budget =
                     SearchBudget.time(order.search(), time.effort()).orWhen(job::isCancelled);
             job.finish(
-                    FleetPlanner.watched(order.problem(), order.seed(), budget, (progress, orders) -> {
+                    FleetPlanner.planObserved(order.problem(), order.seed(), budget, (progress, orders) -> {
                         double seconds = (time.nanos() - began) / NANOS;
                         if (job.improve(new PlanJob.Step(seconds, progress), orders)) {
-                            tell(job);
+                            notifyChanged(job);
                         }
                     }),
                     time.nanos());
@@ -222,7 +222,7 @@ public final class PlanJobExecutor implements AutoCloseable {
             LOG.error("The plan {} could not be worked out", job.id(), e);
             job.fail("The search failed; those who run the server find out why in its log.", time.nanos());
         }
-        tell(job);
+        notifyChanged(job);
     }
 
     @Override

@@ -68,7 +68,7 @@ final class PlanLauncher {
                 .exceptionally(this::broken)
                 .thenRun(() -> {
                     job.launched(desk.nowNanos());
-                    desk.tell(job);
+                    desk.notifyChanged(job);
                 });
     }
 
@@ -121,7 +121,7 @@ final class PlanLauncher {
     private CompletableFuture<Boolean> startOne(Tour tour) {
         DroneId drone = tour.drone();
         return whenDue(tour)
-                .thenComposeAsync(due -> goesOn(due, drone) ? takeOrders(drone) : NO, desk.launches())
+                .thenComposeAsync(due -> goesOn(due, drone) ? enterCommandMode(drone) : NO, desk.launches())
                 .thenComposeAsync(ready -> goesOn(ready, drone) ? arm(drone) : NO, desk.launches())
                 .thenComposeAsync(
                         armed -> goesOn(armed, drone) ? begin(drone) : armed ? disarm(drone) : NO, desk.launches());
@@ -146,8 +146,8 @@ final class PlanLauncher {
         return soFar && why == null;
     }
 
-    private CompletableFuture<Boolean> takeOrders(DroneId drone) {
-        return modeForOrders(drone)
+    private CompletableFuture<Boolean> enterCommandMode(DroneId drone) {
+        return commandMode(drone)
                 .map(mode -> give(
                         drone,
                         DroneLaunchStatus.Stage.ARMING,
@@ -186,13 +186,13 @@ final class PlanLauncher {
     }
 
     /** The mode in which it can be armed; empty when it is in one. */
-    private Optional<String> modeForOrders(DroneId drone) {
+    private Optional<String> commandMode(DroneId drone) {
         return commands.known(principal, drone.value())
-                .filter(state -> !takesOrders(state, state.mode()))
+                .filter(state -> !acceptsCommands(state, state.mode()))
                 .flatMap(state -> state.capabilities().mode(Capabilities.Steering.ORDERS));
     }
 
-    private static boolean takesOrders(DroneState state, @Nullable String mode) {
+    private static boolean acceptsCommands(DroneState state, @Nullable String mode) {
         return state.capabilities()
                 .steering(mode)
                 .filter(steering -> steering == Capabilities.Steering.ORDERS)
@@ -208,15 +208,18 @@ final class PlanLauncher {
         } catch (Rejection refused) {
             job.settle(new DroneLaunchStatus(
                     drone, DroneLaunchStatus.Stage.FAILED, DroneLaunchStatus.Reason.of(refused), refused.commandId()));
-            desk.tell(job);
+            desk.notifyChanged(job);
             return CompletableFuture.completedFuture(false);
         } catch (RuntimeException failed) {
             // Thrown on, nobody would ever hear what became of this plan.
-            settle(drone, DroneLaunchStatus.Stage.FAILED, DroneLaunchStatus.Reason.of(OutageClassifier.told(failed)));
+            settle(
+                    drone,
+                    DroneLaunchStatus.Stage.FAILED,
+                    DroneLaunchStatus.Reason.of(OutageClassifier.rejectionOf(failed)));
             return CompletableFuture.completedFuture(false);
         }
         job.settle(new DroneLaunchStatus(drone, during, null, given.id()));
-        desk.tell(job);
+        desk.notifyChanged(job);
         return commands.awaitEndOrSilence(given, LONGEST_SILENCE).thenApply(ended -> ended(drone, after, ended));
     }
 
@@ -236,13 +239,13 @@ final class PlanLauncher {
                                         "To " + command.summary() + " did not succeed"
                                                 + (why == null ? "." : ": " + why)),
                                 command.id()));
-        desk.tell(job);
+        desk.notifyChanged(job);
         return succeeded;
     }
 
     private void settle(DroneId drone, DroneLaunchStatus.Stage stage, DroneLaunchStatus.@Nullable Reason why) {
         job.settle(new DroneLaunchStatus(drone, stage, why, null));
-        desk.tell(job);
+        desk.notifyChanged(job);
     }
 
     private DroneLaunchStatus.@Nullable Stage stage(DroneId drone) {

@@ -18,7 +18,7 @@ public final class OutageClassifier {
     /** Empty: it is broken. */
     public static Optional<Rejection> of(Throwable thrown) {
         for (Throwable cause = thrown; cause != null; cause = cause.getCause()) {
-            if (cause instanceof TransientFailure outage && outage.isPassing()) {
+            if (cause instanceof TransientFailure outage && outage.isTransient()) {
                 return Optional.of(Rejection.of(
                         ServerProblem.STORE_UNREACHABLE,
                         "What the server keeps cannot be reached or written at the moment; drones fly on. Try again"
@@ -37,7 +37,7 @@ public final class OutageClassifier {
      * What is told of one of several things that were asked for at once, so that no failure at one hides what became of the
      * others; what is broken is told to the log.
      */
-    public static Rejection told(RuntimeException thrown) {
+    public static Rejection rejectionOf(RuntimeException thrown) {
         if (thrown instanceof Rejection refused) {
             return refused;
         }

@@ -43,16 +43,16 @@ public final class ProcessLifecycle implements AutoCloseable {
         ProcessEndLog file = new ProcessEndLog(dataDirectory.resolve("past-ends"));
         List<ProcessCrash> ends = run.before().map(file::with).orElseGet(file::all);
         ProcessLifecycle process = new ProcessLifecycle(run, ends, time);
-        process.tell();
+        process.logPastEnd();
         Thread.setDefaultUncaughtExceptionHandler(process.end);
         return process;
     }
 
-    private void tell() {
+    private void logPastEnd() {
         if (before != null) {
             LOG.warn("The server ended by itself at {}. {}: {}", before.at(), before.part(), before.why());
         }
-        if (precautions.careful()) {
+        if (precautions.isActive()) {
             LOG.error(
                     "The server ended {} times within two minutes: it starts without operations, and takes nothing from {}",
                     precautions.ends().size(),

@@ -41,7 +41,7 @@ public final class ProcessTerminator implements Thread.UncaughtExceptionHandler 
             boolean ofTheThread = !(thrown instanceof OutOfMemoryError);
             end(thread.getName(), "It ended with " + thrown + ".", ofTheThread, thrown);
         } else {
-            say("The thread " + thread.getName() + " ended.", thrown);
+            write("The thread " + thread.getName() + " ended.", thrown);
         }
     }
 
@@ -53,14 +53,14 @@ public final class ProcessTerminator implements Thread.UncaughtExceptionHandler 
     private void end(String part, String why, boolean ofThisThread, @Nullable Throwable thrown) {
         try {
             run.ending(clock.instant(), part, why, ofThisThread);
-            say("The server ends, to be started again. " + part + ": " + why, thrown);
+            write("The server ends, to be started again. " + part + ": " + why, thrown);
         } finally {
             halt.accept(EXIT_CODE);
         }
     }
 
     /** Past all loggers: a thread that ended may hold their locks for ever. */
-    private void say(String sentence, @Nullable Throwable thrown) {
+    private void write(String sentence, @Nullable Throwable thrown) {
         StringWriter text = new StringWriter();
         text.append(clock.instant().toString())
                 .append(" ERROR ")

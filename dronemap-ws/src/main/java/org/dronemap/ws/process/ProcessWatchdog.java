@@ -42,18 +42,18 @@ public final class ProcessWatchdog implements AutoCloseable {
         this.lanes = List.copyOf(lanes);
         this.time = time;
         thread = time.worker("self-check", 1);
-        var begun = thread.every(RHYTHM, RHYTHM, this::look);
+        var begun = thread.every(RHYTHM, RHYTHM, this::check);
         LOG.debug("The server looks after itself: {}", begun);
     }
 
-    void look() {
+    void check() {
         run.sign(time.clock().instant());
         // What it cannot get is an error, which ends the process.
         Thread probe = time.blocking("thread-probe", () -> {});
         LOG.trace("{} could be started", probe);
         getMemory();
         for (Lane lane : lanes) {
-            look(lane);
+            check(lane);
         }
     }
 
@@ -68,7 +68,7 @@ public final class ProcessWatchdog implements AutoCloseable {
         }
     }
 
-    private void look(Lane lane) {
+    private void check(Lane lane) {
         long turns = lane.turns();
         LaneProgress before = standing.get(lane.name());
         int checks = before == null || before.turns() != turns ? 0 : before.checks() + 1;

@@ -117,7 +117,7 @@ public final class JsonReader {
     }
 
     private static String known(UnrecognizedPropertyException unknown) {
-        Stream<String> alternative = RecordAlternatives.toldBy(unknown.getReferringClass()).keySet().stream();
+        Stream<String> alternative = RecordAlternatives.discriminators(unknown.getReferringClass()).keySet().stream();
         Stream<Object> members =
                 Optional.ofNullable(unknown.getKnownPropertyIds()).stream().flatMap(Collection::stream);
         return Stream.concat(alternative, members.map(String::valueOf)).collect(Collectors.joining(", "));

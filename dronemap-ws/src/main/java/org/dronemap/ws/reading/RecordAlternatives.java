@@ -48,7 +48,7 @@ public record RecordAlternatives(String member, Map<String, Class<?>> records) {
     }
 
     /** What tells a record apart from others: member by member, the outermost choice first. Empty: it is one of none. */
-    public static Map<String, String> toldBy(Class<?> record) {
+    public static Map<String, String> discriminators(Class<?> record) {
         List<Class<?>> choices = new ArrayList<>(interfaces(record).toList());
         List<Class<?>> forms =
                 Stream.concat(Stream.of(record), choices.stream()).toList();

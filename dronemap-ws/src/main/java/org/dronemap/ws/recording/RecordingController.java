@@ -62,7 +62,7 @@ public class RecordingController {
     @GetMapping("/{id}/file")
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE, costs = RequestCost.EXPORT)
     @ResponseStatuses(refuses = 409)
-    @FileMediaTypes(gives = {"application/octet-stream", "application/jsonl"})
+    @FileMediaTypes(produces = {"application/octet-stream", "application/jsonl"})
     @Operation(
             operationId = "getRecordingFile",
             summary = "Download a recording",
@@ -78,7 +78,7 @@ public class RecordingController {
     @GetMapping("/{id}/sent")
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.DRONE)
     @ResponseStatuses(refuses = 409)
-    @FileMediaTypes(gives = "text/tab-separated-values")
+    @FileMediaTypes(produces = "text/tab-separated-values")
     @Operation(
             operationId = "getRecordingSent",
             summary = "Download who sent what in a recording (tab-separated)",

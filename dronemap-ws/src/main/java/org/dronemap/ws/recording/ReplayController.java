@@ -47,7 +47,7 @@ public class ReplayController {
     @PostMapping
     @Access(from = AccessLevel.OPERATOR, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
     @ResponseStatuses(202)
-    @FileMediaTypes(takes = "application/octet-stream")
+    @FileMediaTypes(consumes = "application/octet-stream")
     @Operation(
             operationId = "startReplay",
             summary = "Play a recording (operator)",

@@ -115,7 +115,7 @@ public final class RunJournalService {
             List<JournalEntry> part;
             do {
                 part = operations.journal(run, replay.count(), MOST);
-                replay.take(part);
+                replay.replay(part);
             } while (part.size() == MOST && replay.difference().isEmpty());
             return replay.difference()
                     .map(other -> new JournalReplayView(

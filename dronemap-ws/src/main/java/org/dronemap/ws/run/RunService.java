@@ -127,33 +127,33 @@ public final class RunService {
 
     public RunView add(Principal principal, String id, RunRequest.WaypointsRequest request) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).added(run, request));
+        return submit(principal, id, run -> reader(principal).added(run, request));
     }
 
     public RunView move(Principal principal, String id, String waypoint, RunRequest.MoveRequest request) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).moved(run, target(run, waypoint), request));
+        return submit(principal, id, run -> reader(principal).moved(run, target(run, waypoint), request));
     }
 
     public RunView cancel(Principal principal, String id, String waypoint) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).cancelled(target(run, waypoint)));
+        return submit(principal, id, run -> reader(principal).cancelled(target(run, waypoint)));
     }
 
     public RunView bar(Principal principal, String id, ZoneFeature feature) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).barrier(feature));
+        return submit(principal, id, run -> reader(principal).barrier(feature));
     }
 
     public RunView join(Principal principal, String id, RunRequest.JoinRequest request) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> {
+        return submit(principal, id, run -> {
             if (request.drone() == null) {
                 throw InvalidInput.missing("drone", "the id of a drone");
             }
             DroneState drone = drones.state(principal, request.drone(), Role.OPERATOR);
             RunInput wish = reader(principal).joined(PlanDroneFactory.of(drone), drone);
-            desk.giveBack(principal, drone.id());
+            desk.releaseControl(principal, drone.id());
             return wish;
         });
     }
@@ -161,45 +161,45 @@ public final class RunService {
     /** The only way in which a drone that somebody took comes back to its run. */
     public RunView resume(Principal principal, String id, String drone) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> {
+        return submit(principal, id, run -> {
             DroneId known = drone(run, drone);
             RunInput resumed = reader(principal).resumed(known);
-            desk.takeBack(principal, id, run, resumed, known);
+            desk.releaseForRequest(principal, id, run, resumed, known);
             return resumed;
         });
     }
 
     public RunView giveUp(Principal principal, String id, String drone) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).givenUp(drone(run, drone)));
+        return submit(principal, id, run -> reader(principal).givenUp(drone(run, drone)));
     }
 
     public RunView answer(Principal principal, String id, String proposal, RunRequest.AnswerRequest request) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).answered(proposal, request));
+        return submit(principal, id, run -> reader(principal).answered(proposal, request));
     }
 
     /** Its drones wait where they are. */
     public RunView pause(Principal principal, String id) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).paused());
+        return submit(principal, id, run -> reader(principal).paused());
     }
 
     public RunView goOn(Principal principal, String id) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).wentOn());
+        return submit(principal, id, run -> reader(principal).wentOn());
     }
 
     public RunView stop(Principal principal, String id) {
         RoleChecks.require(principal, Role.OPERATOR);
-        return wish(principal, id, run -> reader(principal).stopped());
+        return submit(principal, id, run -> reader(principal).stopped());
     }
 
     private RunReader reader(Principal principal) {
         return new RunReader(principal.name(), desk.now());
     }
 
-    private RunView wish(Principal principal, String id, Function<RunState, RunInput> what) {
+    private RunView submit(Principal principal, String id, Function<RunState, RunInput> what) {
         Snapshot<RunState> run = find(principal, id);
         desk.requireWithoutBounds(principal);
         for (RunDrone drone : run.state().drones()) {
@@ -209,7 +209,7 @@ public final class RunService {
             throw desk.over(id);
         }
         RunInput input = what.apply(run.state());
-        return RunViewMapper.view(desk.wish(run, input));
+        return RunViewMapper.view(desk.submit(run, input));
     }
 
     private static RunWaypoint target(RunState run, String id) {

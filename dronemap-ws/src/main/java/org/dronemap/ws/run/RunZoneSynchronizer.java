@@ -46,13 +46,13 @@ public final class RunZoneSynchronizer {
     }
 
     /** Compares what binds now with what each run keeps to, so that it does not matter when, and over which restart, it came. */
-    public void tell() {
+    public void synchronize() {
         List<Snapshot<RunState>> runs = operations.underWay(kind);
         refused.removeIf(one -> runs.stream().noneMatch(run -> run.saved().id().equals(one.run())));
-        runs.forEach(this::tell);
+        runs.forEach(this::synchronize);
     }
 
-    private void tell(Snapshot<RunState> run) {
+    private void synchronize(Snapshot<RunState> run) {
         RunState state = run.state();
         Instant now = clock.instant().truncatedTo(ChronoUnit.MICROS);
         List<Barrier> binding = PlanBarriers.of(
@@ -72,7 +72,7 @@ public final class RunZoneSynchronizer {
 
     private void deliver(Notice notice, RunInput.AddBarrier input) {
         try {
-            operations.wish(kind, notice.run(), input);
+            operations.request(kind, notice.run(), input);
         } catch (Operations.Refused e) {
             refused.add(notice);
             LOG.warn(

@@ -76,7 +76,7 @@ public final class AccessFilter extends OncePerRequestFilter {
     }
 
     private void pay(AccessRule rule, String who) {
-        rule.costs().work().forEach(work -> budgets.take(work, who));
+        rule.costs().work().forEach(work -> budgets.charge(work, who));
     }
 
     private static Rejection noCaller(HttpServletRequest request) {

@@ -194,12 +194,12 @@ public final class Authentication implements PasswordVerification {
     }
 
     private EffectivePermissions reach(User user) {
-        return grants.reach(user.organisation(), user.name());
+        return grants.permissionsOf(user.organisation(), user.name());
     }
 
     /** Whoever owns the machine acts as its first administrator. */
     private Principal administrator() {
-        EffectivePermissions everywhere = grants.reach(OrganisationId.HOME);
+        EffectivePermissions everywhere = grants.permissionsOf(OrganisationId.HOME);
         return store.users().stream()
                 .filter(user -> user.role() == Role.ADMINISTRATOR
                         && user.isActive()
@@ -289,7 +289,7 @@ public final class Authentication implements PasswordVerification {
     private @Nullable String nameOf(OrganisationId id) {
         return id.isHome()
                 ? null
-                : grants.holdings().organisations().stream()
+                : grants.directory().organisations().stream()
                         .filter(organisation -> organisation.id().equals(id))
                         .map(Organisation::name)
                         .findFirst()

@@ -89,7 +89,7 @@ final class OutletBuilder {
                             active.role(),
                             KeyScope.ALL,
                             null,
-                            grants.reach(active.organisation(), active.name())));
+                            grants.permissionsOf(active.organisation(), active.name())));
         }
     }
 }

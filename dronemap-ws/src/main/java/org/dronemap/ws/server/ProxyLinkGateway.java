@@ -34,7 +34,7 @@ record ProxyLinkGateway(MavlinkProxy proxy, RoslinkProxy robots) implements Vehi
 
     @Override
     public void keep(String id, String url) {
-        proxy.links().keep(id, EndpointUrl.parse(url));
+        proxy.links().retryLater(id, EndpointUrl.parse(url));
     }
 
     @Override

@@ -121,7 +121,7 @@ public final class ServerBuilder {
                 stores.missions(),
                 stores.zones(),
                 new ProxyReplayGateway(links.replays()),
-                recorder.shelf(),
+                recorder.archive(),
                 history,
                 linkSide(new ProxyLinkGateway(links, robotSide), stores, dtlsKeys, robotKeys, clients),
                 stores::isUp,
@@ -207,7 +207,7 @@ public final class ServerBuilder {
     /** In force before anybody can ask, or any vehicle is heard. */
     private GrantRegistry grants(Stores stores, CloudManager cloud, ServerComponents.AuditComponents audit) {
         GrantRegistry grants = new GrantRegistry(time.clock());
-        grants.replace(stores.grants().holdings());
+        grants.replace(stores.grants().directory());
         cloud.zones().ownersBy(grants::owner);
         cloud.zones().put(stores.zones().zones());
         cloud.addListener(new ControlAuditListener(audit.store(), time.clock(), grants::owner));
@@ -224,7 +224,7 @@ public final class ServerBuilder {
                 new AccountRights(stores.access(), grants, time),
                 time);
         virtuals.addListener(new BindingAuditListener(audit.store(), time.clock(), virtuals.all()));
-        if (beginning.precautions().careful()) {
+        if (beginning.precautions().isActive()) {
             virtuals.startSuspended(SET_ASIDE);
         } else {
             virtuals.start();
@@ -237,10 +237,10 @@ public final class ServerBuilder {
     private OperationComponents runs(CloudManager cloud, Stores stores, GrantRegistry grants) {
         OperationComponents runs = OperationComponents.of(
                 cloud, stores.operations(), new AccountRights(stores.access(), grants, time), settings.apart(), time);
-        if (beginning.precautions().careful()) {
+        if (beginning.precautions().isActive()) {
             runs.operations().setAside(SET_ASIDE);
         } else {
-            runs.operations().takeUp();
+            runs.operations().restore();
         }
         operations = runs.operations();
         closing.add("the operations", runs.operations());
@@ -279,7 +279,7 @@ public final class ServerBuilder {
                         drone -> cloud.drone(drone)
                                 .map(state -> state.link().key().systemId())
                                 .orElse(-1),
-                        (drone, sentence) -> cloud.say(drone, Severity.WARNING, sentence)),
+                        (drone, sentence) -> cloud.publishMessage(drone, Severity.WARNING, sentence)),
                 time);
         closing.add("the keys", keyrings);
         cloud.addListener(new RemovedDroneListener(keyrings));
@@ -333,7 +333,7 @@ public final class ServerBuilder {
      * Lets vehicles and robots in, and goes on with what was under way. Those in the air fly home when they miss the server for
      * five seconds: they do not wait for the faces, which take longer than that to start.
      */
-    public void hear() {
+    public void openLinks() {
         if (robotLinks != null) {
             robots.open(robotLinks);
         }
@@ -378,7 +378,7 @@ public final class ServerBuilder {
     private static void addSaved(MavlinkProxy proxy, LinkStore saved) {
         for (SavedLink link : saved.links()) {
             try {
-                proxy.links().keep(link.id(), EndpointUrl.parse(link.url()));
+                proxy.links().retryLater(link.id(), EndpointUrl.parse(link.url()));
             } catch (IllegalStateException | IllegalArgumentException e) {
                 LOG.warn("The endpoint {} that {} added is left out: {}", link.url(), link.addedBy(), e.getMessage());
             }

@@ -49,7 +49,7 @@ final class FaultTextInterceptor extends AbstractPhaseInterceptor<Message> {
     }
 
     private static ProblemView problem(Exception thrown) {
-        FatalErrors.tellOf(thrown);
+        FatalErrors.reportCause(thrown);
         for (Throwable cause = thrown; cause != null; cause = cause.getCause()) {
             if (cause instanceof Rejection rejection) {
                 return ProblemView.of(rejection);

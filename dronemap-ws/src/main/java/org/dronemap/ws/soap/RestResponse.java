@@ -119,17 +119,17 @@ final class RestResponse extends MockHttpServletResponse {
     private final class Bounded extends ServletOutputStream {
         @Override
         public void write(int letter) throws IOException {
-            take(1);
+            reserve(1);
             content.write(letter);
         }
 
         @Override
         public void write(byte[] bytes, int from, int length) throws IOException {
-            take(length);
+            reserve(length);
             content.write(bytes, from, length);
         }
 
-        private void take(int more) throws IOException {
+        private void reserve(int more) throws IOException {
             if (content.size() + more > LONGEST_BYTES) {
                 tooLong = true;
                 // As if the client had gone: that is no fault of the server.

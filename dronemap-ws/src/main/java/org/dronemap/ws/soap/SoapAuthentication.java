@@ -55,7 +55,7 @@ public final class SoapAuthentication {
 
     private AuthenticatedCaller byToken(UsernameTokenReader.Token token, String address) {
         AuthenticatedCaller caller = authentication.byPassword(token.name(), token.password(), address);
-        tokens.takeOnce(token);
+        tokens.requireUnused(token);
         return caller;
     }
 

@@ -87,7 +87,7 @@ public final class UsernameTokenReader {
     }
 
     /** Of one whose name and password are right: nobody else can fill up what is remembered. */
-    synchronized void takeOnce(Token token) {
+    synchronized void requireUnused(Token token) {
         String nonce = token.nonce();
         if (nonce == null) {
             return;

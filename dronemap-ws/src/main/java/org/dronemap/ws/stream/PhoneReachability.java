@@ -34,8 +34,8 @@ final class PhoneReachability {
 
     /** {@code told}: how it was said to be reached last; null: not yet. */
     private record Phone(
-            StreamClient client, long saidNanos, @Nullable ReporterState told) {
-        Phone told(ReporterState reach) {
+            StreamClient client, long saidNanos, @Nullable ReporterState withReported) {
+        Phone withReported(ReporterState reach) {
             return new Phone(client, saidNanos, reach);
         }
     }
@@ -45,10 +45,10 @@ final class PhoneReachability {
     }
 
     /** This client said where the phone of that follow is, or that it is there. */
-    synchronized void spoke(StreamClient client, String follow, long nowNanos) {
-        Phone before = phones.put(follow, new Phone(client, nowNanos, ReporterState.SPEAKS));
-        if (before == null || before.told() != ReporterState.SPEAKS) {
-            follows.reached(follow, ReporterState.SPEAKS);
+    synchronized void received(StreamClient client, String follow, long nowNanos) {
+        Phone before = phones.put(follow, new Phone(client, nowNanos, ReporterState.ACTIVE));
+        if (before == null || before.withReported() != ReporterState.ACTIVE) {
+            follows.reached(follow, ReporterState.ACTIVE);
         }
     }
 
@@ -56,7 +56,7 @@ final class PhoneReachability {
      * Its connection has ended; {@code remote}: at its own wish. One that breaks off right after it has answered was ended
      * at the phone: a network that is gone says nothing at all.
      */
-    synchronized void left(StreamClient client, int code, boolean remote, long nowNanos) {
+    synchronized void disconnected(StreamClient client, int code, boolean remote, long nowNanos) {
         boolean broken = !remote && code == CloseFrame.ABNORMAL_CLOSE;
         if (code == CONNECTS_ANEW || (!remote && !broken)) {
             // It did not wish to go: it is back soon, or rounds find out that it is not.
@@ -70,7 +70,9 @@ final class PhoneReachability {
                 all.remove();
                 follows.reached(
                         one.getKey(),
-                        broken && nowNanos - answered(phone) >= DEAF_NANOS ? ReporterState.CUT : ReporterState.GONE);
+                        broken && nowNanos - answered(phone) >= DEAF_NANOS
+                                ? ReporterState.UNREACHABLE
+                                : ReporterState.CLOSED);
             }
         }
     }
@@ -86,8 +88,8 @@ final class PhoneReachability {
             Phone phone = one.getValue();
             phone.client().probe();
             ReporterState reach = reach(phone, nowNanos);
-            if (reach != phone.told()) {
-                one.setValue(phone.told(reach));
+            if (reach != phone.withReported()) {
+                one.setValue(phone.withReported(reach));
             }
             if (!follows.reached(one.getKey(), reach)) {
                 all.remove();
@@ -97,12 +99,12 @@ final class PhoneReachability {
 
     private static ReporterState reach(Phone phone, long nowNanos) {
         if (nowNanos - phone.saidNanos() < QUIET_NANOS) {
-            return ReporterState.SPEAKS;
+            return ReporterState.ACTIVE;
         }
         long answered = answered(phone);
         // A browser reads no further for a page that stands still, and a phone that sleeps ends its network some time.
         boolean slept = answered - phone.saidNanos() >= DEAF_NANOS;
-        return slept || nowNanos - answered < DEAF_NANOS ? ReporterState.ASLEEP : ReporterState.CUT;
+        return slept || nowNanos - answered < DEAF_NANOS ? ReporterState.IDLE : ReporterState.UNREACHABLE;
     }
 
     private static long answered(Phone phone) {

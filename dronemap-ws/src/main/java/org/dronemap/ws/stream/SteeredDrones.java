@@ -28,14 +28,14 @@ final class SteeredDrones {
     private record SentNotice(String sentence, long nanos) {}
 
     /** It steers that drone in that name. */
-    void on(String drone, Principal principal) {
+    void add(String drone, Principal principal) {
         steered.put(drone, principal);
         told.remove(drone);
     }
 
     /** In whose name it steered that drone; null when it did not. From now on it does not. */
     @Nullable
-    Principal off(String drone) {
+    Principal remove(String drone) {
         return steered.remove(drone);
     }
 
@@ -44,7 +44,7 @@ final class SteeredDrones {
     }
 
     /** Setpoints come many times a second: the same sentence about the same drone is told once in one. */
-    boolean mayBeTold(String drone, String sentence, long nowNanos) {
+    boolean mayNotify(String drone, String sentence, long nowNanos) {
         SentNotice last = told.get(drone);
         boolean again =
                 last != null && last.sentence().equals(sentence) && nowNanos - last.nanos() < BETWEEN_SENTENCES_NANOS;

@@ -29,7 +29,7 @@ final class StreamAuditNotes {
         call.operation(request.kind().word());
         String drone = request.drone();
         if (drone != null) {
-            call.drone(AuditNotes.told(drone));
+            call.drone(AuditNotes.withoutSecrets(drone));
         }
         if (request instanceof StreamRequest.GiveCommand given && given.command() != null) {
             AuditNotes.sent(given.command());

@@ -37,7 +37,7 @@ final class StreamClient {
     private volatile boolean unsettled;
     private final long connectedNanos;
     private volatile long answeredNanos;
-    private final SteeredDrones hands = new SteeredDrones();
+    private final SteeredDrones steeredDrones = new SteeredDrones();
     private volatile @Nullable AuthenticatedCaller caller;
     private volatile @Nullable Set<String> wanted;
     private volatile int perSecond = PublishSchedule.MOST_PER_SECOND;
@@ -109,8 +109,8 @@ final class StreamClient {
         return answeredNanos;
     }
 
-    SteeredDrones hands() {
-        return hands;
+    SteeredDrones steeredDrones() {
+        return steeredDrones;
     }
 
     /** It is nobody any more. */

@@ -115,7 +115,7 @@ public final class StreamFace implements AutoCloseable {
                 pump::wake);
         this.phones = new PhoneReachability(services.pictures().follows()::reached);
         this.requests = new StreamRequestHandler(services, phones);
-        services.entrance().accounts().onChangeFirst(this::judgeAnew);
+        services.entrance().accounts().onChangeFirst(this::reauthorize);
         this.server = new StreamServer(
                 port,
                 requests,
@@ -157,11 +157,11 @@ public final class StreamFace implements AutoCloseable {
     }
 
     /** Nobody stays connected by rights that are gone. */
-    private void judgeAnew(String user) {
+    private void reauthorize(String user) {
         for (StreamClient client : server.clients()) {
             client.caller()
                     .filter(caller -> caller.principal().name().equals(user))
-                    .ifPresent(caller -> requests.judgeAnew(client, caller));
+                    .ifPresent(caller -> requests.reauthorize(client, caller));
         }
         pump.wake();
     }
@@ -185,7 +185,7 @@ public final class StreamFace implements AutoCloseable {
             if (now - client.connectedNanos() > TIME_TO_SIGN_IN_NANOS) {
                 Rejection late = Rejection.of(
                         AccessProblem.SIGN_IN_NEEDED, "No ticket, key or authenticate message came within 5 s.");
-                requests.say(client, new StreamMessage.Failure(ProblemView.of(late), null));
+                requests.send(client, new StreamMessage.Failure(ProblemView.of(late), null));
                 client.pump(now, server.reminder(), frames);
                 client.close(CloseFrame.POLICY_VALIDATION, late.sentence());
             }

@@ -66,7 +66,7 @@ public record StreamMessageCatalogue(Map<String, Class<?>> records) {
     private static void checkKinds(List<Topic<?>> topics) {
         Map<String, Topic<?>> known = new HashMap<>();
         for (Topic<?> topic : topics) {
-            boolean keepsPictures = !(topic.rate() instanceof TopicRate.EveryChange) || topic.isTakenBack();
+            boolean keepsPictures = !(topic.rate() instanceof TopicRate.EveryChange) || topic.isWithdrawn();
             Topic<?> other = keepsPictures ? known.putIfAbsent(topic.about().kind(), topic) : null;
             if (other != null) {
                 throw new SetupException("Two topics of the stream are about things of the kind "

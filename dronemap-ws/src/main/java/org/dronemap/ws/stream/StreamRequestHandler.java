@@ -86,7 +86,7 @@ final class StreamRequestHandler {
             AuthenticatedCaller caller = authentication.still(proved).orElseThrow(Rejection::sessionEnded);
             authentication.admit(caller);
             Principal principal = caller.principal();
-            say(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role())));
+            send(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role())));
             List<DroneView> all = drones.drones(principal);
             all.forEach(drone -> {
                 DroneId id = new DroneId(drone.id());
@@ -95,7 +95,7 @@ final class StreamRequestHandler {
                     client.shown().put(MessageSubject.drone(id), sight);
                 }
             });
-            say(client, new StreamMessage.Drones(all));
+            send(client, new StreamMessage.Drones(all));
             client.unsettle();
         } catch (Rejection rejection) {
             boolean later = rejection.kind() == RejectionKind.THROTTLED;
@@ -104,7 +104,7 @@ final class StreamRequestHandler {
     }
 
     /** What a client may is judged anew; it has to leave when that has become less, or other. */
-    void judgeAnew(StreamClient client, AuthenticatedCaller before) {
+    void reauthorize(StreamClient client, AuthenticatedCaller before) {
         try {
             Optional<AuthenticatedCaller> now = authentication.still(before);
             if (now.isEmpty()) {
@@ -128,21 +128,21 @@ final class StreamRequestHandler {
     void expel(StreamClient client, int code, Rejection why) {
         String message = json.write(new StreamMessage.Failure(ProblemView.of(why), null));
         client.expel(new StreamClient.ClosingMessage(code, why.sentence(), message));
-        steering.handsOff(client);
+        steering.stopSteering(client);
     }
 
     /** Its connection has ended. */
-    void left(StreamClient client, int code, boolean remote) {
+    void disconnected(StreamClient client, int code, boolean remote) {
         client.leave();
-        steering.handsOff(client);
-        phones.left(client, code, remote, System.nanoTime());
+        steering.stopSteering(client);
+        phones.disconnected(client, code, remote, System.nanoTime());
     }
 
-    void hear(StreamClient client, String text) {
+    void received(StreamClient client, String text) {
         AuditedCall call = desk.begin("stream", "unreadable");
         client.principal().ifPresent(call::by);
         call.during(() -> {
-            heard(client, text);
+            handle(client, text);
             return true;
         });
         desk.end(call);
@@ -158,7 +158,7 @@ final class StreamRequestHandler {
         desk.end(call);
     }
 
-    private void heard(StreamClient client, String text) {
+    private void handle(StreamClient client, String text) {
         String requestId = null;
         try {
             Head head = json.read(text, Head.class);
@@ -172,12 +172,12 @@ final class StreamRequestHandler {
             } else {
                 // Of what cannot be read as a whole, who sent it still has to know which it was.
                 String which = requestId == null ? json.text(text, "requestId").orElse(null) : requestId;
-                say(client, new StreamMessage.Failure(ProblemView.of(rejection), which));
+                send(client, new StreamMessage.Failure(ProblemView.of(rejection), which));
             }
         } catch (RuntimeException e) {
             ProblemView problem = problem(e);
             AuditNotes.turnedAway(problem);
-            say(client, new StreamMessage.Failure(problem, requestId));
+            send(client, new StreamMessage.Failure(problem, requestId));
         }
     }
 
@@ -204,7 +204,7 @@ final class StreamRequestHandler {
     /** As the filters do with a request to REST. */
     private void judge(Principal principal, AccessRule rule) {
         StreamAuditNotes.note(rule.audit());
-        rule.costs().work().forEach(work -> budgets.take(work, principal.name()));
+        rule.costs().work().forEach(work -> budgets.charge(work, principal.name()));
         Role least = rule.from().role();
         if (least != null) {
             RoleChecks.requireRole(principal, least);
@@ -225,13 +225,13 @@ final class StreamRequestHandler {
         judge(principal, rules.rule(request));
         switch (request.kind()) {
             case AUTHENTICATE -> throw new IllegalStateException("It is authenticated before.");
-            case COMMAND -> say(client, command(principal, (StreamRequest.GiveCommand) request));
-            case CONTROL -> say(client, controls.answer(principal, (StreamControlRequest) request));
+            case COMMAND -> send(client, command(principal, (StreamRequest.GiveCommand) request));
+            case CONTROL -> send(client, controls.answer(principal, (StreamControlRequest) request));
             case STEER -> steer(client, (StreamRequest.Steer) request);
             case LET_GO -> steering.letGo(client, principal, (StreamRequest.LetGo) request);
-            case POSITIONS -> say(client, positions(client, principal, (StreamRequest.Positions) request));
+            case POSITIONS -> send(client, positions(client, principal, (StreamRequest.Positions) request));
             case SUBSCRIBE -> subscribe(client, (StreamRequest.Subscribe) request);
-            case PING -> say(client, new StreamMessage.Pong());
+            case PING -> send(client, new StreamMessage.Pong());
         }
     }
 
@@ -245,7 +245,7 @@ final class StreamRequestHandler {
             if (why.kind() != RejectionKind.CONFLICT) {
                 throw why;
             }
-            say(client, new StreamMessage.Failure(ProblemView.of(why), request.requestId()));
+            send(client, new StreamMessage.Failure(ProblemView.of(why), request.requestId()));
         }
         AuditedCall.current().ifPresent(AuditedCall::leaveOut);
     }
@@ -259,7 +259,7 @@ final class StreamRequestHandler {
         FollowRequest.PositionsRequest said =
                 new FollowRequest.PositionsRequest(request.sent(), request.roundTrip(), request.positions());
         FollowReceipt receipt = follows.positions(principal, follow, said);
-        phones.spoke(client, receipt.follow(), System.nanoTime());
+        phones.received(client, receipt.follow(), System.nanoTime());
         return new StreamMessage.PositionsReceived(request.requestId(), receipt);
     }
 
@@ -309,7 +309,7 @@ final class StreamRequestHandler {
                 request.requestId(), commands.submit(principal, "stream", drone, command));
     }
 
-    void say(StreamClient client, StreamMessage message) {
+    void send(StreamClient client, StreamMessage message) {
         client.outbox().add(json.write(message));
     }
 }

@@ -101,7 +101,7 @@ public final class StreamServer extends WebSocketServer {
             identify(handshake).ifPresent(caller -> requests.welcome(client, caller));
         } catch (Rejection rejection) {
             requests.refused(rejection);
-            requests.say(client, new StreamMessage.Failure(ProblemView.of(rejection), null));
+            requests.send(client, new StreamMessage.Failure(ProblemView.of(rejection), null));
             client.pump(System.nanoTime(), reminder, new TextFrameCache());
             client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
         }
@@ -119,7 +119,7 @@ public final class StreamServer extends WebSocketServer {
         StreamClient client = crowd.of(socket);
         crowd.leave(socket);
         if (client != null) {
-            requests.left(client, code, remote);
+            requests.disconnected(client, code, remote);
             onNews.run();
         }
     }
@@ -136,14 +136,14 @@ public final class StreamServer extends WebSocketServer {
     public void onMessage(WebSocket socket, String message) {
         StreamClient client = crowd.of(socket);
         if (client != null) {
-            requests.hear(client, message);
+            requests.received(client, message);
             onNews.run();
         }
     }
 
     @Override
     public void onError(@Nullable WebSocket socket, Exception e) {
-        FatalErrors.tellOf(e);
+        FatalErrors.reportCause(e);
         if (socket == null) {
             if (!listening.completeExceptionally(e)) {
                 LOG.error("The stream server failed", e);

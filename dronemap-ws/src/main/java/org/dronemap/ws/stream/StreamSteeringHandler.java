@@ -26,7 +26,7 @@ final class StreamSteeringHandler {
         if (drone == null) {
             throw InvalidInput.missing("drone", DRONE);
         }
-        SteeredDrones hands = client.hands();
+        SteeredDrones hands = client.steeredDrones();
         synchronized (hands) {
             // Asked for here: who was shown out meanwhile has none.
             Principal principal = client.principal().orElseThrow(Rejection::sessionEnded);
@@ -36,11 +36,11 @@ final class StreamSteeringHandler {
                         FACE,
                         drone,
                         new SteeringRequest(request.velocity(), request.sticks(), request.epoch()));
-                hands.on(drone, principal);
+                hands.add(drone, principal);
                 return true;
             } catch (Rejection why) {
                 letGo(hands, drone);
-                if (hands.mayBeTold(drone, why.sentence(), System.nanoTime())) {
+                if (hands.mayNotify(drone, why.sentence(), System.nanoTime())) {
                     throw why;
                 }
                 return false;
@@ -53,7 +53,7 @@ final class StreamSteeringHandler {
         if (drone == null) {
             throw InvalidInput.missing("drone", DRONE);
         }
-        SteeredDrones hands = client.hands();
+        SteeredDrones hands = client.steeredDrones();
         synchronized (hands) {
             if (!letGo(hands, drone)) {
                 steering.require(principal, drone);
@@ -62,15 +62,15 @@ final class StreamSteeringHandler {
     }
 
     /** All that it steers stands still; nothing that it says from now on is taken, as it is nobody any more. */
-    void handsOff(StreamClient client) {
-        SteeredDrones hands = client.hands();
+    void stopSteering(StreamClient client) {
+        SteeredDrones hands = client.steeredDrones();
         synchronized (hands) {
             hands.drones().forEach(drone -> letGo(hands, drone));
         }
     }
 
     private boolean letGo(SteeredDrones hands, String drone) {
-        Principal principal = hands.off(drone);
+        Principal principal = hands.remove(drone);
         if (principal == null) {
             return false;
         }

@@ -107,15 +107,15 @@ final class StreamTopics {
                 (zone, who) -> new StreamMessage.ZoneChanged(ZoneFeature.of(zone, who.organisation())),
                 List::of,
                 new Topic.Removal(StreamMessage.ZoneRemoved.class, StreamMessage.ZoneRemoved::new),
-                feed -> book.onChange(change -> tell(feed, change)));
+                feed -> book.onChange(change -> publish(feed, change)));
     }
 
     /** Former forms go together with the new ones. */
-    private static void tell(TopicSink<Zone> feed, ZoneRegistry.Change change) {
+    private static void publish(TopicSink<Zone> feed, ZoneRegistry.Change change) {
         Map<String, Zone> put = new LinkedHashMap<>();
         change.put().forEach(zone -> put.put(zone.id(), zone));
-        change.former().forEach(former -> feed.tell(former, put.remove(former.id())));
-        put.values().forEach(feed::tell);
+        change.former().forEach(former -> feed.publish(former, put.remove(former.id())));
+        put.values().forEach(feed::publish);
     }
 
     private static Topic<VirtualDrone> virtualDrones(
@@ -143,14 +143,14 @@ final class StreamTopics {
             implements VirtualDroneListener {
         @Override
         public void changed(VirtualDrone drone) {
-            tell(drone);
+            publish(drone);
             if (drone.isWaiting() || !drone.isUnderWay()) {
                 // Those behind it in the queue may have moved up.
-                virtuals.all().stream().filter(VirtualDrone::isWaiting).forEach(this::tell);
+                virtuals.all().stream().filter(VirtualDrone::isWaiting).forEach(this::publish);
             }
         }
 
-        private void tell(VirtualDrone drone) {
+        private void publish(VirtualDrone drone) {
             feed.changedAtOnce(drone.id().value(), () -> virtuals.find(drone.id()));
         }
 
@@ -237,7 +237,7 @@ final class StreamTopics {
                 (command, who) -> new StreamMessage.Command(CommandView.of(command)),
                 List::of,
                 null,
-                feed -> news.onCommand(feed::tell));
+                feed -> news.onCommand(feed::publish));
     }
 
     private static Topic<CloudEventRouter.ControlEvent> controls(CloudEventRouter news) {
@@ -251,6 +251,6 @@ final class StreamTopics {
                         told.drone().value(), ControlView.of(told.now()), ControlView.ChangeView.of(told.change())),
                 List::of,
                 null,
-                feed -> news.onControl(feed::tell));
+                feed -> news.onControl(feed::publish));
     }
 }

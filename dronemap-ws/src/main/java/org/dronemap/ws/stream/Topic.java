@@ -79,7 +79,7 @@ public record Topic<T>(
     }
 
     /** Whether clients are told when a thing is out of sight. */
-    boolean isTakenBack() {
+    boolean isWithdrawn() {
         return removal != null;
     }
 }

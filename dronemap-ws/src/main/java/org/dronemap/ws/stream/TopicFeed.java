@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Sends the updates of one stream topic to the clients of the WebSocket stream. Of what changes often the newest state
- * alone waits here, one of each thing, until its turn. {@link #tell}, {@link #changed} and {@link #removed} from any
+ * alone waits here, one of each thing, until its turn. {@link #publish}, {@link #changed} and {@link #removed} from any
  * thread, the rest from the pump alone.
  */
 final class TopicFeed<T> implements TopicSink<T> {
@@ -56,26 +56,26 @@ final class TopicFeed<T> implements TopicSink<T> {
     }
 
     @Override
-    public void tell(T now) {
-        tell(null, now);
+    public void publish(T now) {
+        publish(null, now);
     }
 
     @Override
-    public void tell(@Nullable T former, @Nullable T now) {
+    public void publish(@Nullable T former, @Nullable T now) {
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : clients) {
             Principal who = client.principal().orElse(null);
             if (who != null
-                    && !tell(client, who, now, written)
+                    && !publish(client, who, now, written)
                     && former != null
-                    && isTakenBack()
+                    && isWithdrawn()
                     && sight(client, who, former) != null) {
                 client.outbox().add(removal(topic.about().subject(former)));
             }
         }
     }
 
-    private boolean tell(StreamClient client, Principal who, @Nullable T now, Map<Object, String> written) {
+    private boolean publish(StreamClient client, Principal who, @Nullable T now, Map<Object, String> written) {
         Object sight = now == null ? null : sight(client, who, now);
         if (now == null || sight == null) {
             return false;
@@ -103,7 +103,7 @@ final class TopicFeed<T> implements TopicSink<T> {
     }
 
     /** In the pump's own order, so that no picture follows the farewell. */
-    void tellRemoved() {
+    void publishRemovals() {
         for (MessageSubject gone = removed.poll(); gone != null; gone = removed.poll()) {
             MessageSubject subject = gone;
             changed.remove(subject);
@@ -118,8 +118,8 @@ final class TopicFeed<T> implements TopicSink<T> {
     }
 
     /** Whether clients are told when a thing is out of sight. */
-    boolean isTakenBack() {
-        return topic.isTakenBack();
+    boolean isWithdrawn() {
+        return topic.isWithdrawn();
     }
 
     /**
@@ -161,7 +161,7 @@ final class TopicFeed<T> implements TopicSink<T> {
             PublishSchedule<Supplier<Optional<T>>> each = entry.getValue();
             Collection<StreamClient> group = groups.getOrDefault(entry.getKey(), List.of());
             each.forget(nowNanos);
-            long next = each.take(nowNanos, thing -> thing.get().ifPresent(now -> show(group, now)));
+            long next = each.publishDue(nowNanos, thing -> thing.get().ifPresent(now -> show(group, now)));
             pause = pause.and(new PublishLoop.Pause(
                     Math.max(SHORTEST_REST_NANOS, each.gapNanos() / RESTS_IN_A_GAP),
                     Math.max(SHORTEST_REST_NANOS, next)));
@@ -193,7 +193,7 @@ final class TopicFeed<T> implements TopicSink<T> {
             if (who == null || sight == null) {
                 continue;
             }
-            if (isTakenBack()) {
+            if (isWithdrawn()) {
                 client.shown().put(subject, sight);
             }
             client.outbox().offer(subject, written.computeIfAbsent(sight, unused -> picture(thing, who)));

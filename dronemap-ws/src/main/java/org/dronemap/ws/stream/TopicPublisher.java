@@ -40,7 +40,7 @@ final class TopicPublisher {
 
     /** A round of the pump: hands out what is due, and says when to come again. */
     PublishLoop.Pause publish(long nowNanos) {
-        feeds.forEach(TopicFeed::tellRemoved);
+        feeds.forEach(TopicFeed::publishRemovals);
         settle();
         PublishLoop.Pause pause = PublishLoop.Pause.ANY;
         for (TopicFeed<?> feed : feeds) {
@@ -56,6 +56,6 @@ final class TopicPublisher {
         edition = now;
         List<StreamClient> arrived =
                 clients.stream().filter(StreamClient::settle).toList();
-        feeds.forEach(feed -> feed.settle(changed && feed.isTakenBack() ? clients : arrived));
+        feeds.forEach(feed -> feed.settle(changed && feed.isWithdrawn() ? clients : arrived));
     }
 }

@@ -33,7 +33,7 @@ public class BackupController {
     @PostMapping
     @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER, costs = RequestCost.EXPORT)
     @ResponseStatuses(never = 409)
-    @FileMediaTypes(gives = "application/zip")
+    @FileMediaTypes(produces = "application/zip")
     @Operation(
             operationId = "makeBackup",
             summary = "Make a backup (administrator)",

@@ -82,7 +82,7 @@ public final class SystemService {
                 runs,
                 parts,
                 HealthView.LastEnd.of(beginning.before()),
-                beginning.precautions().careful(),
+                beginning.precautions().isActive(),
                 beginning.precautions().refused().size(),
                 counts(),
                 settings.version(),
@@ -92,7 +92,7 @@ public final class SystemService {
     /** With the reasons, which name peers: for administrators. */
     public HealthView.Details details(Principal asking) {
         RoleChecks.requireServer(asking, Role.ADMINISTRATOR);
-        List<ProcessCrash> ends = beginning.precautions().careful()
+        List<ProcessCrash> ends = beginning.precautions().isActive()
                 ? beginning.precautions().ends()
                 : Stream.ofNullable(beginning.before()).toList();
         return new HealthView.Details(

@@ -81,7 +81,7 @@ public final class AccountService {
 
     /** One session of the user has just ended: its open streams are told, and closed. */
     public void signedOut(Principal principal) {
-        accounts.tell(principal.name());
+        accounts.notifyListeners(principal.name());
     }
 
     /** Ends every session of the user, this one, too, with their open streams; access keys stay. */
@@ -92,7 +92,7 @@ public final class AccountService {
             throw Rejection.of(AccessProblem.KEY_LIMITED, "A limited access key ends no sessions; sign in to do this.");
         }
         store.deleteOtherSignIns(principal.name(), "");
-        accounts.tell(principal.name());
+        accounts.notifyListeners(principal.name());
     }
 
     /** By a key that reaches less far than its owner does. */

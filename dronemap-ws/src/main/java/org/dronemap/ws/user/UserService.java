@@ -120,7 +120,7 @@ public final class UserService {
         RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         accounts.find(principal, name);
         store.deleteOtherSignIns(name, "");
-        accounts.tell(name);
+        accounts.notifyListeners(name);
     }
 
     public void delete(Principal principal, String name) {

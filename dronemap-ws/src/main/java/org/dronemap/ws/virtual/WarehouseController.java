@@ -67,7 +67,7 @@ public class WarehouseController {
             operationId = "takeFromWarehouse",
             summary = "Let a drone serve virtual ones no more (supervisor)",
             description = "What it serves now it serves to the end.")
-    public void take(@PathVariable String id) {
-        warehouse.take(current.principal(), id);
+    public void remove(@PathVariable String id) {
+        warehouse.remove(current.principal(), id);
     }
 }

@@ -100,13 +100,13 @@ public final class WarehouseService {
                     "This is a recording; it cannot fly.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }
-        virtuals.putIntoWarehouse(drone.id());
+        virtuals.addToWarehouse(drone.id());
         return warehouse(principal);
     }
 
     /** What it serves now it serves to the end. */
-    public void take(Principal principal, String id) {
-        virtuals.takeOutOfWarehouse(known(principal, id).id());
+    public void remove(Principal principal, String id) {
+        virtuals.removeFromWarehouse(known(principal, id).id());
     }
 
     private DroneState known(Principal principal, String id) {

@@ -56,7 +56,7 @@ public final class Dronemap {
         ServerBuilder builder = new ServerBuilder(settings, closing, time, process.beginning());
         closing.add("the check of itself", process.lookAfter(builder.lanes()));
         ServerComponents house = builder.open(new DatabaseBuilder(settings).open(closing));
-        builder.hear();
+        builder.openLinks();
         ConfigurableApplicationContext faces =
                 FacesServer.start(settings, new EnvironmentVariables(environment), house);
         closing.add("the faces", faces);

@@ -18,7 +18,7 @@ import org.springframework.context.annotation.Import;
 @Import({PlanController.class, TourController.class})
 public class PlanConfiguration {
     @Bean(destroyMethod = "close")
-    PlanJobExecutor planDesk(Time time) {
+    PlanJobExecutor planJobExecutor(Time time) {
         return new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
     }
 

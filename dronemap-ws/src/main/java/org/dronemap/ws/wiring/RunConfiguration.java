@@ -35,7 +35,7 @@ public class RunConfiguration {
                 time,
                 "run-zones",
                 ZONE_RHYTHM,
-                zones::tell,
+                zones::synchronize,
                 "Not every mission run could be told of the zones; it is tried again");
     }
 

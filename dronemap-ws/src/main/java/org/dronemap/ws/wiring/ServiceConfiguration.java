@@ -262,7 +262,7 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    OnboardLogArchive logShelf(ServerComponents house, ServerSettings settings) {
+    OnboardLogArchive vehicleLogArchive(ServerComponents house, ServerSettings settings) {
         return new OnboardLogArchive(settings.dataDirectory().resolve("vehicle-logs"), house.time());
     }
 

@@ -84,7 +84,7 @@ public class StreamConfiguration {
     }
 
     @Bean
-    StreamFace.ControlServices streamReins(ControlService controls, SteeringService steering) {
+    StreamFace.ControlServices streamControlServices(ControlService controls, SteeringService steering) {
         return new StreamFace.ControlServices(controls, steering);
     }
 

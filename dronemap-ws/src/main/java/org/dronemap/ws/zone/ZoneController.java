@@ -68,14 +68,14 @@ public class ZoneController {
     @PostMapping("/import")
     @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
     @ResponseStatus(HttpStatus.CREATED)
-    @FileMediaTypes(takes = {"application/geo+json", "application/vnd.google-earth.kml+xml"})
+    @FileMediaTypes(consumes = {"application/geo+json", "application/vnd.google-earth.kml+xml"})
     @Operation(
             operationId = "importZones",
             summary = "Add the zones of a GeoJSON or KML file (supervisor)",
             description = "All of them, or none. Members of other programs are passed over, a MultiPolygon becomes"
                     + " several zones, what has no name gets one.")
-    public ZoneFeature.ZoneCollection take(@RequestBody byte[] file) {
-        return zones.take(current.principal(), new String(file, StandardCharsets.UTF_8));
+    public ZoneFeature.ZoneCollection importZones(@RequestBody byte[] file) {
+        return zones.importZones(current.principal(), new String(file, StandardCharsets.UTF_8));
     }
 
     @PutMapping("/{id}")

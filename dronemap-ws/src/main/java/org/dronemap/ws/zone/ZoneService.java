@@ -78,7 +78,7 @@ public final class ZoneService {
     }
 
     /** GeoJSON of others; all of it, or nothing. */
-    public ZoneFeature.ZoneCollection take(Principal principal, String text) {
+    public ZoneFeature.ZoneCollection importZones(Principal principal, String text) {
         RoleChecks.requireForAll(principal, Role.SUPERVISOR);
         List<Zone> zones = ZoneImport.parts(text).stream()
                 .map(part -> read(part.at(), newId(), part.feature(), principal))

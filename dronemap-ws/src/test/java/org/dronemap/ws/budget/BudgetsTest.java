@@ -16,7 +16,7 @@ class BudgetsTest {
         int times = 0;
         while (true) {
             try {
-                budgets.take(WorkKind.COMMAND, user);
+                budgets.charge(WorkKind.COMMAND, user);
                 times++;
             } catch (Throttled refused) {
                 assertThat(refused.retryAfterSeconds()).isEqualTo(1);
@@ -39,7 +39,7 @@ class BudgetsTest {
         taken("ann");
         assertThat(taken("bob")).isEqualTo(20);
         for (int times = 0; times < 1_000; times++) {
-            budgets.take(WorkKind.REQUEST, "ann");
+            budgets.charge(WorkKind.REQUEST, "ann");
         }
         assertThat(budgets.refusedCount(WorkKind.COMMAND)).isEqualTo(2);
         assertThat(budgets.refusedCount(WorkKind.REQUEST)).isZero();
@@ -48,23 +48,23 @@ class BudgetsTest {
     @Test
     void saysHowLongToWaitForTheNext() {
         Budgets slow = new Budgets(new BudgetRates(Map.of(WorkKind.EXPORT, 0.1)), () -> now);
-        slow.take(WorkKind.EXPORT, "ann");
+        slow.charge(WorkKind.EXPORT, "ann");
 
-        assertThatThrownBy(() -> slow.take(WorkKind.EXPORT, "ann"))
+        assertThatThrownBy(() -> slow.charge(WorkKind.EXPORT, "ann"))
                 .hasMessage("More than 0.1 exports a second for a while; wait 10 s and try again.");
         now += TimeUnit.SECONDS.toNanos(10);
-        slow.take(WorkKind.EXPORT, "ann");
+        slow.charge(WorkKind.EXPORT, "ann");
     }
 
     @Test
     void remembersABoundedNumberOfUsersAndThoseThatAskLast() {
         taken("ann");
         for (int user = 0; user < 9_999; user++) {
-            budgets.take(WorkKind.COMMAND, "user" + user);
+            budgets.charge(WorkKind.COMMAND, "user" + user);
         }
         assertThat(taken("ann")).as("still remembered").isZero();
         for (int user = 0; user < 10_000; user++) {
-            budgets.take(WorkKind.COMMAND, "another" + user);
+            budgets.charge(WorkKind.COMMAND, "another" + user);
         }
         assertThat(taken("ann")).as("forgotten").isEqualTo(20);
     }

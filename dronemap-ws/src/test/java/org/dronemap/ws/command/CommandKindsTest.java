@@ -97,7 +97,7 @@ class CommandKindsTest {
             CommandKind.SET_RETURN_HEIGHT,
             CommandKind.RETURN_ON_LOSS,
             CommandKind.SET_CLOUD_LOSS,
-            CommandKind.PUT_BACK);
+            CommandKind.RESTORE_PARAMETERS);
 
     @Test
     void hasAnOperationOfSoapForEachTypeAndNoneBeside() throws IOException {

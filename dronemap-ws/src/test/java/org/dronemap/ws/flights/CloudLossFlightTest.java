@@ -222,7 +222,7 @@ class CloudLossFlightTest {
         var id = drone.id();
         assertThat(lab.server().house().cloud().forget(id)).isEmpty();
 
-        assertThat(lab.server().house().cloud().leftBehind())
+        assertThat(lab.server().house().cloud().outstandingOverrides())
                 .singleElement()
                 .satisfies(left -> assertThat(left.drone()).isEqualTo(id));
     }

@@ -125,7 +125,7 @@ class OutletSteeringTest {
         takeOff();
         ScheduledTask said = ground.saysOn(northward(1));
         awaitSpeed("it is steered by speeds");
-        said.callOff();
+        said.cancel();
         awaitStand("it stands without another word");
         lab.until("its turn is written down", SOON, () -> turns().size() == 1);
         CommandView turn = turns().get(0);
@@ -147,7 +147,7 @@ class OutletSteeringTest {
         supervisor.controls(copter, HELICOPTER);
         awaitStand("it stands whatever the sticks say");
         lab.throughout("and goes on to stand", SOON, () -> trueSpeed() < 0.5);
-        said.callOff();
+        said.cancel();
         assertThat(end(turns().get(0)).result()).isEqualTo("superseded");
         assertThat(entries())
                 .as("who may not steer so is written down")
@@ -164,7 +164,7 @@ class OutletSteeringTest {
         administrator.disables(pilot);
         lab.until("it stands", SOON, () -> trueSpeed() < 0.5 && shownSpeed() < 0.5);
         lab.throughout("and goes on to stand", SOON, () -> trueSpeed() < 0.5);
-        said.callOff();
+        said.cancel();
         assertThat(turns()).hasSize(1).allMatch(turn -> end(turn).result().equals("superseded"));
         assertThat(lab.server()
                         .accounts()
@@ -210,7 +210,7 @@ class OutletSteeringTest {
         supervisor.controls(copter, HELICOPTER);
         awaitStand("it stands whatever is said");
         lab.throughout("and goes on to stand", SOON, () -> trueSpeed() < 0.5);
-        said.callOff();
+        said.cancel();
         land(supervisor);
     }
 }

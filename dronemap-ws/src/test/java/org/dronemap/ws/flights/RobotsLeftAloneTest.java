@@ -66,7 +66,7 @@ class RobotsLeftAloneTest {
         takes(flyer);
         ScheduledTask sticks = steering(flyer);
         lab.until("it flies", SOON, () -> flyer.truth().speed() > 0.3);
-        sticks.callOff();
+        sticks.cancel();
         lab.until("it stands", Duration.ofSeconds(2), () -> flyer.truth().speed() == 0);
         lab.until(
                 "it has lost its holder",
@@ -99,7 +99,7 @@ class RobotsLeftAloneTest {
         takes(rover);
         ScheduledTask sticks = steering(rover);
         lab.until("it drives", SOON, () -> rover.truth().speed() > 0.3);
-        sticks.callOff();
+        sticks.cancel();
         lab.until("it stands", Duration.ofSeconds(1), () -> rover.truth().speed() == 0);
     }
 

@@ -61,7 +61,7 @@ class RobotsTest {
         double before = rover.truth().x();
         ScheduledTask push = lab.time().worker("somebody beside it", 1).every(OFTEN, OFTEN, () -> rover.isPushed(0.4));
         lab.until("it is seen to move", SOON, () -> groundSpeed(rover) > 0.3);
-        push.callOff();
+        push.cancel();
         assertThat(rover.truth().x()).isGreaterThan(before);
         assertThat(rover.truth().speed()).isEqualTo(0.4);
         rover.does(ann, CommandRequests.hold());
@@ -119,7 +119,7 @@ class RobotsTest {
                 SOON,
                 () -> both.stream().allMatch(robot -> robot.truth().speed() > 0.3));
         lab.crashServer();
-        sticks.callOff();
+        sticks.cancel();
         lab.until(
                 "ours stands by itself",
                 Duration.ofSeconds(1),

@@ -115,7 +115,7 @@ class SteeringStopsTest {
                         .accounts()
                         .grants()
                         .grants(root.principal())
-                        .forEach(grant -> lab.server().accounts().grants().takeBack(root.principal(), grant.id()));
+                        .forEach(grant -> lab.server().accounts().grants().revoke(root.principal(), grant.id()));
         }
     }
 

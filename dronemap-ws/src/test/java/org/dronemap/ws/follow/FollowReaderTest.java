@@ -25,7 +25,7 @@ class FollowReaderTest {
     @Test
     void takesAReceiverThatIsAheadOfItsPhoneForSimultaneous() {
         assertThat(read(position(SENT.plus(Duration.ofSeconds(60)), null)))
-                .extracting(TargetReport::at, TargetReport::number)
+                .extracting(TargetReport::observedAt, TargetReport::number)
                 .as("what comes next has a higher number")
                 .containsExactly(tuple(SENT, SENT.toEpochMilli()));
     }

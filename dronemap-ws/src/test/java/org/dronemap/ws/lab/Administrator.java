@@ -51,7 +51,7 @@ public final class Administrator {
     }
 
     public void takesBack(String grant) {
-        lab.server().accounts().grants().takeBack(account.principal(), grant);
+        lab.server().accounts().grants().revoke(account.principal(), grant);
     }
 
     public void disables(Pilot user) {

@@ -177,7 +177,7 @@ public final class GroundStation {
     }
 
     private static long stamp(Instant moment) {
-        return SigningClock.ticks(moment);
+        return SigningClock.timestampOf(moment);
     }
 
     private static Instant time(long stamp) {

@@ -96,7 +96,7 @@ public final class LabDrone implements LabVehicle {
 
     void beat() {
         vehicle.advance(lab.time().nanos() / Duration.ofMillis(1).toNanos());
-        if (vehicle.takeNewAddress()) {
+        if (vehicle.changeAddress()) {
             wires.forEach(LabVehicleLink::move);
         }
         if (lab.time().nanos() % FIX_NANOS == 0) {

@@ -52,7 +52,7 @@ public final class LabRobot {
         robot = new SimulatedRobot(kit.options(), 0, new Ways());
         var unused = lab.time()
                 .worker("robot " + kit.systemId(), 1)
-                .every(Duration.ZERO, TURN, () -> robot.turn(TURN_SECONDS));
+                .every(Duration.ZERO, TURN, () -> robot.advance(TURN_SECONDS));
     }
 
     private final class Ways implements SimulatedRobot.Links {
@@ -62,12 +62,12 @@ public final class LabRobot {
         }
 
         @Override
-        public void sayByWeb(Supplier<String> text) {
+        public void sendByWebSocket(Supplier<String> text) {
             say(Optional.ofNullable(web).orElseThrow(), text.get());
         }
 
         @Override
-        public void sayByUdp(String text) {
+        public void sendByUdp(String text) {
             say(udp, text);
         }
 
@@ -92,7 +92,7 @@ public final class LabRobot {
         } else {
             orders.add(kind);
         }
-        robot.heard(text);
+        robot.received(text);
     }
 
     /** By somebody beside it, whatever it is told by the server. */
@@ -105,7 +105,7 @@ public final class LabRobot {
         } else {
             header.put("key", kit.key());
         }
-        robot.heard(twist.put("vx", speed).toString());
+        robot.received(twist.put("vx", speed).toString());
     }
 
     public int systemId() {

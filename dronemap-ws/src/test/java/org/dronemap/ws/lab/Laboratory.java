@@ -293,7 +293,7 @@ public final class Laboratory implements AutoCloseable {
     }
 
     private Principal principal(String name, Role role, KeyScope scope, @Nullable String key) {
-        EffectivePermissions reach = server().house().grantBook().reach(OrganisationId.HOME, name);
+        EffectivePermissions reach = server().house().grantBook().permissionsOf(OrganisationId.HOME, name);
         return Principal.of(stores.access().user(name).orElseThrow(), role, scope, key, reach);
     }
 

@@ -103,7 +103,7 @@ public final class PeerSigning {
 
     /** Ticks of signatures at this moment. */
     public long now() {
-        return SigningClock.ticks(wall.instant());
+        return SigningClock.timestampOf(wall.instant());
     }
 
     /** The same signed frame with another signature. */

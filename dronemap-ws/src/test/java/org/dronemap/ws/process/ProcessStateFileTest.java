@@ -113,7 +113,7 @@ class ProcessStateFileTest {
         RealTime time = new RealTime();
         for (int start = 0; start < 3; start++) {
             ProcessLifecycle process = ProcessLifecycle.begin(data, "3", time);
-            assertThat(process.beginning().precautions().careful()).isFalse();
+            assertThat(process.beginning().precautions().isActive()).isFalse();
             process.beginning().watch().atWork().begin(SEEN.text());
         }
         ProcessLifecycle careful = ProcessLifecycle.begin(data, "3", time);

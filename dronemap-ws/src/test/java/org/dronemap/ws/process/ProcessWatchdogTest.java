@@ -46,11 +46,11 @@ class ProcessWatchdogTest {
         waitFor(stands);
         try (ProcessWatchdog check = check()) {
             for (int look = 1; look < LOOKS_UNTIL_IT_IS_DEAD; look++) {
-                check.look();
+                check.check();
             }
             assertThat(halted).hasValue(0);
 
-            check.look();
+            check.check();
         }
 
         assertThat(halted).hasValue(ProcessTerminator.EXIT_CODE);
@@ -66,7 +66,7 @@ class ProcessWatchdogTest {
         try (ProcessWatchdog check = check()) {
             for (int look = 0; look < 3 * LOOKS_UNTIL_IT_IS_DEAD; look++) {
                 long before = lane.turns();
-                check.look();
+                check.check();
                 CountDownLatch moved = new CountDownLatch(1);
                 lane.execute(moved::countDown);
                 waitFor(moved);

@@ -131,10 +131,10 @@ class RecordAlternativesTest {
     void mayBeAChoiceByAnotherMember() {
         assertThat(RecordAlternatives.of(Order.class).orElseThrow().records())
                 .containsExactly(Map.entry("wait", Wait.class), Map.entry("move", Move.class));
-        assertThat(RecordAlternatives.toldBy(Jump.class))
+        assertThat(RecordAlternatives.discriminators(Jump.class))
                 .containsExactly(Map.entry("does", "move"), Map.entry("way", "jump"));
-        assertThat(RecordAlternatives.toldBy(Wait.class)).containsExactly(Map.entry("does", "wait"));
-        assertThat(RecordAlternatives.toldBy(Drawing.class)).isEmpty();
+        assertThat(RecordAlternatives.discriminators(Wait.class)).containsExactly(Map.entry("does", "wait"));
+        assertThat(RecordAlternatives.discriminators(Drawing.class)).isEmpty();
     }
 
     @ParameterizedTest

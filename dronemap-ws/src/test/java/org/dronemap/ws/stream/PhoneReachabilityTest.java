@@ -49,100 +49,100 @@ class PhoneReachabilityTest {
 
     @Test
     void takesOneThatAnswersAndSaysNothingForAsleep() {
-        phones.spoke(client, "f1", now);
+        phones.received(client, "f1", now);
         pass(2, true);
-        assertThat(last()).isEqualTo(ReporterState.SPEAKS);
+        assertThat(last()).isEqualTo(ReporterState.ACTIVE);
         pass(60, true);
-        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
-        phones.spoke(client, "f1", now);
-        assertThat(last()).isEqualTo(ReporterState.SPEAKS);
+        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        phones.received(client, "f1", now);
+        assertThat(last()).isEqualTo(ReporterState.ACTIVE);
         assertThat(asked).contains("sendPing");
     }
 
     @Test
     void takesOneThatDoesNotAnswerForCut() {
-        phones.spoke(client, "f1", now);
+        phones.received(client, "f1", now);
         pass(4, false);
-        assertThat(last()).isEqualTo(ReporterState.CUT);
-        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false, now);
-        assertThat(last()).isEqualTo(ReporterState.CUT);
+        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
+        phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
     }
 
     @Test
     void takesOneThatSleptBeforeItsConnectionFellSilentForAsleep() {
-        phones.spoke(client, "f1", now);
+        phones.received(client, "f1", now);
         pass(5, true);
         pass(20, false);
-        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
-        phones.spoke(client, "f1", now);
+        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        phones.received(client, "f1", now);
         pass(4, false);
-        assertThat(last()).isEqualTo(ReporterState.CUT);
+        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
     }
 
     @Test
     void takesOneThatEndsItsConnectionForGone() {
-        phones.spoke(client, "f1", now);
-        phones.left(client, CloseFrame.GOING_AWAY, true, now);
+        phones.received(client, "f1", now);
+        phones.disconnected(client, CloseFrame.GOING_AWAY, true, now);
         assertThat(told).containsExactly("f1 SPEAKS", "f1 GONE");
     }
 
     /** Its last frame is lost with its connection when the server writes into it at that moment. */
     @Test
     void takesOneThatBreaksOffInMidSpeechForGoneAndOneThatHadFallenSilentForCut() {
-        phones.spoke(client, "f1", now);
+        phones.received(client, "f1", now);
         pass(1, true);
-        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false, now);
-        assertThat(last()).isEqualTo(ReporterState.GONE);
-        phones.spoke(client, "f1", now);
+        phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        assertThat(last()).isEqualTo(ReporterState.CLOSED);
+        phones.received(client, "f1", now);
         now += 4 * SECOND;
-        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false, now);
-        assertThat(last()).isEqualTo(ReporterState.CUT);
+        phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
     }
 
     @Test
     void waitsForOneWhosePageConnectsAnew() {
-        phones.spoke(client, "f1", now);
+        phones.received(client, "f1", now);
         pass(9, true);
-        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
-        phones.left(client, PhoneReachability.CONNECTS_ANEW, true, now);
+        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        phones.disconnected(client, PhoneReachability.CONNECTS_ANEW, true, now);
         pass(1, false);
-        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
-        phones.spoke(client(), "f1", now);
-        assertThat(last()).isEqualTo(ReporterState.SPEAKS);
+        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        phones.received(client(), "f1", now);
+        assertThat(last()).isEqualTo(ReporterState.ACTIVE);
         assertThat(told).doesNotContain("f1 GONE");
     }
 
     @Test
     void takesOneThatSaidThatItConnectsAnewAndDoesNotForCut() {
-        phones.spoke(client, "f1", now);
-        phones.left(client, PhoneReachability.CONNECTS_ANEW, true, now);
+        phones.received(client, "f1", now);
+        phones.disconnected(client, PhoneReachability.CONNECTS_ANEW, true, now);
         pass(4, false);
-        assertThat(last()).isEqualTo(ReporterState.CUT);
+        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
     }
 
     /** As one whose page reads too slowly, since it stands still. */
     @Test
     void doesNotTakeOneForGoneWhoseConnectionTheServerEnds() {
-        phones.spoke(client, "f1", now);
+        phones.received(client, "f1", now);
         pass(9, true);
-        phones.left(client, CloseFrame.POLICY_VALIDATION, false, now);
+        phones.disconnected(client, CloseFrame.POLICY_VALIDATION, false, now);
         pass(4, false);
-        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
+        assertThat(last()).isEqualTo(ReporterState.IDLE);
         assertThat(told).doesNotContain("f1 GONE");
     }
 
     @Test
     void asksNothingOfTheOldConnectionOfOneThatIsThereAnew() {
-        phones.spoke(client, "f1", now);
+        phones.received(client, "f1", now);
         StreamClient anew = client();
-        phones.spoke(anew, "f1", now);
-        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false, now);
-        assertThat(last()).isEqualTo(ReporterState.SPEAKS);
+        phones.received(anew, "f1", now);
+        phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        assertThat(last()).isEqualTo(ReporterState.ACTIVE);
     }
 
     @Test
     void forgetsThoseWhoseFollowIsOver() {
-        phones.spoke(client, "f1", now);
+        phones.received(client, "f1", now);
         underWay = false;
         pass(2, true);
         told.clear();

@@ -95,7 +95,7 @@ class TopicFeedTest {
         feed.publish(0);
         feed.changed(A, () -> Optional.of("a1"));
         feed.removed(A);
-        feed.tellRemoved();
+        feed.publishRemovals();
         feed.publish(1_000 * MILLI);
 
         assertThat(heard(anna)).as("no picture follows it").containsExactly("a");
@@ -120,9 +120,9 @@ class TopicFeedTest {
     void tellsEachChangeInOrderAndWhoSeesTheNewFormNoMoreThatItIsGone() {
         TopicFeed<String> feed = feed(new TopicRate.EveryChange());
         hidden.add("berta2");
-        feed.tell("a1");
-        feed.tell("a1", "a2");
-        feed.tell("a2", null);
+        feed.publish("a1");
+        feed.publish("a1", "a2");
+        feed.publish("a2", null);
 
         assertThat(heard(anna)).containsExactly("a1", "a2", "a");
         assertThat(heard(bert)).containsExactly("a1", "a");
@@ -131,10 +131,10 @@ class TopicFeedTest {
     @Test
     void saysNothingOfWhatIsGoneWhereATopicHasNothingToSay() {
         TopicFeed<String> feed = feed(new TopicRate.EveryChange(), null);
-        feed.tell("a1");
-        feed.tell("a1", null);
+        feed.publish("a1");
+        feed.publish("a1", null);
         feed.removed(A);
-        feed.tellRemoved();
+        feed.publishRemovals();
 
         assertThat(heard(anna)).containsExactly("a1");
     }

@@ -348,7 +348,7 @@ public final class DroneCalls extends SuccessfulCalls {
         FrameTap tap = house.recorder().open(1);
         tap.bound(new DroneId(drone));
         byte[] armed = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
-        new FrameReader().read(ByteBuffer.wrap(armed), tap::heard);
+        new FrameReader().read(ByteBuffer.wrap(armed), tap::received);
         tap.ended();
         return ConditionWait.until(
                 "the recording of " + drone,

@@ -113,7 +113,7 @@ public final class OrganisationFixture {
         FrameTap tap = house.recorder().open(1);
         tap.bound(new DroneId(drone.id()));
         byte[] heartbeat = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
-        new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::heard);
+        new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::received);
     }
 
     private String flight() {

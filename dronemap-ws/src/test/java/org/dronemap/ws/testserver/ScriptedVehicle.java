@@ -150,7 +150,7 @@ public final class ScriptedVehicle implements VehicleChannel {
 
     /** Its link is as good as that. */
     public void isReached(LinkQuality quality) {
-        link.lane().execute(() -> link.reached(new LinkReport(key, "udp", quality, List.of())));
+        link.lane().execute(() -> link.linkChanged(new LinkReport(key, "udp", quality, List.of())));
     }
 
     /** What reached the vehicle. */
@@ -190,6 +190,6 @@ public final class ScriptedVehicle implements VehicleChannel {
 
     @Override
     public void probe() {
-        link.lane().execute(link::heard);
+        link.lane().execute(link::received);
     }
 }

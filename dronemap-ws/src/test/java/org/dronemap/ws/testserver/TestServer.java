@@ -149,7 +149,7 @@ public final class TestServer implements AutoCloseable {
         virtuals = virtuals();
         AccountRights rights = new AccountRights(access, grants, time);
         runs = OperationComponents.of(cloud, stores.operations, rights, FollowSeparation.USUAL, time);
-        runs.operations().takeUp();
+        runs.operations().restore();
         runs.operations().goOn();
         ServerComponents house = new ServerComponents(
                 time,
@@ -158,7 +158,7 @@ public final class TestServer implements AutoCloseable {
                 stores.missions,
                 stores.zones,
                 new CountingReplayGateway(),
-                recorder.shelf(),
+                recorder.archive(),
                 history,
                 linkSide(),
                 () -> true,

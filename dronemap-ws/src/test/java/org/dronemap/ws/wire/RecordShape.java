@@ -48,7 +48,7 @@ final class RecordShape {
     /** A record writes the member of the innermost choice alone, where it is of several. */
     private JsonNode told(Class<?> record, JsonNode full) {
         ObjectNode all = mapper.createObjectNode();
-        RecordAlternatives.toldBy(record).forEach(all::put);
+        RecordAlternatives.discriminators(record).forEach(all::put);
         full.forEachEntry(all::set);
         return all;
     }
@@ -60,7 +60,7 @@ final class RecordShape {
         }
         within.push(record);
         List<String> known = new ArrayList<>();
-        RecordAlternatives.toldBy(record).forEach((member, value) -> {
+        RecordAlternatives.discriminators(record).forEach((member, value) -> {
             known.add(member);
             lines.add(path + member + ": always \"" + value + "\"");
         });

@@ -169,7 +169,7 @@ class RestoredFirstTest {
                 new ServerBuilder(settings(), closing, new RealTime(), careful ? careful() : ProcessStart.ORDINARY);
         CompletableFuture<Void> start = CompletableFuture.runAsync(() -> {
             builder.open(held.stores());
-            builder.hear();
+            builder.openLinks();
         });
         try {
             held.awaitAsked();

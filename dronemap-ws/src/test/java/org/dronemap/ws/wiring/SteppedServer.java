@@ -96,7 +96,7 @@ public final class SteppedServer implements AutoCloseable {
         steering = new ServiceConfiguration().steeringService(house, drones, budgets);
         zones = new ServiceConfiguration().zoneService(house, drones, time.clock());
         PlanConfiguration planning = new PlanConfiguration();
-        PlanJobExecutor desk = planning.planDesk(time);
+        PlanJobExecutor desk = planning.planJobExecutor(time);
         closing.add("the plans", desk);
         plans = planning.planService(house, desk, drones, commands, time);
         RunConfiguration running = new RunConfiguration();
@@ -119,7 +119,7 @@ public final class SteppedServer implements AutoCloseable {
         logs = new ServiceConfiguration().logService(house, drones, commands, shelf);
         office = SteppedLinkServices.of(house, settings, drones, shown, zones);
         journals = running.runJournalService(house, runs);
-        builder.hear();
+        builder.openLinks();
         builder.serve();
     }
 

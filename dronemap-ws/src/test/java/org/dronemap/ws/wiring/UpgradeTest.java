@@ -74,7 +74,7 @@ class UpgradeTest {
     void nothingIsLost(String version) {
         UpgradedServer now = VERSIONS.get(version);
         PostgresStores kept = now.database();
-        OrganisationDirectory holdings = kept.grants().holdings();
+        OrganisationDirectory holdings = kept.grants().directory();
         List<User> users = kept.access().users();
 
         assertThat(users).hasSize(rows(now, "account"));
@@ -263,7 +263,7 @@ class UpgradeTest {
     private static <S, I> Optional<JournalReplay.Difference> differenceIn(
             UpgradedServer now, SavedOperation operation, OperationKind<S, I> kind) {
         JournalReplay<S, I> replay = new JournalReplay<>(kind);
-        replay.take(now.database().operations().journal(operation.id(), 0, Integer.MAX_VALUE));
+        replay.replay(now.database().operations().journal(operation.id(), 0, Integer.MAX_VALUE));
         assertThat(replay.difference().isPresent() || replay.count() == operation.last() + 1)
                 .isTrue();
         return replay.difference();

@@ -40,31 +40,31 @@ final class FollowCommands {
         if (isBusy(at)) {
             return;
         }
-        if (state.tries().given() == 0) {
-            give(IssuedCommand.Purpose.CLOUD_LOSS, new SetReturnOnCloudLoss());
+        if (state.attempts().given() == 0) {
+            send(IssuedCommand.Purpose.CLOUD_LOSS, new SetReturnOnCloudLoss());
         } else if (!look.guided()) {
-            lead(look, at);
+            switchToGuided(look, at);
         } else if (!look.armed()) {
-            give(IssuedCommand.Purpose.ARM, new Command.Arm());
+            send(IssuedCommand.Purpose.ARM, new Command.Arm());
         } else if (!look.airborne()) {
-            give(
+            send(
                     IssuedCommand.Purpose.TAKE_OFF,
                     new Command.TakeOff(state.order().place().heightMeters()));
         } else {
             // One that replaces another leads only once it is there.
-            String what = state.crew().number() == 0 ? "follows." : "comes.";
+            String what = state.reliefOrNone().number() == 0 ? "follows." : "comes.";
             state = state.to(FollowStage.TRACKING, at, state.order().chosen().name() + " is in the air and " + what);
         }
     }
 
     /** Into the mode in which it can be led. */
-    private void lead(Observation look, Instant at) {
+    private void switchToGuided(Observation look, Instant at) {
         String orders = look.modes() == null ? null : look.modes().orders();
         if (orders == null) {
             state = state.to(
                     FollowStage.RETURNING, at, state.order().chosen().name() + " has no mode in which it can be led.");
         } else {
-            give(IssuedCommand.Purpose.MODE, new Command.SetMode(orders));
+            send(IssuedCommand.Purpose.MODE, new Command.SetMode(orders));
         }
     }
 
@@ -74,59 +74,61 @@ final class FollowCommands {
             state = state.to(FollowStage.OVER, at, state.order().chosen().name() + " is down" + IT_IS_OVER);
         } else if (!isBusy(at)) {
             if (!look.airborne()) {
-                give(IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
+                send(IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
             } else if (!look.homing()) {
-                give(IssuedCommand.Purpose.HOME, new Command.ReturnToLaunch());
+                send(IssuedCommand.Purpose.HOME, new Command.ReturnToLaunch());
             }
         }
     }
 
     private boolean isBusy(Instant at) {
-        Instant notBefore = state.tries().notBefore();
-        return state.errand() != null || (notBefore != null && at.isBefore(notBefore));
+        Instant notBefore = state.attempts().notBefore();
+        return state.issuedCommand() != null || (notBefore != null && at.isBefore(notBefore));
     }
 
-    private void give(IssuedCommand.Purpose kind, Command command) {
-        Attempts tries = state.tries();
-        CommandId id = new CommandId(state.id() + hand() + (tries.given() + 1));
-        state = state.on(new IssuedCommand(id, kind), new Attempts(tries.given() + 1, tries.failed(), null));
+    private void send(IssuedCommand.Purpose kind, Command command) {
+        Attempts tries = state.attempts();
+        CommandId id = new CommandId(state.id() + commandInfix() + (tries.given() + 1));
+        state = state.withIssuedCommand(
+                new IssuedCommand(id, kind), new Attempts(tries.given() + 1, tries.failed(), null));
         actions.add(new OperationAction.SendCommand<>(state.drone(), id, command));
     }
 
     /** Commands of different drones of a follow are different ones. */
-    private String hand() {
-        int number = state.crew().number();
+    private String commandInfix() {
+        int number = state.reliefOrNone().number();
         return number == 0 ? "-" : "-" + number + "-";
     }
 
     /** A command ended; what is done about it is decided at the next look. */
     void ended(FollowInput.CommandEnded ended) {
-        IssuedCommand errand = state.errand();
+        IssuedCommand errand = state.issuedCommand();
         if (errand == null || !errand.command().equals(ended.command())) {
             return;
         }
         String why = ended.outcome().reason();
-        Attempts tries = state.tries();
+        Attempts tries = state.attempts();
         if (errand.kind() == IssuedCommand.Purpose.CLOUD_LOSS) {
-            state = state.on(null, new Attempts(tries.given(), 0, null));
-            state = why == null ? state : state.saying(ended.at(), stays(why));
+            state = state.withIssuedCommand(null, new Attempts(tries.given(), 0, null));
+            state = why == null ? state : state.withNotice(ended.at(), unpreparedNotice(why));
             return;
         }
         if (why == null) {
             // What is heard of the vehicle takes a moment to say the same.
-            state = state.on(null, new Attempts(tries.given(), 0, ended.at().plusMillis(500)));
+            state = state.withIssuedCommand(
+                    null, new Attempts(tries.given(), 0, ended.at().plusMillis(500)));
             return;
         }
-        state = state.on(
+        state = state.withIssuedCommand(
                 null, new Attempts(tries.given(), tries.failed() + 1, ended.at().plus(PAUSE)));
-        if (state.stage() == FollowStage.STARTING && state.tries().failed() >= MOST_TRIES) {
+        if (state.stage() == FollowStage.STARTING && state.attempts().failed() >= MOST_TRIES) {
             state = state.to(FollowStage.RETURNING, ended.at(), "It could not be started: " + why);
         } else {
             state = state.noted("It is tried again: " + why);
         }
     }
 
-    private String stays(String why) {
+    private String unpreparedNotice(String why) {
         return state.order().chosen().name() + " could not be told to come home when the cloud is lost (" + why
                 + "): it would then stay where it is until its battery is low.";
     }

@@ -16,10 +16,10 @@ final class FollowControlCheck {
 
     static @Nullable ControlRestriction of(
             DroneState drone, OperationObservation.ControlStatus sway, @Nullable Steering steering) {
-        boolean waits = steering != null && steering.takesOrders() && Boolean.TRUE.equals(drone.armed());
+        boolean waits = steering != null && steering.acceptsCommands() && Boolean.TRUE.equals(drone.armed());
         ControlRestriction grip =
-                new ControlRestriction(sway.barred(), sway.free() && waits, steering == Steering.STICKS);
-        return grip.barred() == null && !grip.adrift() && !grip.steered() ? null : grip;
+                new ControlRestriction(sway.whyNotAllowed(), sway.free() && waits, steering == Steering.STICKS);
+        return grip.commandRefusal() == null && !grip.withoutHolder() && !grip.steered() ? null : grip;
     }
 
     /** Not zero either while a vehicle has not said how it is since the process began. */
@@ -31,14 +31,17 @@ final class FollowControlCheck {
         return Math.max(unknown ? 1 : 0, (int) silence.toSeconds());
     }
 
-    static boolean isBarred(FollowState state, Observation look) {
+    static boolean isRefused(FollowState state, Observation look) {
         ControlRestriction grip = look.grip();
-        return grip != null && grip.barred() != null && state.stage().holds() && state.stage() != FollowStage.RETURNING;
+        return grip != null
+                && grip.commandRefusal() != null
+                && state.stage().holds()
+                && state.stage() != FollowStage.RETURNING;
     }
 
     /** Nobody else has the drone: it is brought home, as the last that is done for whoever asked. */
-    static FollowState barred(FollowState state, Observation look, Instant at) {
-        String why = look.grip() == null ? "" : String.valueOf(look.grip().barred());
+    static FollowState returnOnRefusal(FollowState state, Observation look, Instant at) {
+        String why = look.grip() == null ? "" : String.valueOf(look.grip().commandRefusal());
         return state.stage() == FollowStage.ALLOCATED
                 ? state.to(FollowStage.OVER, at, why)
                 : state.to(
@@ -48,7 +51,7 @@ final class FollowControlCheck {
     }
 
     /** A pilot flies it whom nobody has seen take it: soon after a command, or while the process did not run. */
-    static boolean isPilots(FollowState state, Observation look) {
+    static boolean isUnderPilot(FollowState state, Observation look) {
         ControlRestriction grip = look.grip();
         boolean steered = grip != null && grip.steered() && look.airborne();
         return switch (state.stage()) {
@@ -67,13 +70,13 @@ final class FollowControlCheck {
         }
         int patience = state.order().patienceSeconds();
         String words = "Nobody has " + name + " any more; if nobody takes it, it flies home after " + patience + " s.";
-        if (look.grip() == null || !look.grip().adrift()) {
+        if (look.grip() == null || !look.grip().withoutHolder()) {
             return state.noted(null);
         }
         if (!words.equals(state.note())) {
             return state.waiting(at).noted(words);
         }
-        return Duration.between(state.waits(), at).toSeconds() < patience
+        return Duration.between(state.waitsSince(), at).toSeconds() < patience
                 ? state
                 : state.to(
                         FollowStage.RETURNING,

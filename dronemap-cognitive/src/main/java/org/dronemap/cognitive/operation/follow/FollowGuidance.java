@@ -38,11 +38,11 @@ final class FollowGuidance implements OperationGuidance<FollowState> {
     }
 
     @Override
-    public boolean sighted(TargetReport said) {
-        clock.heard(said.sent(), said.heard(), said.roundTrip());
+    public boolean reported(TargetReport said) {
+        clock.messageReceived(said.sentAt(), said.receivedAt(), said.roundTrip());
         TargetReport.Motion motion = said.motion();
-        TargetFilter.FixResult verdict = target.take(new PhoneFix(
-                clock.toCloud(said.at()),
+        TargetFilter.FixResult verdict = target.update(new PhoneFix(
+                clock.toCloud(said.observedAt()),
                 said.point(),
                 said.accuracyMeters(),
                 motion == null ? null : new PhoneFix.Course(motion.speed(), motion.courseDegrees())));
@@ -53,30 +53,30 @@ final class FollowGuidance implements OperationGuidance<FollowState> {
     public Map<DroneId, Setpoint> steer(FollowState state, OperationObservation scene) {
         FollowOrder.RelativePlace place = state.order().place();
         Map<DroneId, Setpoint> said = new HashMap<>();
-        lead(state)
-                .beside(state, place, scene, aloft(scene, state.drone()))
+        steering(state)
+                .standOffSetpoint(state, place, scene, aloft(scene, state.drone()))
                 .ifPresent(one -> said.put(state.drone(), one));
-        for (FollowState other : state.crew().others()) {
+        for (FollowState other : state.reliefOrNone().others()) {
             List<DroneState> aloft = aloft(scene, other.drone());
             Optional<Setpoint> one = other.wasReplacedBy(state)
-                    ? lead(other).home(other, scene, aloft)
-                    : lead(other).beside(other, ReliefState.standBy(place, apart), scene, aloft);
+                    ? steering(other).returnSetpoint(other, scene, aloft)
+                    : steering(other).standOffSetpoint(other, ReliefState.standBy(place, apart), scene, aloft);
             one.ifPresent(setpoint -> said.put(other.drone(), setpoint));
         }
         leads.keySet()
-                .retainAll(Stream.concat(Stream.of(state), state.crew().others().stream())
+                .retainAll(Stream.concat(Stream.of(state), state.reliefOrNone().others().stream())
                         .map(FollowState::drone)
                         .collect(Collectors.toSet()));
         return said;
     }
 
-    private FollowSteering lead(FollowState one) {
+    private FollowSteering steering(FollowState one) {
         return leads.computeIfAbsent(one.drone(), drone -> new FollowSteering(target, near, apart));
     }
 
     /** All but that one; the follow's own are among them. */
     private static List<DroneState> aloft(OperationObservation scene, DroneId but) {
-        List<DroneState> all = new ArrayList<>(scene.around().aloft());
+        List<DroneState> all = new ArrayList<>(scene.airspace().traffic());
         scene.drones().stream()
                 .map(OperationObservation.ObservedDrone::state)
                 .filter(DroneState::airborne)

@@ -26,9 +26,9 @@ public sealed interface FollowInput {
     record Observed(
             Instant at,
             @Nullable Observation drone,
-            @Nullable Instant sighted,
+            @Nullable Instant lastReport,
             @Nullable ReporterState reach,
-            @Nullable String unsteered,
+            @Nullable String steeringRefusal,
             List<OtherDrone> others)
             implements FollowInput {
         public Observed {
@@ -51,7 +51,7 @@ public sealed interface FollowInput {
                     .findFirst()
                     .map(OtherDrone::look)
                     .orElse(null);
-            return new Observed(at, look, sighted, reach, null);
+            return new Observed(at, look, lastReport, reach, null);
         }
     }
 
@@ -119,7 +119,7 @@ public sealed interface FollowInput {
      * @param steered it is in a mode for a pilot's sticks
      */
     @Stored(names = "barred adrift steered")
-    record ControlRestriction(@Nullable String barred, boolean adrift, boolean steered) {}
+    record ControlRestriction(@Nullable String commandRefusal, boolean withoutHolder, boolean steered) {}
 
     /**
      * The meaning of the drone's flight mode for the follow.

@@ -60,17 +60,17 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     @Override
-    public Set<DroneId> watched(FollowState state) {
+    public Set<DroneId> checkFlight(FollowState state) {
         return all(state).map(FollowState::drone).collect(Collectors.toUnmodifiableSet());
     }
 
     /** Itself, and what it remembers of each other drone. */
     private static Stream<FollowState> all(FollowState state) {
-        return Stream.concat(Stream.of(state), state.crew().others().stream());
+        return Stream.concat(Stream.of(state), state.reliefOrNone().others().stream());
     }
 
     @Override
-    public Optional<OperationGuidance<FollowState>> guide(FollowState state) {
+    public Optional<OperationGuidance<FollowState>> guidance(FollowState state) {
         return Optional.of(new FollowGuidance(state.order().near(), apart));
     }
 
@@ -80,14 +80,14 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     @Override
-    public FollowInput looked(FollowState state, OperationObservation scene) {
+    public FollowInput observe(FollowState state, OperationObservation scene) {
         return new Observed(
                 scene.now(),
                 look(state, scene),
-                scene.sighted(),
+                scene.lastReportAt(),
                 scene.reach(),
-                scene.unsteered().get(state.drone()),
-                state.crew().others().stream()
+                scene.refusedSetpoints().get(state.drone()),
+                state.reliefOrNone().others().stream()
                         .map(other -> new FollowInput.OtherDrone(
                                 other.drone(), look(other, scene), apartMeters(state, other, scene)))
                         .toList());
@@ -124,7 +124,7 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
         Steering steering =
                 drone.mode() == null ? null : drone.capabilities().steering().get(drone.mode());
         return new Observation(
-                sway.takenBy(),
+                sway.whyNotHeld(),
                 FollowControlCheck.silentSeconds(drone, silence),
                 Boolean.TRUE.equals(drone.armed()),
                 drone.airborne(),
@@ -153,26 +153,26 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     @Override
     public OperationDecision<FollowState, FollowInput> decide(FollowState state, FollowInput input) {
         if (state.isOver()) {
-            return OperationDecision.stay(state);
+            return OperationDecision.unchanged(state);
         }
         if (input instanceof FollowInput.SendRelief relieve) {
-            FollowState next = refusal(state, relieve).isEmpty() ? ReliefHandover.sent(state, relieve) : state;
+            FollowState next = refusal(state, relieve).isEmpty() ? ReliefHandover.sendRelief(state, relieve) : state;
             return new OperationDecision<>(next, List.of(), news(state, next));
         }
         if (input instanceof FollowInput.NoReliefAvailable unrelieved) {
-            FollowState next = ReliefHandover.unrelieved(state, unrelieved);
+            FollowState next = ReliefHandover.reportNoRelief(state, unrelieved);
             return new OperationDecision<>(next, List.of(), news(state, next));
         }
         List<OperationAction<FollowInput>> actions = new ArrayList<>();
-        FollowState next = alone(state, input, DroneRole.LEADS, actions);
+        FollowState next = decideForDrone(state, input, DroneRole.LEADS, actions);
         List<FollowState> others = new ArrayList<>();
-        for (FollowState other : state.crew().others()) {
+        for (FollowState other : state.reliefOrNone().others()) {
             FollowInput befalls = input instanceof Observed looked ? looked.of(other.drone()) : input;
-            others.add(
-                    alone(other, befalls, other.wasReplacedBy(state) ? DroneRole.REPLACED : DroneRole.COMES, actions));
+            others.add(decideForDrone(
+                    other, befalls, other.wasReplacedBy(state) ? DroneRole.REPLACED : DroneRole.COMES, actions));
         }
         List<FollowInput.OtherDrone> seen = input instanceof Observed looked ? looked.others() : List.of();
-        next = ReliefHandover.settled(state, next, others, input.at(), seen, apart);
+        next = ReliefHandover.updateReliefs(state, next, others, input.at(), seen, apart);
         return new OperationDecision<>(next, actions, news(state, next));
     }
 
@@ -184,35 +184,35 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     /** What becomes of one drone. */
-    private FollowState alone(
+    private FollowState decideForDrone(
             FollowState state, FollowInput input, DroneRole part, List<OperationAction<FollowInput>> actions) {
         if (input instanceof FollowInput.UserRequest wish) {
             boolean taken =
                     part == DroneRole.LEADS ? refusal(state, wish).isEmpty() : wish instanceof FollowInput.ChangePlace;
-            return taken ? FollowUserRequests.taken(state, wish) : state;
+            return taken ? FollowUserRequests.apply(state, wish) : state;
         }
         FollowCommands steps = new FollowCommands(state);
         FollowState next;
         if (input instanceof Observed looked) {
-            next = looked(state, looked, part, steps);
+            next = observe(state, looked, part, steps);
         } else if (input instanceof FollowInput.CommandEnded ended) {
             steps.ended(ended);
             next = steps.state();
         } else {
-            next = FollowRestart.over(state, input.at());
+            next = FollowRestart.restarted(state, input.at());
         }
         actions.addAll(steps.actions());
         return next;
     }
 
     private static @Nullable String news(FollowState before, FollowState next) {
-        if (next.told().equals(before.told())) {
+        if (next.notices().equals(before.notices())) {
             return null;
         }
-        return next.told().get(next.told().size() - 1).words();
+        return next.notices().get(next.notices().size() - 1).words();
     }
 
-    private static FollowState looked(FollowState state, Observed looked, DroneRole part, FollowCommands steps) {
+    private static FollowState observe(FollowState state, Observed looked, DroneRole part, FollowCommands steps) {
         Observation look = looked.drone();
         Instant at = looked.at();
         String name = state.order().chosen().name();
@@ -220,26 +220,26 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
             return state.to(FollowStage.OVER, at, name + " was removed.");
         }
         if (look.takenBy() != null && state.stage().holds()) {
-            return taken(state, at, name + " was taken: " + look.takenBy());
+            return suspend(state, at, name + " was taken: " + look.takenBy());
         }
-        if (FollowControlCheck.isBarred(state, look)) {
-            return FollowControlCheck.barred(state, look, at);
+        if (FollowControlCheck.isRefused(state, look)) {
+            return FollowControlCheck.returnOnRefusal(state, look, at);
         }
         if (look.silentSeconds() > 0) {
             return state.noted("There is no contact with " + name + ".");
         }
-        if (FollowControlCheck.isPilots(state, look)) {
+        if (FollowControlCheck.isUnderPilot(state, look)) {
             return state.to(FollowStage.SUSPENDED, at, name + " was taken: a pilot flies it in " + look.mode() + ".");
         }
         switch (state.stage()) {
             case STARTING -> steps.start(look, at);
             case RETURNING -> {
-                if (part != DroneRole.REPLACED || !isLed(state, look, at)) {
+                if (part != DroneRole.REPLACED || !isSteered(state, look, at)) {
                     steps.home(look, at);
                 }
             }
             case TRACKING, PAUSED -> {
-                return watched(state, looked, look, part == DroneRole.LEADS);
+                return checkFlight(state, looked, look, part == DroneRole.LEADS);
             }
             case SUSPENDED -> {
                 return FollowControlCheck.suspended(state, look, at);
@@ -251,22 +251,23 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
         return steps.state();
     }
 
-    private static boolean isLed(FollowState state, Observation look, Instant at) {
+    private static boolean isSteered(FollowState state, Observation look, Instant at) {
         return look.airborne()
-                && GuidedReturn.isLed(state, look.guided(), look.homeMeters(), look.batteryPercent(), at);
+                && GuidedReturn.isSteered(state, look.guided(), look.homeMeters(), look.batteryPercent(), at);
     }
 
     /** Before it was started there is nothing to come back to. */
-    private static FollowState taken(FollowState state, Instant at, String words) {
+    private static FollowState suspend(FollowState state, Instant at, String words) {
         return state.to(state.stage() == FollowStage.ALLOCATED ? FollowStage.OVER : FollowStage.SUSPENDED, at, words);
     }
 
-    private static FollowState watched(FollowState state, Observed looked, Observation look, boolean leads) {
+    private static FollowState checkFlight(FollowState state, Observed looked, Observation look, boolean leads) {
         Instant at = looked.at();
         String name = state.order().chosen().name();
         if (!look.airborne()) {
             return look.armed()
-                    ? ReliefHandover.leaving(state, state.to(FollowStage.RETURNING, at, name + " has landed."), false)
+                    ? ReliefHandover.markVacancy(
+                            state, state.to(FollowStage.RETURNING, at, name + " has landed."), false)
                     : state.to(FollowStage.OVER, at, name + " has landed" + FollowCommands.IT_IS_OVER);
         }
         Integer percent = look.batteryPercent();
@@ -279,27 +280,28 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
                     percent,
                     back,
                     Endurance.RESERVE_PERCENT);
-            return ReliefHandover.leaving(state, state.to(FollowStage.RETURNING, at, words), true);
+            return ReliefHandover.markVacancy(state, state.to(FollowStage.RETURNING, at, words), true);
         }
         if (look.mode() != null && !look.guided()) {
-            return ReliefHandover.leaving(state, FollowRestart.astray(state, looked, look), false);
+            return ReliefHandover.markVacancy(state, FollowRestart.returning(state, looked, look), false);
         }
         boolean follows = state.stage() == FollowStage.TRACKING;
-        FollowState now = follows ? FollowRestart.backAgain(state, looked) : state;
-        return leads && follows ? heard(now, looked) : now.noted(null);
+        FollowState now = follows ? FollowRestart.withoutRestart(state, looked) : state;
+        return leads && follows ? checkFixes(now, looked) : now.noted(null);
     }
 
     /** Whether the phone still says where it is. */
-    private static FollowState heard(FollowState state, Observed looked) {
-        Instant from =
-                looked.sighted() == null || looked.sighted().isBefore(state.waits()) ? state.waits() : looked.sighted();
+    private static FollowState checkFixes(FollowState state, Observed looked) {
+        Instant from = looked.lastReport() == null || looked.lastReport().isBefore(state.waitsSince())
+                ? state.waitsSince()
+                : looked.lastReport();
         Duration silent = Duration.between(from, looked.at());
         int patience = state.order().patienceSeconds();
         if (silent.toSeconds() >= patience) {
             return state.to(
                     FollowStage.RETURNING,
                     looked.at(),
-                    (looked.reach() == ReporterState.VAGUE
+                    (looked.reach() == ReporterState.UNUSABLE
                                     ? "The phone has not known well enough where it is for "
                                     : "The phone has said nothing for ")
                             + patience + " s; "
@@ -309,13 +311,13 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
             MissingFixReason why = MissingFixReason.of(looked.reach());
             String words = why.words() + " " + state.order().chosen().name() + " waits, and flies home " + patience
                     + " s after the last position.";
-            return why == state.missing() ? state : state.missing(why, looked.at(), words, words);
+            return why == state.missingFix() ? state : state.missingFix(why, looked.at(), words, words);
         }
-        if (state.missing() != null) {
-            return state.missing(null, looked.at(), "The phone says again where it is.", looked.unsteered());
+        if (state.missingFix() != null) {
+            return state.missingFix(null, looked.at(), "The phone says again where it is.", looked.steeringRefusal());
         }
         // Such sentences have figures that change: each would be written down.
-        return looked.unsteered() != null && state.note() != null ? state : state.noted(looked.unsteered());
+        return looked.steeringRefusal() != null && state.note() != null ? state : state.noted(looked.steeringRefusal());
     }
 
     @Override

@@ -13,7 +13,7 @@ final class FollowRefusals {
         }
         FollowStage stage = state.stage();
         boolean ends = input instanceof FollowInput.Stop || input instanceof FollowInput.Cancel;
-        if (ends && stage == FollowStage.RETURNING && (state.crew().vacant() || state.isRelieved())) {
+        if (ends && stage == FollowStage.RETURNING && (state.reliefOrNone().vacant() || state.isRelieved())) {
             // Whoever comes in its place is called off.
             return Optional.empty();
         }
@@ -41,7 +41,7 @@ final class FollowRefusals {
 
     private static Optional<Objection> relieve(FollowState state, FollowOrder.ChosenDrone chosen) {
         boolean known = state.drone().equals(chosen.drone())
-                || state.crew().others().stream()
+                || state.reliefOrNone().others().stream()
                         .anyMatch(other -> other.drone().equals(chosen.drone()));
         if (state.isRelievable() && !known) {
             return Optional.empty();

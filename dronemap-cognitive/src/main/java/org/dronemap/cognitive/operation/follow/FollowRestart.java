@@ -10,7 +10,7 @@ final class FollowRestart {
     private FollowRestart() {}
 
     /** The process was started again: what the phone says is heard anew. */
-    static FollowState over(FollowState state, Instant at) {
+    static FollowState restarted(FollowState state, Instant at) {
         boolean late =
                 Duration.between(state.since(), at).toSeconds() > state.order().patienceSeconds();
         if (state.stage() == FollowStage.STARTING && late) {
@@ -26,31 +26,32 @@ final class FollowRestart {
 
     /** Since it came to this stage the process was started again, and the phone has not been heard beside its drone yet. */
     static boolean isRecent(FollowState state) {
-        return state.waits().isAfter(state.since());
+        return state.waitsSince().isAfter(state.since());
     }
 
-    private static boolean isHeard(FollowState state, Observed looked) {
-        return looked.sighted() != null && !looked.sighted().isBefore(state.waits());
+    private static boolean hasReported(FollowState state, Observed looked) {
+        return looked.lastReport() != null && !looked.lastReport().isBefore(state.waitsSince());
     }
 
     /** It waits for nothing any more that has to do with a restart. */
-    static FollowState backAgain(FollowState state, Observed looked) {
-        return isRecent(state) && isHeard(state, looked) ? state.waiting(state.since()) : state;
+    static FollowState withoutRestart(FollowState state, Observed looked) {
+        return isRecent(state) && hasReported(state, looked) ? state.waiting(state.since()) : state;
     }
 
     /** In a mode in which it is not led: vehicles that miss the cloud come home, and can be led again. */
-    static FollowState astray(FollowState state, Observed looked, Observation look) {
+    static FollowState returning(FollowState state, Observed looked, Observation look) {
         Instant at = looked.at();
         String name = state.order().chosen().name();
         String mode = String.valueOf(look.mode());
         // Who lands where it is has other reasons.
         boolean missed = isRecent(state) && look.modes() != null && look.modes().home();
         if (missed && state.stage() == FollowStage.TRACKING) {
-            if (isHeard(state, looked)) {
+            if (hasReported(state, looked)) {
                 return state.to(
                         FollowStage.STARTING, at, name + " came home since it had missed the cloud; it follows again.");
             }
-            if (Duration.between(state.waits(), at).toSeconds() < state.order().patienceSeconds()) {
+            if (Duration.between(state.waitsSince(), at).toSeconds()
+                    < state.order().patienceSeconds()) {
                 return state.noted(name + " comes home since it missed the cloud; it follows again as soon as the phone"
                         + " says where it is.");
             }

@@ -28,18 +28,18 @@ public record FollowState(
         FollowOrder order,
         FollowStage stage,
         Instant since,
-        Instant waits,
-        @Nullable IssuedCommand errand,
-        Attempts tries,
-        @Nullable MissingFixReason missing,
+        Instant waitsSince,
+        @Nullable IssuedCommand issuedCommand,
+        Attempts attempts,
+        @Nullable MissingFixReason missingFix,
         @Nullable String note,
-        List<Notice> told,
+        List<Notice> notices,
         @Nullable String end,
-        @Nullable ReliefState relay) {
+        @Nullable ReliefState reliefState) {
     public static final int MOST_TOLD = 30;
 
     public FollowState {
-        told = List.copyOf(told);
+        notices = List.copyOf(notices);
     }
 
     /** A text that users were shown, with its time. */
@@ -94,7 +94,7 @@ public record FollowState(
                 null,
                 List.of(),
                 null,
-                ReliefState.ofNumber(crew().sent() + 1));
+                ReliefState.ofNumber(reliefOrNone().sent() + 1));
     }
 
     public DroneId drone() {
@@ -110,34 +110,34 @@ public record FollowState(
         return stage == FollowStage.OVER;
     }
 
-    public ReliefState crew() {
-        return relay == null ? ReliefState.NONE : relay;
+    public ReliefState reliefOrNone() {
+        return reliefState == null ? ReliefState.NONE : reliefState;
     }
 
     /** On its way to take over from the drone that leads. */
-    public boolean comes(FollowState leader) {
-        return crew().number() > leader.crew().number()
+    public boolean isComing(FollowState leader) {
+        return reliefOrNone().number() > leader.reliefOrNone().number()
                 && (stage == FollowStage.STARTING || stage == FollowStage.TRACKING);
     }
 
     /** That one took over from it. */
     boolean wasReplacedBy(FollowState leader) {
-        return crew().number() < leader.crew().number();
+        return reliefOrNone().number() < leader.reliefOrNone().number();
     }
 
     /** A drone is on its way to take over. */
     public boolean isRelieved() {
-        return crew().others().stream().anyMatch(other -> other.comes(this));
+        return reliefOrNone().others().stream().anyMatch(other -> other.isComing(this));
     }
 
     /** Another drone could take over, if there were one. */
     public boolean isRelievable() {
-        boolean leads = stage == FollowStage.TRACKING && missing == null;
-        return (leads || (stage == FollowStage.RETURNING && crew().vacant())) && !isRelieved();
+        boolean leads = stage == FollowStage.TRACKING && missingFix == null;
+        return (leads || (stage == FollowStage.RETURNING && reliefOrNone().vacant())) && !isRelieved();
     }
 
     FollowState to(FollowStage next, Instant at, String words) {
-        List<Notice> all = telling(at, words);
+        List<Notice> all = appendNotice(at, words);
         return new FollowState(
                 id,
                 order,
@@ -145,58 +145,120 @@ public record FollowState(
                 at,
                 at,
                 null,
-                new Attempts(tries.given(), 0, null),
+                new Attempts(attempts.given(), 0, null),
                 null,
                 null,
                 all,
                 next == FollowStage.OVER ? words : null,
-                relay == null ? null : relay.vacant(false));
+                reliefState == null ? null : reliefState.vacant(false));
     }
 
     /** It leads from then on, in the place of the one that led before. */
-    FollowState leads(FollowState before, Instant at, ReliefState crew) {
-        return new FollowState(id, order, stage, at, at, errand, tries, missing, note, before.told(), null, crew);
+    FollowState takeLead(FollowState before, Instant at, ReliefState crew) {
+        return new FollowState(
+                id, order, stage, at, at, issuedCommand, attempts, missingFix, note, before.notices(), null, crew);
     }
 
     /** It says so, and is reached or not from then on. */
-    FollowState missing(@Nullable MissingFixReason why, Instant at, String words, @Nullable String noted) {
+    FollowState missingFix(@Nullable MissingFixReason why, Instant at, String words, @Nullable String noted) {
         return new FollowState(
-                id, order, stage, since, waits, errand, tries, why, noted, telling(at, words), end, relay);
+                id,
+                order,
+                stage,
+                since,
+                waitsSince,
+                issuedCommand,
+                attempts,
+                why,
+                noted,
+                appendNotice(at, words),
+                end,
+                reliefState);
     }
 
-    FollowState saying(Instant at, String words) {
+    FollowState withNotice(Instant at, String words) {
         return new FollowState(
-                id, order, stage, since, waits, errand, tries, missing, note, telling(at, words), end, relay);
+                id,
+                order,
+                stage,
+                since,
+                waitsSince,
+                issuedCommand,
+                attempts,
+                missingFix,
+                note,
+                appendNotice(at, words),
+                end,
+                reliefState);
     }
 
-    private List<Notice> telling(Instant at, String words) {
-        List<Notice> all = new ArrayList<>(told);
+    private List<Notice> appendNotice(Instant at, String words) {
+        List<Notice> all = new ArrayList<>(notices);
         all.add(new Notice(at, words));
         return all.subList(Math.max(0, all.size() - MOST_TOLD), all.size());
     }
 
     /** What it said was passed on. */
-    FollowState silently() {
-        return new FollowState(id, order, stage, since, waits, errand, tries, missing, note, List.of(), end, relay);
+    FollowState withoutNotices() {
+        return new FollowState(
+                id,
+                order,
+                stage,
+                since,
+                waitsSince,
+                issuedCommand,
+                attempts,
+                missingFix,
+                note,
+                List.of(),
+                end,
+                reliefState);
     }
 
     FollowState with(FollowOrder other) {
-        return new FollowState(id, other, stage, since, waits, errand, tries, missing, note, told, end, relay);
+        return new FollowState(
+                id,
+                other,
+                stage,
+                since,
+                waitsSince,
+                issuedCommand,
+                attempts,
+                missingFix,
+                note,
+                notices,
+                end,
+                reliefState);
     }
 
     FollowState with(@Nullable ReliefState other) {
-        return new FollowState(id, order, stage, since, waits, errand, tries, missing, note, told, end, other);
+        return new FollowState(
+                id, order, stage, since, waitsSince, issuedCommand, attempts, missingFix, note, notices, end, other);
     }
 
     FollowState noted(@Nullable String what) {
-        return new FollowState(id, order, stage, since, waits, errand, tries, missing, what, told, end, relay);
+        return new FollowState(
+                id,
+                order,
+                stage,
+                since,
+                waitsSince,
+                issuedCommand,
+                attempts,
+                missingFix,
+                what,
+                notices,
+                end,
+                reliefState);
     }
 
     FollowState waiting(Instant from) {
-        return new FollowState(id, order, stage, since, from, errand, tries, missing, note, told, end, relay);
+        return new FollowState(
+                id, order, stage, since, from, issuedCommand, attempts, missingFix, note, notices, end, reliefState);
     }
 
-    FollowState on(@Nullable IssuedCommand what, Attempts now) {
-        return new FollowState(id, order, stage, since, waits, what, now, missing, note, told, end, relay);
+    FollowState withIssuedCommand(@Nullable IssuedCommand what, Attempts now) {
+        return new FollowState(
+                id, order, stage, since, waitsSince, what, now, missingFix, note, notices, end, reliefState);
     }
 }

@@ -69,12 +69,12 @@ final class FollowSteering {
     }
 
     /** What it is told, so that it comes to that place beside the phone; empty: nothing. {@code aloft}: all others in the air. */
-    Optional<Setpoint> beside(
+    Optional<Setpoint> standOffSetpoint(
             FollowState state, FollowOrder.RelativePlace place, OperationObservation scene, List<DroneState> aloft) {
-        DroneState drone = ours(state, scene);
+        DroneState drone = droneState(state, scene);
         DroneFix here = drone == null ? null : pursuits.of(drone);
         if (drone == null || here == null || state.stage() != FollowStage.TRACKING || target.last() == null) {
-            guidance.letGo();
+            guidance.reset();
             return Optional.empty();
         }
         double home = state.order().chosen().homeAmslMeters();
@@ -83,16 +83,16 @@ final class FollowSteering {
         StandOffGuidance.Environment around =
                 new StandOffGuidance.Environment(within.room(), others(scene, drone, aloft));
         GuidanceSetpoint aim =
-                guidance.lead(scene.now(), standOff, limits(state, drone, within), around, here, scene.sighted());
+                guidance.guide(scene.now(), standOff, limits(state, drone, within), around, here, scene.lastReportAt());
         return Optional.of(setpoint(aim, GimbalPitch.degrees(target, scene.now(), here, home)));
     }
 
     /** What it is told on its way home, above all that follow; empty: nothing, it comes home by itself. */
-    Optional<Setpoint> home(FollowState state, OperationObservation scene, List<DroneState> aloft) {
-        DroneState drone = ours(state, scene);
+    Optional<Setpoint> returnSetpoint(FollowState state, OperationObservation scene, List<DroneState> aloft) {
+        DroneState drone = droneState(state, scene);
         DroneFix here = drone == null ? null : pursuits.of(drone);
         FollowOrder.ChosenDrone chosen = state.order().chosen();
-        if (drone == null || here == null || !isLedHome(state, drone, here, scene.now())) {
+        if (drone == null || here == null || !isSteeredHome(state, drone, here, scene.now())) {
             homeward = null;
             return Optional.empty();
         }
@@ -106,15 +106,15 @@ final class FollowSteering {
         StandOffGuidance.Environment around =
                 new StandOffGuidance.Environment(within.room(), others(scene, drone, aloft));
         GuidanceSetpoint aim =
-                homeward.lead(scene.now(), above, limits(state, drone, within), around, here, scene.now());
+                homeward.guide(scene.now(), above, limits(state, drone, within), around, here, scene.now());
         return Optional.of(setpoint(aim, null));
     }
 
-    private static boolean isLedHome(FollowState state, DroneState drone, DroneFix here, Instant now) {
+    private static boolean isSteeredHome(FollowState state, DroneState drone, DroneFix here, Instant now) {
         Battery battery = drone.battery();
         boolean guided = drone.capabilities().steering(drone.mode()).orElse(null) == Steering.ORDERS;
         return drone.airborne()
-                && GuidedReturn.isLed(
+                && GuidedReturn.isSteered(
                         state,
                         guided,
                         Geodesy.distanceMeters(
@@ -123,9 +123,9 @@ final class FollowSteering {
                         now);
     }
 
-    private static @Nullable DroneState ours(FollowState state, OperationObservation scene) {
+    private static @Nullable DroneState droneState(FollowState state, OperationObservation scene) {
         return scene.of(state.drone())
-                .filter(seen -> seen.takenBy() == null)
+                .filter(seen -> seen.whyNotCommandable() == null)
                 .map(OperationObservation.ObservedDrone::state)
                 .orElse(null);
     }
@@ -159,7 +159,7 @@ final class FollowSteering {
 
     /** Made anew when the zones are others: what binds the drone may come and go while it follows. */
     private ZoneBounds bounds(FollowState state, OperationObservation scene, DroneState drone) {
-        List<Zone> now = scene.around().zones().getOrDefault(drone.id(), List.of());
+        List<Zone> now = scene.airspace().zones().getOrDefault(drone.id(), List.of());
         if (!now.equals(bounds.zones())) {
             double home = state.order().chosen().homeAmslMeters();
             bounds = new ZoneBounds(
@@ -174,7 +174,7 @@ final class FollowSteering {
                 .forEach((id, one) -> all.add(new TrafficAvoidance.ReportedDrone(
                         one,
                         Math.max(0, Math.min(LONGEST_AHEAD, seconds(one.at(), scene.now()) + downlink(drone))),
-                        scene.around().led().contains(id))));
+                        scene.airspace().steered().contains(id))));
         return TrafficAvoidance.of(target.plane(), all, apart);
     }
 

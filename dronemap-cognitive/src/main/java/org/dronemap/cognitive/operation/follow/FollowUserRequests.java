@@ -6,7 +6,7 @@ import java.time.Instant;
 final class FollowUserRequests {
     private FollowUserRequests() {}
 
-    static FollowState taken(FollowState state, FollowInput.UserRequest wish) {
+    static FollowState apply(FollowState state, FollowInput.UserRequest wish) {
         Instant at = wish.at();
         String by = wish.by();
         String name = state.order().chosen().name();

@@ -19,11 +19,11 @@ final class GuidedReturn {
      * @param guided it goes by what it is led by
      * @param homeMeters from its home; null: not known
      */
-    static boolean isLed(
+    static boolean isSteered(
             FollowState one, boolean guided, @Nullable Double homeMeters, @Nullable Integer percent, Instant at) {
         return one.stage() == FollowStage.RETURNING
-                && one.errand() == null
-                && one.tries().failed() == 0
+                && one.issuedCommand() == null
+                && one.attempts().failed() == 0
                 && guided
                 && homeMeters != null
                 && homeMeters > NEAR_METERS

@@ -18,7 +18,7 @@ import org.dronemap.core.stored.Stored;
  */
 @Stored(names = "number sent others failed vacant alone")
 public record ReliefState(
-        int number, int sent, List<FollowState> others, List<DroneId> failed, boolean vacant, boolean alone) {
+        int number, int sent, List<FollowState> others, List<DroneId> failed, boolean vacant, boolean aloneReported) {
     /** One drone, as most follows have. */
     public static final ReliefState NONE = new ReliefState(0, 0, List.of(), List.of(), false, false);
 
@@ -41,31 +41,31 @@ public record ReliefState(
     }
 
     ReliefState with(List<FollowState> drones) {
-        return new ReliefState(number, sent, drones, failed, vacant, alone);
+        return new ReliefState(number, sent, drones, failed, vacant, aloneReported);
     }
 
     ReliefState vacant(boolean now) {
-        return new ReliefState(number, sent, others, failed, now, alone);
+        return new ReliefState(number, sent, others, failed, now, aloneReported);
     }
 
-    ReliefState toldAlone() {
+    ReliefState withAloneReported() {
         return new ReliefState(number, sent, others, failed, vacant, true);
     }
 
     ReliefState sending(FollowState drone) {
         List<FollowState> all = new ArrayList<>(others);
         all.add(drone);
-        return new ReliefState(number, drone.crew().number(), all, failed, vacant, false);
+        return new ReliefState(number, drone.reliefOrNone().number(), all, failed, vacant, false);
     }
 
     ReliefState failing(DroneId drone) {
         List<DroneId> all = new ArrayList<>(failed);
         all.add(drone);
-        return new ReliefState(number, sent, others, all, vacant, alone);
+        return new ReliefState(number, sent, others, all, vacant, aloneReported);
     }
 
     /** That drone leads, with all that is known of the others. */
-    ReliefState ledBy(int other, List<FollowState> drones) {
+    ReliefState withLeader(int other, List<FollowState> drones) {
         return new ReliefState(other, sent, drones, failed, false, false);
     }
 

@@ -32,10 +32,10 @@ final class CraftSnapshots {
     static boolean isUsable(RunDrone drone, DroneObservation look) {
         boolean there = !look.isLost()
                 && look.ready()
-                && look.takenBy() == null
-                && drone.signs().held()
+                && look.holder() == null
+                && drone.flags().held()
                 && look.place() != null;
-        return there && drone.stage().takesOrders() && !isLanding(drone);
+        return there && drone.stage().acceptsCommands() && !isLanding(drone);
     }
 
     /** Its last item is its landing, and it is on it. */

@@ -69,16 +69,16 @@ final class DroneObstacles {
     }
 
     /** What could not be served because of one that is gone by now is planned anew. */
-    static void look(RunTransition draft, DroneObservation look) {
+    static void observe(RunTransition draft, DroneObservation look) {
         RunDrone drone = draft.drone(look.drone());
-        if (!drone.signs().told().contains(LED_ROUND) || stands(drone, look)) {
+        if (!drone.flags().triggers().contains(LED_ROUND) || stands(drone, look)) {
             return;
         }
         note(draft, drone, false);
         boolean waits = draft.targets().stream()
                 .anyMatch(target -> target.state() == RunWaypoint.State.WAITING && target.leftOut());
         if (waits) {
-            draft.cause(LED_ROUND, drone.id(), drone.name() + " is out of the way.");
+            draft.addCause(LED_ROUND, drone.id(), drone.name() + " is out of the way.");
         }
     }
 
@@ -90,11 +90,11 @@ final class DroneObstacles {
     }
 
     private static void note(RunTransition draft, RunDrone drone, boolean on) {
-        List<RunTrigger> told = new ArrayList<>(drone.signs().told());
+        List<RunTrigger> told = new ArrayList<>(drone.flags().triggers());
         told.remove(LED_ROUND);
         if (on) {
             told.add(LED_ROUND);
         }
-        draft.put(drone.with(drone.signs().told(told)));
+        draft.put(drone.with(drone.flags().triggers(told)));
     }
 }

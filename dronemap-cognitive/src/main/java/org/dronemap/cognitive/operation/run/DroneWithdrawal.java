@@ -8,24 +8,28 @@ import org.dronemap.cognitive.operation.run.model.RunTrigger;
 final class DroneWithdrawal {
     private DroneWithdrawal() {}
 
-    static void leave(RunTransition draft, RunDrone drone, RunDroneStage stage, RunTrigger trigger, String words) {
-        leave(draft, drone, stage, trigger, words, words);
+    static void withdraw(RunTransition draft, RunDrone drone, RunDroneStage stage, RunTrigger trigger, String words) {
+        withdraw(draft, drone, stage, trigger, words, words);
     }
 
     /** {@code note}: what is shown of it from now on. */
-    static void leave(
+    static void withdraw(
             RunTransition draft, RunDrone drone, RunDroneStage stage, RunTrigger trigger, String words, String note) {
         boolean had = !drone.orders().isEmpty();
         RunDrone out = draft.release(drone, words).noted(note).to(stage, draft.now());
-        draft.put(out.with(out.signs().falling(null).astray(null).silent(null).yields(null)));
+        draft.put(out.with(out.flags()
+                .fallingSince(null)
+                .deviatingSince(null)
+                .withLinkLoss(null)
+                .waitsFor(null)));
         if (had) {
-            draft.cause(trigger, drone.id(), words, drone.orders());
+            draft.addCause(trigger, drone.id(), words, drone.orders());
         } else {
-            draft.say(trigger, drone.id(), words);
+            draft.explain(trigger, drone.id(), words);
         }
     }
 
     static void callHome(RunTransition draft, RunDrone drone, RunTrigger trigger, String words) {
-        leave(draft, drone, RunDroneStage.RETURNING, trigger, words);
+        withdraw(draft, drone, RunDroneStage.RETURNING, trigger, words);
     }
 }

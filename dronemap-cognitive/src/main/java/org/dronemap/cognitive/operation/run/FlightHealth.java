@@ -50,16 +50,16 @@ final class FlightHealth {
     private FlightHealth() {}
 
     /** True when it has just been seen to fall, or to lie on the ground. */
-    static boolean fall(RunTransition draft, RunDrone drone, DroneObservation look) {
-        Instant falling = drone.signs().falling();
+    static boolean checkFall(RunTransition draft, RunDrone drone, DroneObservation look) {
+        Instant falling = drone.flags().fallingSince();
         if (!isFalling(drone, look)) {
             if (falling != null) {
-                draft.put(drone.with(drone.signs().falling(null)));
+                draft.put(drone.with(drone.flags().fallingSince(null)));
             }
             return lies(draft, drone, look);
         }
         if (falling == null) {
-            draft.put(drone.with(drone.signs().falling(draft.now())));
+            draft.put(drone.with(drone.flags().fallingSince(draft.now())));
             return false;
         }
         if (Duration.between(falling, draft.now()).compareTo(FALLS) < 0) {
@@ -71,23 +71,23 @@ final class FlightHealth {
 
     static void crashed(RunTransition draft, RunDrone drone, String how) {
         String words = drone.name() + " has crashed: " + how + ".";
-        DroneWithdrawal.leave(draft, drone, RunDroneStage.CRASHED, RunTrigger.CRASHED, words);
+        DroneWithdrawal.withdraw(draft, drone, RunDroneStage.CRASHED, RunTrigger.CRASHED, words);
     }
 
     /** What was taken for a crash was none when it is seen to fly: people decide on it, and others keep apart from it. */
-    static void afterAll(RunTransition draft, RunDrone drone, DroneObservation look) {
-        Instant since = drone.signs().astray();
+    static void checkCrashed(RunTransition draft, RunDrone drone, DroneObservation look) {
+        Instant since = drone.flags().deviatingSince();
         if (!isSeenToFly(drone, look)) {
             if (since != null) {
-                draft.put(drone.with(drone.signs().astray(null)));
+                draft.put(drone.with(drone.flags().deviatingSince(null)));
             }
         } else if (since == null) {
-            draft.put(drone.with(drone.signs().astray(draft.now())));
+            draft.put(drone.with(drone.flags().deviatingSince(draft.now())));
         } else if (Duration.between(since, draft.now()).compareTo(FLIES) >= 0) {
             String words = drone.name() + " was taken for crashed, but flies"
                     + (look.mode() == null ? "" : " in mode " + look.mode())
                     + "; it is left alone until somebody resumes it here.";
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.SUSPENDED, RunTrigger.HEARD_AGAIN, words);
+            DroneWithdrawal.withdraw(draft, drone, RunDroneStage.SUSPENDED, RunTrigger.HEARD_AGAIN, words);
         }
     }
 
@@ -121,7 +121,7 @@ final class FlightHealth {
     }
 
     private static boolean hovers(RunDrone drone) {
-        VehicleKind kind = drone.kin().kind();
+        VehicleKind kind = drone.profile().kind();
         return kind == VehicleKind.MULTICOPTER || kind == VehicleKind.HELICOPTER;
     }
 
@@ -180,22 +180,22 @@ final class FlightHealth {
     }
 
     private static void offPath(RunTransition draft, RunDrone drone, double meters) {
-        Instant astray = drone.signs().astray();
+        Instant astray = drone.flags().deviatingSince();
         if (meters <= OFF_METERS) {
             if (astray != null) {
-                draft.put(drone.with(drone.signs().astray(null)));
+                draft.put(drone.with(drone.flags().deviatingSince(null)));
             }
         } else if (astray == null) {
-            draft.put(drone.with(drone.signs().astray(draft.now())));
+            draft.put(drone.with(drone.flags().deviatingSince(draft.now())));
         } else if (Duration.between(astray, draft.now()).compareTo(OFF) >= 0) {
-            once(draft, drone, RunTrigger.OFF_PATH, drone.name() + " is off its path.");
+            causeOnce(draft, drone, RunTrigger.OFF_PATH, drone.name() + " is off its path.");
         }
     }
 
     private static void late(RunTransition draft, RunDrone drone, Sortie sortie) {
         sortie.due(drone.orders().get(0))
                 .filter(due -> Duration.between(due, draft.now()).compareTo(LATE) > 0)
-                .ifPresent(due -> once(
+                .ifPresent(due -> causeOnce(
                         draft,
                         drone,
                         RunTrigger.LATE,
@@ -204,7 +204,7 @@ final class FlightHealth {
     }
 
     /** It may wait long for others to pass: what its charge does not last for is not left to wait for that. */
-    static void whileItWaits(RunTransition draft, RunDrone drone, DroneObservation look) {
+    static void checkWaiting(RunTransition draft, RunDrone drone, DroneObservation look) {
         boolean goesOn = drone.stage() == RunDroneStage.HOLDING
                 && drone.next() == null
                 && drone.sortie() != null
@@ -212,7 +212,7 @@ final class FlightHealth {
         if (goesOn) {
             charge(draft, drone, look);
         } else {
-            lasts(draft, drone, look);
+            checkReturnCharge(draft, drone, look);
         }
     }
 
@@ -225,9 +225,9 @@ final class FlightHealth {
         Double left = remaining(drone, look);
         double reserve = drone.craft().supply().reserveJoules();
         // Else no plan could be made for it that brings it home.
-        boolean lasts = lasts(draft, drone, look);
+        boolean lasts = checkReturnCharge(draft, drone, look);
         if (lasts && left != null && left - MissionLegs.joulesToGo(sortie, drone.passed(), place) < TOUCHED * reserve) {
-            once(
+            causeOnce(
                     draft,
                     drone,
                     RunTrigger.LOW_BATTERY,
@@ -237,7 +237,7 @@ final class FlightHealth {
     }
 
     /** False: it has just been called home, while its charge lasts for that, or will be once it is where it brakes anyway. */
-    static boolean lasts(RunTransition draft, RunDrone drone, DroneObservation look) {
+    static boolean checkReturnCharge(RunTransition draft, RunDrone drone, DroneObservation look) {
         Double left = remaining(drone, look);
         Place place = look.place();
         double least = TOUCHED * drone.craft().supply().reserveJoules();
@@ -258,7 +258,7 @@ final class FlightHealth {
         Speeds speeds = drone.craft().performance().speeds();
         Power power = drone.craft().performance().power();
         Place home = drone.craft().finish().place();
-        ReturnHeight set = drone.signs().homeward();
+        ReturnHeight set = drone.flags().returnHeight();
         double above = place.altitudeAmslMeters() - home.altitudeAmslMeters();
         double top = set == null ? above : Math.max(above, set.meters());
         return (top - above) / speeds.climb() * power.climb()
@@ -268,19 +268,19 @@ final class FlightHealth {
 
     /** In J, by what its battery tells; null: not known, or without a limit. */
     static @Nullable Double remaining(RunDrone drone, DroneObservation look) {
-        Double perPercent = drone.signs().joulesPerPercent();
+        Double perPercent = drone.flags().joulesPerPercent();
         Integer percent = look.batteryPercent();
         return perPercent == null || percent == null ? null : Double.valueOf(perPercent * percent);
     }
 
     /** Once for each mission. */
-    private static void once(RunTransition draft, RunDrone drone, RunTrigger trigger, String words) {
-        RunDrone.Flags signs = drone.signs();
-        if (!signs.told().contains(trigger)) {
-            List<RunTrigger> told = new ArrayList<>(signs.told());
+    private static void causeOnce(RunTransition draft, RunDrone drone, RunTrigger trigger, String words) {
+        RunDrone.Flags signs = drone.flags();
+        if (!signs.triggers().contains(trigger)) {
+            List<RunTrigger> told = new ArrayList<>(signs.triggers());
             told.add(trigger);
-            draft.put(drone.with(signs.told(told)));
-            draft.cause(trigger, drone.id(), words);
+            draft.put(drone.with(signs.triggers(told)));
+            draft.addCause(trigger, drone.id(), words);
         }
     }
 }

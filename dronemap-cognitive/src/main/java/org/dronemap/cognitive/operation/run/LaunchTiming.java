@@ -11,7 +11,7 @@ final class LaunchTiming {
     private LaunchTiming() {}
 
     /** Once all have their missions the plan's clock begins. */
-    static void prepare(RunTransition draft) {
+    static void launchWhenReady(RunTransition draft) {
         boolean waits = draft.clock().launched()
                 || draft.isPaused()
                 || draft.request() != null
@@ -25,13 +25,13 @@ final class LaunchTiming {
         for (RunDrone drone : draft.drones()) {
             Sortie sortie = drone.sortie();
             if (drone.stage() == RunDroneStage.READY && sortie != null) {
-                draft.put(drone.flying(sortie.at(now), 0));
+                draft.put(drone.withSortie(sortie.at(now), 0));
             }
         }
         long flying = draft.drones().stream()
                 .filter(drone -> drone.stage() == RunDroneStage.READY)
                 .count();
-        draft.say(
+        draft.explain(
                 RunTrigger.START,
                 null,
                 "All missions are on board; " + RunMessages.count(flying, "drone") + " set off.");

@@ -37,7 +37,7 @@ final class LostDrones {
 
     private LostDrones() {}
 
-    static void begin(RunTransition draft, RunDrone drone, DroneObservation look) {
+    static void linkLost(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (drone.stage().compareTo(RunDroneStage.STARTING) < 0) {
             onTheGround(draft, drone);
         } else if (drone.stage().compareTo(RunDroneStage.RETURNING) <= 0) {
@@ -48,7 +48,7 @@ final class LostDrones {
     private static void onTheGround(RunTransition draft, RunDrone drone) {
         if (drone.stage() != RunDroneStage.LANDED || !drone.orders().isEmpty()) {
             String words = "Nothing is heard of " + drone.name() + ", which stands on the ground.";
-            DroneWithdrawal.leave(draft, drone.flying(null, 0), RunDroneStage.LANDED, RunTrigger.LOST, words);
+            DroneWithdrawal.withdraw(draft, drone.withSortie(null, 0), RunDroneStage.LANDED, RunTrigger.LOST, words);
         }
     }
 
@@ -73,19 +73,19 @@ final class LostDrones {
                                 + ") stay reserved for it.");
         boolean offers = drone.orders().size() > reserved.size();
         RunDrone silent = draft.release(drone, "Nothing was heard of " + name + ".")
-                .ordered(reserved)
+                .withOrders(reserved)
                 .noted(words);
         reserved.forEach(id -> draft.put(draft.target(id).to(RunWaypoint.State.RESERVED, drone.id(), null)));
-        draft.put(silent.with(silent.signs()
-                        .silent(silence)
-                        .falling(null)
-                        .astray(null)
-                        .yields(null))
+        draft.put(silent.with(silent.flags()
+                        .withLinkLoss(silence)
+                        .fallingSince(null)
+                        .deviatingSince(null)
+                        .waitsFor(null))
                 .to(RunDroneStage.SILENT, draft.now()));
         if (offers) {
-            draft.cause(RunTrigger.LOST, drone.id(), words, drone.orders());
+            draft.addCause(RunTrigger.LOST, drone.id(), words, drone.orders());
         } else {
-            draft.say(RunTrigger.LOST, drone.id(), words);
+            draft.explain(RunTrigger.LOST, drone.id(), words);
         }
     }
 
@@ -129,77 +129,78 @@ final class LostDrones {
         return way.plus(MARGIN);
     }
 
-    static void look(RunTransition draft, DroneObservation look) {
+    static void observe(RunTransition draft, DroneObservation look) {
         RunDrone drone = draft.drone(look.drone());
-        RunDrone.LinkLoss silence = Objects.requireNonNull(drone.signs().silence());
+        RunDrone.LinkLoss silence = Objects.requireNonNull(drone.flags().linkLoss());
         if (look.isLive() && look.ready() && look.mode() != null && look.armed() != null) {
-            listen(draft, drone, look);
+            awaitReports(draft, drone, look);
             return;
         }
-        if (drone.tries().notBefore() != null) {
+        if (drone.attempts().notBefore() != null) {
             drone = drone.tried(RunDrone.Attempts.NONE);
             draft.put(drone);
         }
         if (draft.now().isAfter(silence.flyingUntil())) {
             String words = drone.name() + " was not heard again; it must be down by now.";
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.GONE, RunTrigger.GONE, words);
+            DroneWithdrawal.withdraw(draft, drone, RunDroneStage.GONE, RunTrigger.GONE, words);
         } else if (draft.now().isAfter(silence.reservedUntil())
                 && !drone.orders().isEmpty()) {
             String words = drone.name() + " was not heard again; what was reserved for it is offered to the others.";
             draft.put(draft.release(drone, words));
-            draft.cause(RunTrigger.GONE, drone.id(), words, drone.orders());
+            draft.addCause(RunTrigger.GONE, drone.id(), words, drone.orders());
         }
     }
 
     /** Who is down says a moment later how far it came. */
-    private static void listen(RunTransition draft, RunDrone drone, DroneObservation look) {
-        Instant from = drone.tries().notBefore();
+    private static void awaitReports(RunTransition draft, RunDrone drone, DroneObservation look) {
+        Instant from = drone.attempts().notBefore();
         if (!look.isDisarmed()) {
-            heard(draft, drone, look);
+            linkRegained(draft, drone, look);
         } else if (from == null) {
             draft.put(drone.tried(new RunDrone.Attempts(0, draft.now().plus(UNTIL_ALL_IS_TOLD))));
-        } else if (!draft.now().isBefore(look.tells() ? from : from.plus(LONGEST_UNTOLD))) {
-            heard(draft, drone, look);
+        } else if (!draft.now().isBefore(look.isFullyReported() ? from : from.plus(LONGEST_UNTOLD))) {
+            linkRegained(draft, drone, look);
         }
     }
 
     /** What it has reached is reckoned already. */
-    private static void heard(RunTransition draft, RunDrone silent, DroneObservation look) {
-        boolean flew = Objects.requireNonNull(silent.signs().silence()).flew();
+    private static void linkRegained(RunTransition draft, RunDrone silent, DroneObservation look) {
+        boolean flew = Objects.requireNonNull(silent.flags().linkLoss()).flew();
         boolean explained = RunCloudLoss.bringsHome(draft, flew);
         RunDrone drone =
-                silent.tried(RunDrone.Attempts.NONE).with(silent.signs().silent(null));
+                silent.tried(RunDrone.Attempts.NONE).with(silent.flags().withLinkLoss(null));
         String name = drone.name();
         if (look.isDisarmed()) {
             down(draft, drone, look, explained);
         } else if (look.comesDown()) {
             String words = name + " is heard again; it comes home or down by itself.";
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.RETURNING, RunTrigger.HEARD_AGAIN, words);
+            DroneWithdrawal.withdraw(draft, drone, RunDroneStage.RETURNING, RunTrigger.HEARD_AGAIN, words);
             if (explained) {
-                RunCloudLoss.missed(draft, draft.drone(drone.id()));
+                RunCloudLoss.markMissed(draft, draft.drone(drone.id()));
             }
         } else if (look.isSteered() || (look.waits() && look.airborne() && flew)) {
             // Who flew a mission does not come to stand by itself.
             String words = name + " is heard again, in mode " + look.mode() + "; it is left alone until it is resumed.";
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.SUSPENDED, RunTrigger.HEARD_AGAIN, words);
+            DroneWithdrawal.withdraw(draft, drone, RunDroneStage.SUSPENDED, RunTrigger.HEARD_AGAIN, words);
         } else {
-            takeBack(draft, drone, look);
+            reclaim(draft, drone, look);
         }
     }
 
     private static void down(RunTransition draft, RunDrone drone, DroneObservation look, boolean explained) {
         if (explained && isAtHome(drone, look)) {
-            takesPartAgain(draft, drone);
+            rejoin(draft, drone);
             return;
         }
         boolean done = drone.sortie() != null && look.isAtTheEnd();
         String words =
                 drone.name() + " is heard again; it is down" + (done ? ", as its mission was flown to the end." : ".");
         if (done) {
-            DroneWithdrawal.leave(draft, drone.flying(null, 0), RunDroneStage.LANDED, RunTrigger.HEARD_AGAIN, words);
+            DroneWithdrawal.withdraw(
+                    draft, drone.withSortie(null, 0), RunDroneStage.LANDED, RunTrigger.HEARD_AGAIN, words);
             draft.causes().add(new ReplanCause(RunTrigger.HEARD_AGAIN, drone.id(), words, drone.orders()));
         } else {
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.LEFT, RunTrigger.HEARD_AGAIN, words);
+            DroneWithdrawal.withdraw(draft, drone, RunDroneStage.LEFT, RunTrigger.HEARD_AGAIN, words);
         }
     }
 
@@ -216,14 +217,15 @@ final class LostDrones {
                         < AT_HOME_METERS;
     }
 
-    static void takesPartAgain(RunTransition draft, RunDrone drone) {
+    static void rejoin(RunTransition draft, RunDrone drone) {
         String words = drone.name() + " came home since it had missed the cloud; it takes part again.";
-        RunDrone out = draft.release(drone, words).flying(null, 0).noted(null).to(RunDroneStage.LANDED, draft.now());
-        draft.put(out.with(out.signs().told(List.of())));
-        draft.cause(RunTrigger.HEARD_AGAIN, drone.id(), words, drone.orders());
+        RunDrone out =
+                draft.release(drone, words).withSortie(null, 0).noted(null).to(RunDroneStage.LANDED, draft.now());
+        draft.put(out.with(out.flags().triggers(List.of())));
+        draft.addCause(RunTrigger.HEARD_AGAIN, drone.id(), words, drone.orders());
     }
 
-    private static void takeBack(RunTransition draft, RunDrone drone, DroneObservation look) {
+    private static void reclaim(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie sortie = drone.sortie();
         boolean carries = !Boolean.FALSE.equals(look.progress().carries());
         boolean own = carries && sortie != null && drone.orders().containsAll(sortie.ahead(drone.passed()));
@@ -234,7 +236,7 @@ final class LostDrones {
         } else {
             draft.put(back.to(RunDroneStage.HOLDING, draft.now()));
         }
-        draft.cause(
+        draft.addCause(
                 RunTrigger.HEARD_AGAIN,
                 drone.id(),
                 drone.name() + " is heard again; it "

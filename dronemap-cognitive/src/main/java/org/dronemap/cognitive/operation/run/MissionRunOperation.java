@@ -51,7 +51,7 @@ public final class MissionRunOperation implements Operation<RunState, RunInput> 
     }
 
     @Override
-    public RunInput looked(RunState state, OperationObservation scene) {
+    public RunInput observed(RunState state, OperationObservation scene) {
         return RunObservations.of(state, scene);
     }
 
@@ -68,7 +68,7 @@ public final class MissionRunOperation implements Operation<RunState, RunInput> 
     @Override
     public OperationDecision<RunState, RunInput> decide(RunState state, RunInput input) {
         if (state.isOver()) {
-            return OperationDecision.stay(state);
+            return OperationDecision.unchanged(state);
         }
         RunTransition draft = new RunTransition(state, input.at());
         if (input instanceof RunInput.Observed looked) {
@@ -76,29 +76,29 @@ public final class MissionRunOperation implements Operation<RunState, RunInput> 
         } else if (input instanceof RunInput.CommandEnded ended) {
             RunCommandResults.ended(draft, ended);
         } else if (input instanceof RunInput.ReplanEnded replanned) {
-            PlanAdoption.arrived(draft, replanned);
+            PlanAdoption.planComputed(draft, replanned);
         } else if (input instanceof RunInput.Restarted) {
             RunDroneMonitor.restarted(draft, GRACE);
         } else if (input instanceof RunInput.UserRequest wish
                 && refusal(state, wish).isEmpty()) {
-            RunUserRequests.wish(draft, wish);
+            RunUserRequests.apply(draft, wish);
         }
         return draft.decision();
     }
 
     /** In this order: what was reached, what befell, what is asked for, what each does next. */
     private static void looked(RunTransition draft, List<DroneObservation> looks) {
-        looks.forEach(look -> VisitTracking.reckon(draft, look));
+        looks.forEach(look -> VisitTracking.update(draft, look));
         for (RunDrone drone : draft.drones()) {
             if (looks.stream().noneMatch(look -> look.drone().equals(drone.id()))) {
                 RunDroneMonitor.removed(draft, drone);
             }
         }
-        looks.forEach(look -> RunDroneMonitor.look(draft, look));
-        ReplanScheduler.ask(draft, looks);
-        LaunchTiming.prepare(draft);
-        SeparationGuard.watch(draft, looks);
-        looks.forEach(look -> RunCommands.go(draft, look));
+        looks.forEach(look -> RunDroneMonitor.observe(draft, look));
+        ReplanScheduler.requestIfNeeded(draft, looks);
+        LaunchTiming.launchWhenReady(draft);
+        SeparationGuard.keepApart(draft, looks);
+        looks.forEach(look -> RunCommands.advance(draft, look));
         RunCompletion.close(draft);
     }
 

@@ -30,7 +30,7 @@ final class PlanAdoption {
 
     private PlanAdoption() {}
 
-    static void arrived(RunTransition draft, RunInput.ReplanEnded input) {
+    static void planComputed(RunTransition draft, RunInput.ReplanEnded input) {
         PendingReplan request = draft.request();
         if (request == null || request.number() != input.request() || draft.stopping()) {
             return;
@@ -38,12 +38,12 @@ final class PlanAdoption {
         draft.request(null);
         ReplanResult result = input.result();
         if (result == null) {
-            again(draft, request, "No plan could be computed: " + input.why());
+            retryLater(draft, request, "No plan could be computed: " + input.why());
             return;
         }
         Optional<String> fault = fault(draft, request, result);
         if (fault.isPresent()) {
-            again(draft, request, "There is no plan yet that can be flown: " + fault.get());
+            retryLater(draft, request, "There is no plan yet that can be flown: " + fault.get());
         } else if (!PlanFreshness.isFresh(draft, request, result)) {
             stale(draft, request);
         } else if (request.better()) {
@@ -72,7 +72,7 @@ final class PlanAdoption {
         return request.crafts().stream()
                 .flatMap(craft -> tour(result.plan(), craft)
                         .flatMap(tour -> new MissionWriter(
-                                        craft, draft.drone(craft.id()).kin().kind(), draft::task)
+                                        craft, draft.drone(craft.id()).profile().kind(), draft::task)
                                 .fault(tour))
                         .stream())
                 .findFirst();
@@ -85,11 +85,11 @@ final class PlanAdoption {
     }
 
     /** The same causes are asked for again after a while: what is in the way now may not be then. */
-    private static void again(RunTransition draft, PendingReplan request, String words) {
-        int misses = draft.tally().miss();
+    private static void retryLater(RunTransition draft, PendingReplan request, String words) {
+        int misses = draft.tally().countFailedPlan();
         boolean last = misses == MOST_MISSES;
         if (!request.better() && (misses == 1 || last)) {
-            draft.say(request.first().trigger(), request.first().drone(), words);
+            draft.explain(request.first().trigger(), request.first().drone(), words);
         }
         if (!request.better() && misses < MOST_MISSES) {
             draft.causes().addAll(0, request.causes());
@@ -97,13 +97,13 @@ final class PlanAdoption {
                     .filter(cause -> misses > 1 && cause.trigger() == RunTrigger.LOW_BATTERY)
                     .forEach(cause -> callHome(draft, cause.drone()));
         }
-        draft.clock(draft.clock().asking(draft.now().plus(BETWEEN_TRIES)));
+        draft.clock(draft.clock().withPlansAfter(draft.now().plus(BETWEEN_TRIES)));
     }
 
     /** Nothing better can be planned for one whose charge gives in. */
     private static void callHome(RunTransition draft, @Nullable DroneId low) {
         if (low != null
-                && draft.drone(low).stage().takesOrders()
+                && draft.drone(low).stage().acceptsCommands()
                 && draft.drone(low).stage().mayFly()) {
             RunDrone drone = draft.drone(low);
             String words = "No plan brings " + drone.name() + " home with its charge; it is called home.";
@@ -115,7 +115,7 @@ final class PlanAdoption {
     private static void stale(RunTransition draft, PendingReplan request) {
         if (!request.better()) {
             draft.causes().addAll(0, request.causes());
-        } else if (draft.tally().miss() < MOST_STALE_SEARCHES) {
+        } else if (draft.tally().countFailedPlan() < MOST_STALE_SEARCHES) {
             draft.causes().add(ReplanCause.BETTER);
         }
     }
@@ -137,7 +137,7 @@ final class PlanAdoption {
         String words =
                 "Proposal " + number + ", which waits for an answer: " + PlanChangeMessages.of(draft, request, result);
         draft.proposal(new PlanProposal(number, request.at(), request.causes(), result, words));
-        draft.say(request.first(), result, words);
+        draft.explain(request.first(), result, words);
     }
 
     private static void apply(RunTransition draft, PendingReplan request, ReplanResult result) {
@@ -145,11 +145,11 @@ final class PlanAdoption {
         Plan plan = result.plan();
         for (Craft craft : request.crafts()) {
             RunDrone drone = draft.drone(craft.id());
-            draft.put(drone.ordered(PlanFreshness.left(draft, plan, craft.id())));
+            draft.put(drone.withOrders(PlanFreshness.remaining(draft, plan, craft.id())));
         }
         for (Craft craft : request.crafts()) {
-            Optional<Tour> tour = tour(plan, craft).map(each -> PlanFreshness.left(draft, each));
-            if (TourAssignment.over(draft, request, craft, tour.orElse(null))) {
+            Optional<Tour> tour = tour(plan, craft).map(each -> PlanFreshness.remaining(draft, each));
+            if (TourAssignment.assign(draft, request, craft, tour.orElse(null))) {
                 turned.add(draft.drone(craft.id()).name());
             }
         }
@@ -158,7 +158,7 @@ final class PlanAdoption {
                 .filter(target -> !draft.target(target.id()).state().isSettled())
                 .forEach(draft::put);
         draft.tally().replan();
-        draft.say(
+        draft.explain(
                 request.first(),
                 result,
                 PlanChangeMessages.of(draft, request, result) + PlanChangeMessages.turned(turned));

@@ -36,7 +36,7 @@ final class PlanFreshness {
     private static boolean fits(
             RunDrone drone, Craft craft, Map<String, DroneId> whose, List<ReassignedWaypoint> taken) {
         boolean up = drone.stage().compareTo(RunDroneStage.STARTING) >= 0;
-        if (!drone.stage().takesOrders() || up != craft.start().airborne()) {
+        if (!drone.stage().acceptsCommands() || up != craft.start().airborne()) {
             return false;
         }
         boolean heads = drone.stage() == RunDroneStage.FLYING && !drone.orders().isEmpty();
@@ -66,7 +66,7 @@ final class PlanFreshness {
     }
 
     /** Without what its drone has visited meanwhile. */
-    static Tour left(RunTransition draft, Tour tour) {
+    static Tour remaining(RunTransition draft, Tour tour) {
         List<Stop> stops = tour.stops().stream()
                 .filter(stop -> !draft.target(stop.waypoint()).state().isSettled())
                 .toList();
@@ -74,10 +74,10 @@ final class PlanFreshness {
     }
 
     /** What a drone has to visit by that plan. */
-    static List<String> left(RunTransition draft, Plan plan, DroneId drone) {
+    static List<String> remaining(RunTransition draft, Plan plan, DroneId drone) {
         return plan.tours().stream()
                 .filter(tour -> tour.drone().equals(drone))
-                .flatMap(tour -> left(draft, tour).stops().stream())
+                .flatMap(tour -> remaining(draft, tour).stops().stream())
                 .map(Stop::waypoint)
                 .toList();
     }

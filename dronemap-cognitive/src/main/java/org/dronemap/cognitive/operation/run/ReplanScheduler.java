@@ -40,8 +40,8 @@ final class ReplanScheduler {
 
     private ReplanScheduler() {}
 
-    static void ask(RunTransition draft, List<DroneObservation> looks) {
-        Instant after = draft.clock().asksAfter();
+    static void requestIfNeeded(RunTransition draft, List<DroneObservation> looks) {
+        Instant after = draft.clock().plansAfter();
         boolean waits = draft.request() != null
                 || draft.plansNothing()
                 || (after != null && draft.now().isBefore(after))
@@ -93,8 +93,8 @@ final class ReplanScheduler {
 
     /** It is worth a moment. */
     private static boolean isComing(RunTransition draft, RunDrone drone) {
-        boolean soonHeld = !drone.signs().held()
-                && drone.stage().takesOrders()
+        boolean soonHeld = !drone.flags().held()
+                && drone.stage().acceptsCommands()
                 && Duration.between(drone.since(), draft.now()).compareTo(UNTIL_HELD) < 0;
         return soonHeld || RunCloudLoss.isUnclear(drone);
     }
@@ -102,7 +102,7 @@ final class ReplanScheduler {
     /** Waypoints wait until there is somebody again, or the run ends. */
     private static void nobody(RunTransition draft) {
         boolean mayCome = draft.drones().stream()
-                .anyMatch(drone -> (drone.stage().takesOrders() && drone.stage() != RunDroneStage.LANDED)
+                .anyMatch(drone -> (drone.stage().acceptsCommands() && drone.stage() != RunDroneStage.LANDED)
                         || drone.stage() == RunDroneStage.SILENT
                         || (drone.stage() == RunDroneStage.RETURNING && RunCloudLoss.hasMissed(drone)));
         if (!mayCome) {
@@ -128,7 +128,7 @@ final class ReplanScheduler {
                 crafts,
                 DroneObstacles.barriers(draft, looks, crafts),
                 setting.wind(),
-                setting.objective().leavingDrones(),
+                setting.objective().withIdleDronesAllowed(),
                 setting.rules());
         List<LiveAssignment> live = new ArrayList<>();
         for (Craft craft : crafts) {
@@ -137,7 +137,7 @@ final class ReplanScheduler {
         live.addAll(orphans(draft, live));
         draft.request(request);
         draft.causes().clear();
-        draft.compute(
+        draft.requestComputation(
                 new ReplanComputation(request.number(), new ReplanSituation(problem, live), setting.seed(), limit));
     }
 
@@ -173,7 +173,7 @@ final class ReplanScheduler {
     private static void expire(RunTransition draft, RunWaypoint target) {
         for (RunDrone drone : draft.drones()) {
             if (drone.orders().contains(target.id())) {
-                draft.put(drone.ordered(drone.orders().stream()
+                draft.put(drone.withOrders(drone.orders().stream()
                         .filter(id -> !id.equals(target.id()))
                         .toList()));
             }
@@ -232,7 +232,7 @@ final class ReplanScheduler {
                 .findFirst()
                 .orElseThrow()
                 .place();
-        List<String> firm = firm(draft, drone, here, horizon);
+        List<String> firm = committed(draft, drone, here, horizon);
         return new LiveAssignment(
                 drone.id(),
                 firm,
@@ -241,7 +241,7 @@ final class ReplanScheduler {
     }
 
     /** What it comes to before it can get anything else; or stands at, where it was stopped. */
-    private static List<String> firm(RunTransition draft, RunDrone drone, @Nullable Place here, Duration horizon) {
+    private static List<String> committed(RunTransition draft, RunDrone drone, @Nullable Place here, Duration horizon) {
         if (drone.stage() == RunDroneStage.FLYING && drone.next() == null) {
             return LostDrones.reached(draft, drone, here, horizon);
         }

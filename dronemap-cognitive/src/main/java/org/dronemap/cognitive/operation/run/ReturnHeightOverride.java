@@ -20,74 +20,77 @@ final class ReturnHeightOverride {
     private ReturnHeightOverride() {}
 
     /** What was set before shows once it was told its layer. */
-    static void learn(RunTransition draft, RunDrone drone, DroneObservation look) {
+    static void recordPrevious(RunTransition draft, RunDrone drone, DroneObservation look) {
         ReturnHeight set = look.returnHeight();
-        ReturnHeight asked = drone.signs().homeward();
+        ReturnHeight asked = drone.flags().returnHeight();
         if (set == null || asked == null || drone.stage() != RunDroneStage.ARMING) {
             return;
         }
         if (asked.meters() == asked.beforeMeters() && set.meters() > asked.meters() - SAME_METERS) {
-            draft.put(drone.with(drone.signs().homeward(set)));
+            draft.put(drone.with(drone.flags().returnHeight(set)));
         }
     }
 
     /** False: nothing is to be set. */
     static boolean set(RunTransition draft, RunDrone drone) {
-        Double layer = drone.kin().returnMeters();
-        if (layer == null || drone.signs().homeward() != null) {
+        Double layer = drone.profile().returnMeters();
+        if (layer == null || drone.flags().returnHeight() != null) {
             return false;
         }
-        draft.give(drone, IssuedCommand.Purpose.HEIGHT, new SetReturnHeight(layer, true));
+        draft.sendCommand(drone, IssuedCommand.Purpose.HEIGHT, new SetReturnHeight(layer, true));
         return true;
     }
 
     /** On the ground, when it has nothing to fly. True: that takes a moment. */
-    static boolean putBack(RunTransition draft, RunDrone drone) {
-        ReturnHeight set = drone.signs().homeward();
+    static boolean restore(RunTransition draft, RunDrone drone) {
+        ReturnHeight set = drone.flags().returnHeight();
         if (set == null) {
             return false;
         }
         if (Math.abs(set.meters() - set.beforeMeters()) < SAME_METERS) {
-            draft.put(drone.with(drone.signs().homeward(null)));
+            draft.put(drone.with(drone.flags().returnHeight(null)));
             return false;
         }
-        draft.give(drone, IssuedCommand.Purpose.HEIGHT, new SetReturnHeight(set.beforeMeters(), false));
+        draft.sendCommand(drone, IssuedCommand.Purpose.HEIGHT, new SetReturnHeight(set.beforeMeters(), false));
         return true;
     }
 
     static void succeeded(RunTransition draft, RunDrone drone) {
-        Double layer = drone.kin().returnMeters();
-        ReturnHeight told = layer == null || drone.signs().homeward() != null ? null : new ReturnHeight(layer, layer);
-        draft.put(drone.with(drone.signs().homeward(told)));
+        Double layer = drone.profile().returnMeters();
+        ReturnHeight told =
+                layer == null || drone.flags().returnHeight() != null ? null : new ReturnHeight(layer, layer);
+        draft.put(drone.with(drone.flags().returnHeight(told)));
     }
 
     /** It flies all the same: others look out for it then. */
     static void failed(RunTransition draft, RunDrone drone, String why) {
-        int failed = drone.tries().failed() + 1;
+        int failed = drone.attempts().failed() + 1;
         if (failed < MOST_TRIES) {
             draft.put(drone.tried(new RunDrone.Attempts(failed, draft.now().plus(BETWEEN_TRIES))));
             return;
         }
-        ReturnHeight set = drone.signs().homeward();
+        ReturnHeight set = drone.flags().returnHeight();
         draft.put(
                 set == null
-                        ? drone.with(drone.kin().withoutLayer())
-                        : drone.with(drone.signs().homeward(null)));
-        draft.say(
+                        ? drone.with(drone.profile().withoutLayer())
+                        : drone.with(drone.flags().returnHeight(null)));
+        draft.explain(
                 RunTrigger.COMMAND_FAILED,
                 drone.id(),
                 set == null
                         ? drone.name() + " could not be told how high to fly home: " + why + "; it flies as it is set."
-                        : left(drone, set) + " That could not be put back: " + why + ".");
+                        : leftoverNotice(drone, set) + " That could not be put back: " + why + ".");
     }
 
     /** What is left behind at the end, as a sentence; null: nothing. */
-    static @Nullable String left(RunDrone drone) {
-        ReturnHeight set = drone.signs().homeward();
-        return set == null || Math.abs(set.meters() - set.beforeMeters()) < SAME_METERS ? null : left(drone, set);
+    static @Nullable String leftoverNotice(RunDrone drone) {
+        ReturnHeight set = drone.flags().returnHeight();
+        return set == null || Math.abs(set.meters() - set.beforeMeters()) < SAME_METERS
+                ? null
+                : leftoverNotice(drone, set);
     }
 
-    private static String left(RunDrone drone, ReturnHeight set) {
+    private static String leftoverNotice(RunDrone drone, ReturnHeight set) {
         return String.format(
                 Locale.ROOT,
                 "%s still flies home at %.0f m; %.0f m was set before.",

@@ -56,7 +56,7 @@ final class ReturnLayers {
     static ReturnLayers above(RunTransition draft) {
         DoubleStream layers = draft.drones().stream()
                 .mapToDouble(drone -> drone.craft().finish().place().altitudeAmslMeters()
-                        + Objects.requireNonNullElse(drone.kin().returnMeters(), LEAST_METERS));
+                        + Objects.requireNonNullElse(drone.profile().returnMeters(), LEAST_METERS));
         DoubleStream places = draft.targets().stream()
                 .mapToDouble(target -> target.waypoint().place().altitudeAmslMeters());
         return new ReturnLayers(

@@ -18,7 +18,7 @@ final class RunCloudLoss {
 
     private RunCloudLoss() {}
 
-    static void begin(RunTransition draft) {
+    static void markUnclear(RunTransition draft) {
         draft.drones().stream()
                 .filter(drone -> drone.stage().compareTo(RunDroneStage.RETURNING) <= 0)
                 .forEach(drone -> draft.put(noting(drone, UNCLEAR)));
@@ -26,7 +26,7 @@ final class RunCloudLoss {
 
     /** Whether it must be heard first. */
     static boolean isUnclear(RunDrone drone) {
-        return drone.signs().told().contains(UNCLEAR);
+        return drone.flags().triggers().contains(UNCLEAR);
     }
 
     /** True while nothing more can be said of it; who has told all since the restart is missed like any other. */
@@ -35,33 +35,33 @@ final class RunCloudLoss {
         if (!isUnclear(drone)) {
             return false;
         }
-        Instant until = draft.clock().hearsAfter();
+        Instant until = draft.clock().lossAfter();
         boolean late = until == null || !draft.now().isBefore(until);
-        if (!look.tells() && !late) {
+        if (!look.isFullyReported() && !late) {
             return true;
         }
         draft.put(without(drone, UNCLEAR));
         // One that comes home over a bad link may be down before it has told what it carries.
         boolean seen = look.isLive() && look.mode() != null && look.armed() != null;
-        if (seen && drone.stage().takesOrders() && drone.stage().mayFly()) {
-            back(draft, draft.drone(drone.id()), look);
+        if (seen && drone.stage().acceptsCommands() && drone.stage().mayFly()) {
+            reported(draft, draft.drone(drone.id()), look);
         }
         return false;
     }
 
     /** What it has reached is reckoned already. */
-    private static void back(RunTransition draft, RunDrone drone, DroneObservation look) {
+    private static void reported(RunTransition draft, RunDrone drone, DroneObservation look) {
         boolean explained = bringsHome(draft, drone.stage() == RunDroneStage.FLYING);
         boolean done = drone.orders().isEmpty() && drone.next() == null;
         if (!explained || done || draft.stopping()) {
             return;
         }
         if (look.isDisarmed() && LostDrones.isAtHome(drone, look)) {
-            LostDrones.takesPartAgain(draft, drone);
+            LostDrones.rejoin(draft, drone);
         } else if (look.comesDown()) {
             String words = drone.name() + " comes home or down by itself, as it missed the cloud.";
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.RETURNING, RunTrigger.HEARD_AGAIN, words);
-            missed(draft, draft.drone(drone.id()));
+            DroneWithdrawal.withdraw(draft, drone, RunDroneStage.RETURNING, RunTrigger.HEARD_AGAIN, words);
+            markMissed(draft, draft.drone(drone.id()));
         }
     }
 
@@ -70,22 +70,24 @@ final class RunCloudLoss {
         return !flew || draft.setting().onCloudLoss() == MissionCloudLossPolicy.RETURN_TO_LAUNCH;
     }
 
-    static void missed(RunTransition draft, RunDrone drone) {
+    static void markMissed(RunTransition draft, RunDrone drone) {
         draft.put(noting(drone, MISSED));
     }
 
     static boolean hasMissed(RunDrone drone) {
-        return drone.signs().told().contains(MISSED);
+        return drone.flags().triggers().contains(MISSED);
     }
 
     private static RunDrone noting(RunDrone drone, RunTrigger what) {
-        List<RunTrigger> told = new ArrayList<>(drone.signs().told());
+        List<RunTrigger> told = new ArrayList<>(drone.flags().triggers());
         told.add(what);
-        return drone.with(drone.signs().told(told));
+        return drone.with(drone.flags().triggers(told));
     }
 
     private static RunDrone without(RunDrone drone, RunTrigger what) {
-        return drone.with(drone.signs()
-                .told(drone.signs().told().stream().filter(each -> each != what).toList()));
+        return drone.with(drone.flags()
+                .triggers(drone.flags().triggers().stream()
+                        .filter(each -> each != what)
+                        .toList()));
     }
 }

@@ -23,21 +23,21 @@ final class RunCommandResults {
             return;
         }
         RunDrone drone = draft.drone(input.drone());
-        IssuedCommand errand = drone.errand();
+        IssuedCommand errand = drone.issuedCommand();
         if (errand == null || !errand.command().equals(input.command())) {
             return;
         }
         if (input.outcome() instanceof Outcome.Succeeded) {
-            succeeded(draft, drone.on(null), errand);
+            succeeded(draft, drone.withIssuedCommand(null), errand);
         } else if (errand.kind() == IssuedCommand.Purpose.HEIGHT) {
-            ReturnHeightOverride.failed(draft, drone.on(null), reason(input.outcome()));
+            ReturnHeightOverride.failed(draft, drone.withIssuedCommand(null), reason(input.outcome()));
         } else if (errand.kind() == IssuedCommand.Purpose.DODGE) {
             // Another step is looked for, from where it is then.
             draft.put(drone.tried(
-                    new RunDrone.Attempts(drone.tries().failed(), draft.now().plus(BETWEEN_DODGES))));
+                    new RunDrone.Attempts(drone.attempts().failed(), draft.now().plus(BETWEEN_DODGES))));
         } else if (drone.stage() == RunDroneStage.RETURNING) {
             // It is called again until it comes.
-            draft.put(drone.on(null));
+            draft.put(drone.withIssuedCommand(null));
         } else {
             failed(draft, drone, reason(input.outcome()));
         }
@@ -50,7 +50,7 @@ final class RunCommandResults {
                 draft.put(
                         next == null || next.number() != errand.sortie()
                                 ? drone
-                                : onBoard(RunCommands.onBoard(drone, next), draft.now()));
+                                : uploaded(RunCommands.uploaded(drone, next), draft.now()));
             case HEIGHT -> ReturnHeightOverride.succeeded(draft, drone);
             case START -> draft.put(onTime(drone, draft.now()).to(RunDroneStage.FLYING, draft.now()));
             default -> draft.put(drone);
@@ -58,7 +58,7 @@ final class RunCommandResults {
     }
 
     /** One that waits for another drone to pass goes on doing so. */
-    private static RunDrone onBoard(RunDrone drone, Instant now) {
+    private static RunDrone uploaded(RunDrone drone, Instant now) {
         return switch (drone.stage()) {
             case HOLDING -> drone;
             case REPLACING -> drone.to(RunDroneStage.CONTINUING, now);
@@ -69,11 +69,11 @@ final class RunCommandResults {
     /** Over a bad link a mission takes a minute to come on board: who begins it then is not late. */
     private static RunDrone onTime(RunDrone drone, Instant now) {
         Sortie sortie = drone.sortie();
-        return sortie == null || drone.passed() > 0 ? drone : drone.flying(sortie.departingAt(now), drone.passed());
+        return sortie == null || drone.passed() > 0 ? drone : drone.withSortie(sortie.departingAt(now), drone.passed());
     }
 
     static void failed(RunTransition draft, RunDrone drone, String why) {
-        int failed = drone.tries().failed() + 1;
+        int failed = drone.attempts().failed() + 1;
         if (failed < MOST_TRIES) {
             draft.put(drone.tried(new RunDrone.Attempts(failed, draft.now().plus(BETWEEN_TRIES))));
             return;
@@ -83,7 +83,7 @@ final class RunCommandResults {
         if (mayFly || drone.stage() == RunDroneStage.ARMING) {
             DroneWithdrawal.callHome(draft, drone, RunTrigger.COMMAND_FAILED, words);
         } else {
-            DroneWithdrawal.leave(draft, drone, RunDroneStage.LEFT, RunTrigger.COMMAND_FAILED, words);
+            DroneWithdrawal.withdraw(draft, drone, RunDroneStage.LEFT, RunTrigger.COMMAND_FAILED, words);
         }
     }
 

@@ -27,10 +27,10 @@ final class RunCommands {
 
     private RunCommands() {}
 
-    static void go(RunTransition draft, DroneObservation look) {
+    static void advance(RunTransition draft, DroneObservation look) {
         RunDrone drone = draft.drone(look.drone());
-        boolean controlled = look.takenBy() == null && look.isLive() && look.ready();
-        if (!controlled || drone.errand() != null || RunCloudLoss.isUnclear(drone)) {
+        boolean controlled = look.holder() == null && look.isLive() && look.ready();
+        if (!controlled || drone.issuedCommand() != null || RunCloudLoss.isUnclear(drone)) {
             return;
         }
         if (waits(draft, drone)) {
@@ -47,13 +47,13 @@ final class RunCommands {
             case REPLACING -> replace(draft, drone, look);
             case CONTINUING -> goOn(draft, drone, look);
             case RESUMING -> resume(draft, drone, look);
-            case RETURNING -> comeHome(draft, drone, look);
+            case RETURNING -> commandReturn(draft, drone, look);
             default -> {}
         }
     }
 
     private static boolean waits(RunTransition draft, RunDrone drone) {
-        Instant notBefore = drone.tries().notBefore();
+        Instant notBefore = drone.attempts().notBefore();
         return notBefore != null && draft.now().isBefore(notBefore);
     }
 
@@ -61,8 +61,8 @@ final class RunCommands {
     private static void stepAside(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie next = drone.next();
         boolean steps = drone.stage() == RunDroneStage.HOLDING
-                && drone.signs().yields() != null
-                && drone.tries().failed() == 0
+                && drone.flags().waitsFor() != null
+                && drone.attempts().failed() == 0
                 && look.waits()
                 && !draft.isPaused();
         if (!steps
@@ -72,9 +72,9 @@ final class RunCommands {
             return;
         }
         if (Boolean.TRUE.equals(look.progress().carriesNext())) {
-            draft.put(onBoard(drone, next));
+            draft.put(uploaded(drone, next));
         } else {
-            bring(draft, drone, next, look);
+            uploadWhenIdle(draft, drone, next, look);
         }
     }
 
@@ -90,7 +90,7 @@ final class RunCommands {
     private static void ready(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie sortie = drone.sortie();
         boolean done = drone.stage() == RunDroneStage.LANDED && drone.next() == null && look.isDisarmed();
-        if (done && ReturnHeightOverride.putBack(draft, drone)) {
+        if (done && ReturnHeightOverride.restore(draft, drone)) {
             return;
         } else if (drone.next() != null) {
             draft.put(drone.to(RunDroneStage.UPLOADING, draft.now()));
@@ -100,33 +100,33 @@ final class RunCommands {
     }
 
     private static boolean mayRise(RunTransition draft, RunDrone drone, Sortie sortie) {
-        return LaunchTiming.isDue(draft, sortie) && drone.signs().yields() == null;
+        return LaunchTiming.isDue(draft, sortie) && drone.flags().waitsFor() == null;
     }
 
     private static void upload(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie next = drone.next();
         if (next == null) {
             draft.put(drone.to(drone.sortie() == null ? RunDroneStage.LANDED : RunDroneStage.READY, draft.now()));
-        } else if (TaskReports.spare(draft, drone, next)) {
+        } else if (TaskReports.skipDone(draft, drone, next)) {
             return;
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
-            draft.put(onBoard(drone, next).to(RunDroneStage.READY, draft.now()));
+            draft.put(uploaded(drone, next).to(RunDroneStage.READY, draft.now()));
         } else if (WaypointTransfer.isFree(draft, drone, next)) {
-            bring(draft, drone, next, look);
+            uploadWhenIdle(draft, drone, next, look);
         }
     }
 
     /** It waits for the end of a transfer that goes on: the gate would refuse it, which says nothing against the drone. */
-    private static void bring(RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
+    private static void uploadWhenIdle(RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
         if (look.transfer() == null) {
-            draft.give(drone, IssuedCommand.Purpose.UPLOAD, new Command.UploadMission(next.mission()));
+            draft.sendCommand(drone, IssuedCommand.Purpose.UPLOAD, new Command.UploadMission(next.mission()));
         }
     }
 
-    static RunDrone onBoard(RunDrone drone, Sortie next) {
-        return drone.flying(next, 0)
-                .getting(null)
-                .with(drone.signs().told(List.of()).begun(false));
+    static RunDrone uploaded(RunDrone drone, Sortie next) {
+        return drone.withSortie(next, 0)
+                .withNext(null)
+                .with(drone.flags().triggers(List.of()).begun(false));
     }
 
     private static void arm(RunTransition draft, RunDrone drone, DroneObservation look) {
@@ -134,13 +134,13 @@ final class RunCommands {
             draft.put(drone.to(RunDroneStage.UPLOADING, draft.now()));
         } else if (look.isArmed()) {
             // One that disarms itself again and again is not armed for ever.
-            draft.put(drone.to(RunDroneStage.STARTING, draft.now()).tried(drone.tries()));
-        } else if (drone.signs().yields() != null || ReturnHeightOverride.set(draft, drone)) {
+            draft.put(drone.to(RunDroneStage.STARTING, draft.now()).tried(drone.attempts()));
+        } else if (drone.flags().waitsFor() != null || ReturnHeightOverride.set(draft, drone)) {
             return;
         } else if (look.ordersMode() != null) {
-            draft.give(drone, IssuedCommand.Purpose.MODE, new Command.SetMode(look.ordersMode()));
+            draft.sendCommand(drone, IssuedCommand.Purpose.MODE, new Command.SetMode(look.ordersMode()));
         } else {
-            draft.give(drone, IssuedCommand.Purpose.ARM, new Command.Arm());
+            draft.sendCommand(drone, IssuedCommand.Purpose.ARM, new Command.Arm());
         }
     }
 
@@ -148,7 +148,7 @@ final class RunCommands {
         if (look.isOnMission() && look.airborne()) {
             draft.put(drone.to(RunDroneStage.FLYING, draft.now()));
         } else if (look.isArmed()) {
-            draft.give(drone, IssuedCommand.Purpose.START, begin(draft, true));
+            draft.sendCommand(drone, IssuedCommand.Purpose.START, begin(draft, true));
         } else if (look.isDisarmed()) {
             RunCommandResults.failed(draft, drone, "it was disarmed before it started");
             armAgain(draft, draft.drone(drone.id()));
@@ -157,7 +157,7 @@ final class RunCommands {
 
     private static void armAgain(RunTransition draft, RunDrone drone) {
         if (drone.stage() == RunDroneStage.STARTING) {
-            draft.put(drone.to(RunDroneStage.ARMING, draft.now()).tried(drone.tries()));
+            draft.put(drone.to(RunDroneStage.ARMING, draft.now()).tried(drone.attempts()));
         }
     }
 
@@ -179,7 +179,7 @@ final class RunCommands {
     }
 
     static void pause(RunTransition draft, RunDrone drone) {
-        draft.give(drone, IssuedCommand.Purpose.HOLD, new Command.PauseMission());
+        draft.sendCommand(drone, IssuedCommand.Purpose.HOLD, new Command.PauseMission());
     }
 
     private static void hold(RunTransition draft, RunDrone drone, DroneObservation look) {
@@ -192,28 +192,28 @@ final class RunCommands {
             if (WaypointTransfer.isFree(draft, drone, next)) {
                 draft.put(drone.to(RunDroneStage.REPLACING, draft.now()));
             }
-        } else if (drone.signs().yields() == null) {
-            hang(draft, drone);
+        } else if (drone.flags().waitsFor() == null) {
+            awaitPlan(draft, drone);
         }
     }
 
     private static void resume(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (look.isDisarmed()) {
-            draft.put(drone.flying(null, 0).to(RunDroneStage.LANDED, draft.now()));
+            draft.put(drone.withSortie(null, 0).to(RunDroneStage.LANDED, draft.now()));
         } else if (look.waits() && look.airborne()) {
             draft.put(drone.to(RunDroneStage.HOLDING, draft.now()));
         } else if (!look.airborne()) {
-            draft.give(drone, IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
+            draft.sendCommand(drone, IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
             return;
         } else {
             pause(draft, drone);
             return;
         }
-        draft.cause(RunTrigger.RESUMED, drone.id(), drone.name() + " takes part again.");
+        draft.addCause(RunTrigger.RESUMED, drone.id(), drone.name() + " takes part again.");
     }
 
     /** It waits for a plan, and goes on where its mission leads to its own waypoints alone. */
-    private static void hang(RunTransition draft, RunDrone drone) {
+    private static void awaitPlan(RunTransition draft, RunDrone drone) {
         Sortie sortie = drone.sortie();
         boolean planned = draft.request() == null && draft.causes().isEmpty() && draft.proposal() == null;
         if (planned && sortie != null && drone.orders().containsAll(sortie.ahead(drone.passed()))) {
@@ -233,27 +233,27 @@ final class RunCommands {
         } else if (isAmended(draft, drone, next, look)) {
             return;
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
-            draft.put(onBoard(drone, next).to(RunDroneStage.CONTINUING, draft.now()));
+            draft.put(uploaded(drone, next).to(RunDroneStage.CONTINUING, draft.now()));
         } else if (!WaypointTransfer.isFree(draft, drone, next)) {
             // A newer plan came while it was about to get the one before.
             draft.put(drone.to(RunDroneStage.HOLDING, draft.now()));
         } else {
-            bring(draft, drone, next, look);
+            uploadWhenIdle(draft, drone, next, look);
         }
     }
 
     /** Or may have to be: what it did of its last mission is not done again. */
     private static boolean isAmended(RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
-        return TaskReports.spare(draft, drone, next)
-                || TaskReports.mayTellYet(draft, drone, look)
+        return TaskReports.skipDone(draft, drone, next)
+                || TaskReports.mayReportYet(draft, drone, look)
                 || leavesOutWhatIsDone(draft, drone, next, look);
     }
 
     private static boolean leavesOutWhatIsDone(
             RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
         Place place = look.place();
-        Optional<Sortie> left = place == null ? Optional.empty() : TourAssignment.left(draft, drone, next, place);
-        left.ifPresent(sortie -> draft.put(drone.getting(sortie)));
+        Optional<Sortie> left = place == null ? Optional.empty() : TourAssignment.remaining(draft, drone, next, place);
+        left.ifPresent(sortie -> draft.put(drone.withNext(sortie)));
         return left.isPresent();
     }
 
@@ -263,7 +263,7 @@ final class RunCommands {
         } else if (drone.next() != null) {
             draft.put(drone.to(RunDroneStage.HOLDING, draft.now()));
         } else {
-            draft.give(drone, IssuedCommand.Purpose.START, begin(draft, drone.passed() == 0));
+            draft.sendCommand(drone, IssuedCommand.Purpose.START, begin(draft, drone.passed() == 0));
         }
     }
 
@@ -276,22 +276,22 @@ final class RunCommands {
 
     private static void downAtHome(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (!draft.stopping() && LostDrones.cameHome(drone, look)) {
-            LostDrones.takesPartAgain(draft, drone);
-        } else if (!ReturnHeightOverride.putBack(draft, drone)) {
+            LostDrones.rejoin(draft, drone);
+        } else if (!ReturnHeightOverride.restore(draft, drone)) {
             draft.put(drone.to(draft.stopping() ? RunDroneStage.LANDED : RunDroneStage.LEFT, draft.now()));
         }
     }
 
-    private static void comeHome(RunTransition draft, RunDrone drone, DroneObservation look) {
+    private static void commandReturn(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (look.isDisarmed()) {
             downAtHome(draft, drone, look);
         } else if (isStuck(draft, drone, look)) {
-            draft.say(RunTrigger.LATE, drone.id(), drone.name() + " is stuck on its way home.");
+            draft.explain(RunTrigger.LATE, drone.id(), drone.name() + " is stuck on its way home.");
             draft.put(drone.noted("It is stuck on its way home.").to(RunDroneStage.LEFT, draft.now()));
-        } else if (!look.comesDown() && drone.signs().yields() == null) {
+        } else if (!look.comesDown() && drone.flags().waitsFor() == null) {
             Command home = look.canReturn() ? new Command.ReturnToLaunch() : new Command.Land();
             boolean up = look.airborne();
-            draft.give(
+            draft.sendCommand(
                     drone.tried(new RunDrone.Attempts(0, draft.now().plus(BETWEEN_CALLS))),
                     up ? IssuedCommand.Purpose.HOME : IssuedCommand.Purpose.DISARM,
                     up ? home : new Command.Disarm(false));

@@ -33,12 +33,12 @@ final class RunCompletion {
             }
         }
         String words = words(draft);
-        draft.say(RunTrigger.ENDED, null, words);
+        draft.explain(RunTrigger.ENDED, null, words);
         draft.end(words);
     }
 
     private static boolean isAtRest(RunDrone drone) {
-        return drone.stage().isAtRest() && drone.next() == null && drone.errand() == null;
+        return drone.stage().isAtRest() && drone.next() == null && drone.issuedCommand() == null;
     }
 
     private static String words(RunTransition draft) {
@@ -64,7 +64,7 @@ final class RunCompletion {
             parts.add(RunMessages.count(doubles, "visit") + " too many, by drones out of contact.");
         }
         draft.drones().stream()
-                .map(ReturnHeightOverride::left)
+                .map(ReturnHeightOverride::leftoverNotice)
                 .filter(Objects::nonNull)
                 .forEach(parts::add);
         return String.join(" ", parts);

@@ -43,7 +43,7 @@ final class RunCounters {
         misses = 0;
     }
 
-    int miss() {
+    int countFailedPlan() {
         return ++misses;
     }
 
@@ -55,7 +55,7 @@ final class RunCounters {
         return ++explanations;
     }
 
-    void twice() {
+    void countRepeatedVisit() {
         doubles++;
     }
 }

@@ -18,47 +18,47 @@ final class RunDroneMonitor {
 
     private RunDroneMonitor() {}
 
-    static void look(RunTransition draft, DroneObservation look) {
-        learn(draft, look);
-        DroneObstacles.look(draft, look);
+    static void observe(RunTransition draft, DroneObservation look) {
+        updateFlags(draft, look);
+        DroneObstacles.observe(draft, look);
         RunDrone drone = draft.drone(look.drone());
-        if (drone.stage().compareTo(RunDroneStage.RETURNING) <= 0 && isTaken(draft, drone, look)) {
+        if (drone.stage().compareTo(RunDroneStage.RETURNING) <= 0 && isControlledByOthers(draft, drone, look)) {
             suspend(draft, drone, look);
         } else if (RunCloudLoss.isWaitedFor(draft, look)) {
             fallMeanwhile(draft, drone, look);
         } else {
-            follow(draft, draft.drone(look.drone()), look);
+            dispatch(draft, draft.drone(look.drone()), look);
         }
     }
 
-    private static void follow(RunTransition draft, RunDrone drone, DroneObservation look) {
+    private static void dispatch(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (drone.stage() == RunDroneStage.SILENT) {
-            LostDrones.look(draft, look);
+            LostDrones.observe(draft, look);
         } else if (look.isLost()) {
-            LostDrones.begin(draft, drone, look);
+            LostDrones.linkLost(draft, drone, look);
         } else if (look.isLive()) {
-            whereItIs(draft, drone, look);
+            checkStage(draft, drone, look);
         }
     }
 
     /** Whatever it carries and wherever it is to fly. */
     private static void fallMeanwhile(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (look.isLive() && look.isArmed() && look.airborne() && drone.stage().mayFly()) {
-            FlightHealth.fall(draft, drone, look);
+            FlightHealth.checkFall(draft, drone, look);
         }
     }
 
     static void removed(RunTransition draft, RunDrone drone) {
         if (drone.stage() != RunDroneStage.LEFT) {
-            DroneWithdrawal.leave(
+            DroneWithdrawal.withdraw(
                     draft, drone, RunDroneStage.LEFT, RunTrigger.REMOVED, drone.name() + " was taken away.");
         }
     }
 
-    private static void learn(RunTransition draft, DroneObservation look) {
+    private static void updateFlags(RunTransition draft, DroneObservation look) {
         RunDrone drone = draft.drone(look.drone());
-        RunDrone.Flags signs = drone.signs();
-        if (!signs.held() && look.takenBy() == null) {
+        RunDrone.Flags signs = drone.flags();
+        if (!signs.held() && look.holder() == null) {
             signs = signs.held(true);
         }
         Integer percent = look.batteryPercent();
@@ -66,18 +66,18 @@ final class RunDroneMonitor {
         if (signs.joulesPerPercent() == null && percent != null && percent > 0 && Double.isFinite(joules)) {
             signs = signs.joulesPerPercent(joules / percent);
         }
-        if (!signs.equals(drone.signs())) {
+        if (!signs.equals(drone.flags())) {
             draft.put(drone.with(signs));
         }
-        ReturnHeightOverride.learn(draft, draft.drone(drone.id()), look);
+        ReturnHeightOverride.recordPrevious(draft, draft.drone(drone.id()), look);
     }
 
-    private static boolean isTaken(RunTransition draft, RunDrone drone, DroneObservation look) {
-        if (look.takenBy() != null) {
-            return drone.signs().held()
+    private static boolean isControlledByOthers(RunTransition draft, RunDrone drone, DroneObservation look) {
+        if (look.holder() != null) {
+            return drone.flags().held()
                     || Duration.between(drone.since(), draft.now()).compareTo(UNTIL_HELD) > 0;
         }
-        if (!look.isLive() || drone.errand() != null) {
+        if (!look.isLive() || drone.issuedCommand() != null) {
             return false;
         }
         boolean settled = Duration.between(drone.since(), draft.now()).compareTo(UNTIL_SEEN) > 0;
@@ -91,12 +91,12 @@ final class RunDroneMonitor {
     }
 
     private static void suspend(RunTransition draft, RunDrone drone, DroneObservation look) {
-        String what = look.takenBy() == null
+        String what = look.holder() == null
                 ? drone.name() + " is in mode " + look.mode() + ", which this run did not ask for"
                 : "Somebody who goes first has " + drone.name();
-        String who = look.takenBy() == null ? "" : " " + look.takenBy();
+        String who = look.holder() == null ? "" : " " + look.holder();
         boolean idle = drone.orders().isEmpty() && !drone.stage().mayFly();
-        DroneWithdrawal.leave(
+        DroneWithdrawal.withdraw(
                 draft,
                 drone,
                 idle ? RunDroneStage.LEFT : RunDroneStage.SUSPENDED,
@@ -104,21 +104,22 @@ final class RunDroneMonitor {
                 what + "; it is left alone until somebody resumes it here." + who);
     }
 
-    private static void whereItIs(RunTransition draft, RunDrone drone, DroneObservation look) {
+    private static void checkStage(RunTransition draft, RunDrone drone, DroneObservation look) {
         switch (drone.stage()) {
             case FLYING, HOLDING, REPLACING, CONTINUING -> inTheAir(draft, drone, look);
-            case RETURNING -> FlightHealth.fall(draft, drone, look);
+            case RETURNING -> FlightHealth.checkFall(draft, drone, look);
             case UPLOADING, READY, ARMING -> onTheGround(draft, drone, look);
-            case CRASHED -> FlightHealth.afterAll(draft, drone, look);
+            case CRASHED -> FlightHealth.checkCrashed(draft, drone, look);
             default -> {}
         }
     }
 
     private static void onTheGround(RunTransition draft, RunDrone drone, DroneObservation look) {
         boolean settled = Duration.between(drone.since(), draft.now()).compareTo(Duration.ofMinutes(1)) > 0;
-        boolean stuck = settled && drone.stage() != RunDroneStage.READY && drone.errand() == null && !look.ready();
+        boolean stuck =
+                settled && drone.stage() != RunDroneStage.READY && drone.issuedCommand() == null && !look.ready();
         if (stuck) {
-            DroneWithdrawal.leave(
+            DroneWithdrawal.withdraw(
                     draft,
                     drone,
                     RunDroneStage.LEFT,
@@ -131,18 +132,18 @@ final class RunDroneMonitor {
         if (look.isDisarmed()) {
             down(draft, drone, look);
         } else if (look.comesDown() && !goesHomeByPlan(drone)) {
-            DroneWithdrawal.leave(
+            DroneWithdrawal.withdraw(
                     draft,
                     drone,
                     RunDroneStage.RETURNING,
                     RunTrigger.WENT_HOME,
                     drone.name() + " comes home or down by itself (" + look.mode() + ").");
-        } else if (FlightHealth.fall(draft, drone, look)) {
+        } else if (FlightHealth.checkFall(draft, drone, look)) {
             return;
         } else if (draft.drone(drone.id()).stage() == RunDroneStage.FLYING) {
             FlightHealth.check(draft, draft.drone(drone.id()), look);
         } else {
-            FlightHealth.whileItWaits(draft, draft.drone(drone.id()), look);
+            FlightHealth.checkWaiting(draft, draft.drone(drone.id()), look);
         }
     }
 
@@ -156,12 +157,13 @@ final class RunDroneMonitor {
         Sortie sortie = drone.sortie();
         boolean done = drone.orders().isEmpty() && drone.next() == null;
         if (done && !high) {
-            draft.put(drone.flying(null, 0).to(RunDroneStage.LANDED, draft.now()));
+            draft.put(drone.withSortie(null, 0).to(RunDroneStage.LANDED, draft.now()));
         } else if (look.isAtTheEnd() && !high) {
             String words = drone.name() + " flew its mission to the end before it got the next one.";
-            DroneWithdrawal.leave(draft, drone.flying(null, 0), RunDroneStage.LANDED, RunTrigger.CAME_DOWN, words);
+            DroneWithdrawal.withdraw(
+                    draft, drone.withSortie(null, 0), RunDroneStage.LANDED, RunTrigger.CAME_DOWN, words);
         } else if (sortie == null || !high) {
-            DroneWithdrawal.leave(
+            DroneWithdrawal.withdraw(
                     draft,
                     drone,
                     RunDroneStage.LEFT,
@@ -176,19 +178,19 @@ final class RunDroneMonitor {
     static void restarted(RunTransition draft, Duration grace) {
         Instant then = draft.now().plus(Duration.ofSeconds(3));
         for (RunDrone drone : draft.drones()) {
-            if (drone.errand() != null) {
+            if (drone.issuedCommand() != null) {
                 draft.put(drone.tried(
-                        new RunDrone.Attempts(Math.max(1, drone.tries().failed()), then)));
+                        new RunDrone.Attempts(Math.max(1, drone.attempts().failed()), then)));
             }
         }
-        RunCloudLoss.begin(draft);
-        draft.clock(draft.clock().hearing(draft.now().plus(grace)));
+        RunCloudLoss.markUnclear(draft);
+        draft.clock(draft.clock().withLossAfter(draft.now().plus(grace)));
         PendingReplan open = draft.request();
         if (open != null) {
             draft.causes().addAll(0, open.causes());
             draft.request(null);
         }
-        draft.say(
+        draft.explain(
                 RunTrigger.RESTARTED, null, "The server was started again; the run goes on from what the drones say.");
     }
 }

@@ -85,8 +85,8 @@ final class RunInitialState {
     }
 
     private static RunDrone flying(RunDrone drone, Tour tour, int number, Function<String, Task> tasks) {
-        return drone.getting(Sortie.of(number, drone.kin(), tour, drone.since(), tasks))
-                .ordered(tour.stops().stream().map(Stop::waypoint).toList())
+        return drone.withNext(Sortie.of(number, drone.profile(), tour, drone.since(), tasks))
+                .withOrders(tour.stops().stream().map(Stop::waypoint).toList())
                 .to(RunDroneStage.UPLOADING, drone.since());
     }
 }

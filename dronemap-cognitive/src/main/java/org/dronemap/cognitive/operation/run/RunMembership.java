@@ -10,13 +10,13 @@ import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 final class RunMembership {
     private RunMembership() {}
 
-    static void wish(RunTransition draft, RunInput.UserRequest wish) {
+    static void apply(RunTransition draft, RunInput.UserRequest wish) {
         if (wish instanceof RunInput.JoinDrone join) {
             Double height = ReturnLayers.above(draft).of(join.craft(), join.kind(), 0);
             RunDrone drone =
                     RunDrone.joining(new RunDrone.Profile(join.craft(), join.name(), join.kind(), height), draft.now());
             draft.put(drone);
-            draft.cause(RunTrigger.JOINED, drone.id(), join.by() + " let " + join.name() + " join.");
+            draft.addCause(RunTrigger.JOINED, drone.id(), join.by() + " let " + join.name() + " join.");
         } else if (wish instanceof RunInput.ResumeDrone resume) {
             resume(draft, draft.drone(resume.drone()), resume.by());
         } else if (wish instanceof RunInput.GiveUpDrone give) {
@@ -28,8 +28,8 @@ final class RunMembership {
 
     /** Where it is shows when it is looked at next. */
     private static void resume(RunTransition draft, RunDrone drone, String by) {
-        draft.put(drone.noted(null).with(drone.signs().held(false)).to(RunDroneStage.RESUMING, draft.now()));
-        draft.say(RunTrigger.RESUMED, drone.id(), by + " resumed " + drone.name() + ".");
+        draft.put(drone.noted(null).with(drone.flags().held(false)).to(RunDroneStage.RESUMING, draft.now()));
+        draft.explain(RunTrigger.RESUMED, drone.id(), by + " resumed " + drone.name() + ".");
     }
 
     private static void giveUp(RunTransition draft, RunDrone drone, String words) {
@@ -40,11 +40,11 @@ final class RunMembership {
             case SILENT -> RunDroneStage.GONE;
             default -> RunDroneStage.LEFT;
         };
-        DroneWithdrawal.leave(draft, drone, stage, RunTrigger.GIVEN_UP, sentence);
+        DroneWithdrawal.withdraw(draft, drone, stage, RunTrigger.GIVEN_UP, sentence);
     }
 
     private static void stop(RunTransition draft, String by) {
-        draft.stop();
+        draft.stopRun();
         draft.clock(draft.clock().paused(null));
         draft.request(null);
         draft.proposal(null);
@@ -64,6 +64,6 @@ final class RunMembership {
                 draft.put(target.to(RunWaypoint.State.UNSERVED, null, why));
             }
         }
-        draft.say(RunTrigger.STOPPED, null, why + " All drones come home.");
+        draft.explain(RunTrigger.STOPPED, null, why + " All drones come home.");
     }
 }

@@ -44,7 +44,7 @@ final class RunObservations {
         Battery battery = state.battery();
         return new DroneObservation(
                 drone.id(),
-                seen.takenBy(),
+                seen.whyNotCommandable(),
                 state.link().state(),
                 seen.silence(),
                 seen.still(),
@@ -114,7 +114,7 @@ final class RunObservations {
 
     /** A mission that was brought to it and not started yet keeps the place where it was in the one before. */
     private static boolean isBegun(DroneState state, RunDrone drone, @Nullable Boolean carries) {
-        return (Boolean.TRUE.equals(carries) && drone.signs().begun())
+        return (Boolean.TRUE.equals(carries) && drone.flags().begun())
                 || !state.mission().reached().isEmpty()
                 || state.capabilities().steering(state.mode()).equals(Optional.of(Steering.MISSION));
     }

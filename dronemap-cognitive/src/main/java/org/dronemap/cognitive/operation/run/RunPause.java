@@ -16,7 +16,7 @@ import org.dronemap.core.command.Command;
 final class RunPause {
     private RunPause() {}
 
-    static void wish(RunTransition draft, RunInput.UserRequest wish) {
+    static void apply(RunTransition draft, RunInput.UserRequest wish) {
         if (wish instanceof RunInput.Pause) {
             pause(draft, wish.by());
         } else {
@@ -32,7 +32,7 @@ final class RunPause {
             draft.request(null);
         }
         draft.clock(draft.clock().paused(draft.now()));
-        draft.say(
+        draft.explain(
                 RunTrigger.PAUSED,
                 null,
                 by + " paused the run: drones in the air hold, those on the ground stay there.");
@@ -45,13 +45,13 @@ final class RunPause {
         for (RunDrone drone : draft.drones()) {
             Sortie sortie = drone.sortie();
             Sortie next = drone.next();
-            RunDrone later = drone.flying(sortie == null ? null : later(sortie, paused), drone.passed())
-                    .getting(next == null ? null : later(next, paused));
-            boolean waits = drone.stage() == RunDroneStage.HOLDING && drone.errand() == null;
+            RunDrone later = drone.withSortie(sortie == null ? null : later(sortie, paused), drone.passed())
+                    .withNext(next == null ? null : later(next, paused));
+            boolean waits = drone.stage() == RunDroneStage.HOLDING && drone.issuedCommand() == null;
             draft.put(waits ? later.to(RunDroneStage.HOLDING, draft.now()) : later);
         }
         draft.clock(draft.clock().paused(null));
-        draft.say(RunTrigger.WENT_ON, null, by + " let the run go on after " + paused.toSeconds() + " s.");
+        draft.explain(RunTrigger.WENT_ON, null, by + " let the run go on after " + paused.toSeconds() + " s.");
     }
 
     private static Sortie later(Sortie sortie, Duration paused) {
@@ -74,7 +74,7 @@ final class RunPause {
             return false;
         }
         if (look.isArmed()) {
-            draft.give(drone, IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
+            draft.sendCommand(drone, IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
         } else {
             draft.put(drone.to(RunDroneStage.READY, draft.now()));
         }

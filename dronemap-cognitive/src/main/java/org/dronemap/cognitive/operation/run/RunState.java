@@ -57,23 +57,23 @@ public record RunState(
     public record Clock(
             Instant begun,
             boolean launched,
-            @Nullable Instant asksAfter,
-            @Nullable Instant hearsAfter,
+            @Nullable Instant plansAfter,
+            @Nullable Instant lossAfter,
             @Nullable Instant pausedSince) {
         Clock launched(Instant at) {
-            return new Clock(at, true, asksAfter, hearsAfter, pausedSince);
+            return new Clock(at, true, plansAfter, lossAfter, pausedSince);
         }
 
-        Clock asking(Instant after) {
-            return new Clock(begun, launched, after, hearsAfter, pausedSince);
+        Clock withPlansAfter(Instant after) {
+            return new Clock(begun, launched, after, lossAfter, pausedSince);
         }
 
-        Clock hearing(Instant after) {
-            return new Clock(begun, launched, asksAfter, after, pausedSince);
+        Clock withLossAfter(Instant after) {
+            return new Clock(begun, launched, plansAfter, after, pausedSince);
         }
 
         Clock paused(@Nullable Instant since) {
-            return new Clock(begun, launched, asksAfter, hearsAfter, since);
+            return new Clock(begun, launched, plansAfter, lossAfter, since);
         }
     }
 
@@ -126,7 +126,7 @@ public record RunState(
     /** When a drone is to be at its end, by the plan that it flies; empty: it flies none. */
     public Optional<Instant> due(DroneId id) {
         return drone(id)
-                .filter(drone -> drone.stage().takesOrders() && drone.stage() != RunDroneStage.LANDED)
+                .filter(drone -> drone.stage().acceptsCommands() && drone.stage() != RunDroneStage.LANDED)
                 .map(RunDrone::latest)
                 .map(sortie -> sortie.moment(sortie.tour().endsSeconds()));
     }

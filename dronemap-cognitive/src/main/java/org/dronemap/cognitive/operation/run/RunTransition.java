@@ -37,7 +37,7 @@ final class RunTransition {
     private final List<ReplanCause> causes;
     private final List<Explanation> explanations;
     private final List<OperationAction<RunInput>> actions = new ArrayList<>();
-    private final List<String> said = new ArrayList<>();
+    private final List<String> texts = new ArrayList<>();
     private RunCounters tally;
     private RunSettings setting;
     private RunState.Clock clock;
@@ -120,7 +120,7 @@ final class RunTransition {
         return stopping;
     }
 
-    void stop() {
+    void stopRun() {
         stopping = true;
     }
 
@@ -161,24 +161,24 @@ final class RunTransition {
     }
 
     /** A command to that drone, whose errand it is from now on. */
-    void give(RunDrone drone, RunDrone.IssuedCommand.Purpose kind, Command command) {
+    void sendCommand(RunDrone drone, RunDrone.IssuedCommand.Purpose kind, Command command) {
         CommandId id = new CommandId(before.id().value() + String.format("-c%05d", tally.command()));
         Sortie brought = kind == RunDrone.IssuedCommand.Purpose.UPLOAD ? drone.next() : null;
-        put(drone.on(new RunDrone.IssuedCommand(id, kind, brought == null ? 0 : brought.number(), now)));
+        put(drone.withIssuedCommand(new RunDrone.IssuedCommand(id, kind, brought == null ? 0 : brought.number(), now)));
         actions.add(new OperationAction.SendCommand<>(drone.id(), id, command));
     }
 
-    void compute(ReplanComputation what) {
+    void requestComputation(ReplanComputation what) {
         actions.add(new OperationAction.Compute<>(what));
     }
 
     /** Something was decided without a plan. */
-    void say(RunTrigger trigger, @Nullable DroneId drone, String words) {
+    void explain(RunTrigger trigger, @Nullable DroneId drone, String words) {
         add(new Explanation(tally.explanation(), now, trigger, drone, List.of(), null, null, words));
     }
 
     /** A plan was decided on. */
-    void say(ReplanCause cause, ReplanResult plan, String words) {
+    void explain(ReplanCause cause, ReplanResult plan, String words) {
         add(new Explanation(
                 tally.explanation(),
                 now,
@@ -195,17 +195,17 @@ final class RunTransition {
         if (explanations.size() > RunState.MOST_EXPLANATIONS) {
             explanations.remove(0);
         }
-        said.add(explanation.words());
+        texts.add(explanation.words());
     }
 
     /** Something happened that the plan has to be changed for. */
-    void cause(RunTrigger trigger, @Nullable DroneId drone, String words) {
-        cause(trigger, drone, words, List.of());
+    void addCause(RunTrigger trigger, @Nullable DroneId drone, String words) {
+        addCause(trigger, drone, words, List.of());
     }
 
     /** {@code orphans}: what the drone had to visit until then. */
-    void cause(RunTrigger trigger, @Nullable DroneId drone, String words, List<String> orphans) {
-        say(trigger, drone, words);
+    void addCause(RunTrigger trigger, @Nullable DroneId drone, String words, List<String> orphans) {
+        explain(trigger, drone, words);
         if (!stopping) {
             causes.add(new ReplanCause(trigger, drone, words, orphans));
         }
@@ -218,7 +218,7 @@ final class RunTransition {
                 put(target.to(stopping ? RunWaypoint.State.UNSERVED : RunWaypoint.State.WAITING, null, why));
             }
         }
-        return drone.ordered(List.of()).getting(null);
+        return drone.withOrders(List.of()).withNext(null);
     }
 
     OperationDecision<RunState, RunInput> decision() {
@@ -236,7 +236,7 @@ final class RunTransition {
                 stopping,
                 end);
         return next.equals(before) && actions.isEmpty()
-                ? OperationDecision.stay(before)
-                : new OperationDecision<>(next, actions, said.isEmpty() ? null : String.join(" ", said));
+                ? OperationDecision.unchanged(before)
+                : new OperationDecision<>(next, actions, texts.isEmpty() ? null : String.join(" ", texts));
     }
 }

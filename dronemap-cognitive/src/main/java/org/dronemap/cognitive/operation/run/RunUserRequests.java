@@ -13,11 +13,11 @@ import org.dronemap.cognitive.problem.Waypoint;
 final class RunUserRequests {
     private RunUserRequests() {}
 
-    static void wish(RunTransition draft, RunInput.UserRequest wish) {
+    static void apply(RunTransition draft, RunInput.UserRequest wish) {
         if (wish instanceof RunInput.AddWaypoints add) {
             add.waypoints().forEach(waypoint -> draft.put(RunWaypoint.waiting(waypoint)));
             List<String> ids = add.waypoints().stream().map(Waypoint::id).toList();
-            draft.cause(
+            draft.addCause(
                     RunTrigger.WAYPOINTS_ADDED,
                     null,
                     add.by() + " added " + RunMessages.count(ids.size(), "waypoint") + ": " + RunMessages.list(ids)
@@ -28,16 +28,16 @@ final class RunUserRequests {
             cancel(draft, cancel);
         } else if (wish instanceof RunInput.AddBarrier add) {
             draft.setting(draft.setting().with(add.barrier()));
-            draft.cause(
+            draft.addCause(
                     RunTrigger.FENCE_ADDED,
                     null,
                     add.by() + " added " + add.barrier().words() + ", which drones keep to from now on.");
         } else if (wish instanceof RunInput.AnswerProposal answer) {
             answer(draft, answer);
         } else if (wish instanceof RunInput.Pause || wish instanceof RunInput.Resume) {
-            RunPause.wish(draft, wish);
+            RunPause.apply(draft, wish);
         } else {
-            RunMembership.wish(draft, wish);
+            RunMembership.apply(draft, wish);
         }
     }
 
@@ -47,7 +47,7 @@ final class RunUserRequests {
         forget(draft, move.waypoint(), false);
         draft.put(draft.target(move.waypoint())
                 .with(new Waypoint(old.id(), move.to(), old.task(), old.priority(), old.window())));
-        draft.cause(
+        draft.addCause(
                 RunTrigger.WAYPOINT_MOVED, target.drone(), move.by() + " moved the waypoint " + move.waypoint() + ".");
     }
 
@@ -55,7 +55,7 @@ final class RunUserRequests {
         RunWaypoint target = draft.target(cancel.waypoint());
         forget(draft, cancel.waypoint(), true);
         draft.put(target.to(RunWaypoint.State.CANCELLED, null, cancel.by() + " cancelled it."));
-        draft.cause(
+        draft.addCause(
                 RunTrigger.WAYPOINT_CANCELLED,
                 target.drone(),
                 cancel.by() + " cancelled the waypoint " + cancel.waypoint() + ".");
@@ -66,11 +66,11 @@ final class RunUserRequests {
         for (RunDrone drone : draft.drones()) {
             Sortie sortie = drone.sortie();
             Sortie next = drone.next();
-            RunDrone without = drone.flying(sortie == null ? null : sortie.without(waypoint), drone.passed())
-                    .getting(next == null ? null : next.without(waypoint));
+            RunDrone without = drone.withSortie(sortie == null ? null : sortie.without(waypoint), drone.passed())
+                    .withNext(next == null ? null : next.without(waypoint));
             draft.put(
                     entirely
-                            ? without.ordered(drone.orders().stream()
+                            ? without.withOrders(drone.orders().stream()
                                     .filter(id -> !id.equals(waypoint))
                                     .toList())
                             : without);
@@ -85,13 +85,13 @@ final class RunUserRequests {
         draft.proposal(null);
         if (answer.accepted()) {
             draft.causes().addAll(proposal.causes());
-            draft.cause(
+            draft.addCause(
                     RunTrigger.ANSWERED,
                     null,
                     answer.by() + " said yes to proposal " + proposal.number()
                             + "; it is planned for where the drones are by now.");
         } else {
-            draft.say(RunTrigger.ANSWERED, null, answer.by() + " said no to proposal " + proposal.number() + ".");
+            draft.explain(RunTrigger.ANSWERED, null, answer.by() + " said no to proposal " + proposal.number() + ".");
         }
     }
 }

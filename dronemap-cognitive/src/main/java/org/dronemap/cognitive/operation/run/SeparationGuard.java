@@ -77,7 +77,7 @@ final class SeparationGuard {
         far = new TrajectoryForecast(plane, CLEAR_SECONDS);
     }
 
-    static void watch(RunTransition draft, List<DroneObservation> looks) {
+    static void keepApart(RunTransition draft, List<DroneObservation> looks) {
         SeparationGuard guard = new SeparationGuard(draft, looks);
         List<DroneId> ids = draft.drones().stream().map(RunDrone::id).toList();
         for (int i = 0; i < ids.size(); i++) {
@@ -85,12 +85,12 @@ final class SeparationGuard {
                 guard.pair(draft.drone(ids.get(i)), draft.drone(ids.get(j)));
             }
         }
-        draft.drones().stream().filter(drone -> waitsToRise(draft, drone)).forEach(guard::mayRise);
-        draft.drones().stream().filter(SeparationGuard::isAboutToGoOn).forEach(guard::maySetOff);
+        draft.drones().stream().filter(drone -> waitsToRise(draft, drone)).forEach(guard::checkTakeOff);
+        draft.drones().stream().filter(SeparationGuard::isAboutToGoOn).forEach(guard::checkDeparture);
         draft.drones().stream()
-                .filter(drone -> drone.signs().yields() != null && !waitsToRise(draft, drone))
+                .filter(drone -> drone.flags().waitsFor() != null && !waitsToRise(draft, drone))
                 .filter(drone -> !(draft.isPaused() && drone.stage() == RunDroneStage.HOLDING))
-                .forEach(guard::mayGoOn);
+                .forEach(guard::checkHold);
     }
 
     private void pair(RunDrone one, RunDrone other) {
@@ -99,11 +99,11 @@ final class SeparationGuard {
         }
         List<Trajectory> mine = near.of(draft, one, looks.get(one.id()));
         List<Trajectory> yours = near.of(draft, other, looks.get(other.id()));
-        if (!meet(mine, yours)) {
+        if (!isConflict(mine, yours)) {
             return;
         }
         // Who comes home by itself is the last to be stopped, and not before it must be.
-        boolean soon = meet(soon(mine), soon(yours));
+        boolean soon = isConflict(soon(mine), soon(yours));
         boolean homeward = mayOnlyComeHome(one) || mayOnlyComeHome(other);
         boolean solved = waits(one, mine, other, yours, RunDroneStage.FLYING)
                 || dodge(one, other, true)
@@ -117,7 +117,7 @@ final class SeparationGuard {
     }
 
     private static boolean mayOnlyComeHome(RunDrone drone) {
-        return drone.stage() == RunDroneStage.RETURNING && drone.signs().yields() == null;
+        return drone.stage() == RunDroneStage.RETURNING && drone.flags().waitsFor() == null;
     }
 
     private static List<Trajectory> soon(List<Trajectory> tracks) {
@@ -129,11 +129,11 @@ final class SeparationGuard {
     /** One of the two that is in that stage stands still until the other one has passed, where that helps. */
     private boolean waits(
             RunDrone one, List<Trajectory> mine, RunDrone other, List<Trajectory> yours, RunDroneStage stage) {
-        if (other.stage() == stage && mayHold(other) && !meet(mine, TrajectoryForecast.stopping(yours))) {
+        if (other.stage() == stage && mayHold(other) && !isConflict(mine, TrajectoryForecast.stopping(yours))) {
             hold(other, one);
             return true;
         }
-        boolean first = one.stage() == stage && mayHold(one) && !meet(TrajectoryForecast.stopping(mine), yours);
+        boolean first = one.stage() == stage && mayHold(one) && !isConflict(TrajectoryForecast.stopping(mine), yours);
         if (first) {
             hold(one, other);
         }
@@ -150,15 +150,15 @@ final class SeparationGuard {
         Optional<AvoidanceMove> step = second ? yours : mine;
         step.ifPresent(found -> {
             Duration takes = Duration.ofMillis(Math.round(1_000 * found.seconds()));
-            go(yielding(who, whom.id()).busy(draft.now().plus(takes)), found.to());
+            sendAside(yielding(who, whom.id()).busy(draft.now().plus(takes)), found.to());
             String words = who.name() + " " + found.words() + ", to make room for " + whom.name() + ".";
-            draft.say(RunTrigger.TOO_NEAR, who.id(), words);
+            draft.explain(RunTrigger.TOO_NEAR, who.id(), words);
         });
         return step.isPresent();
     }
 
-    private void go(RunDrone drone, Place to) {
-        draft.give(
+    private void sendAside(RunDrone drone, Place to) {
+        draft.sendCommand(
                 drone,
                 IssuedCommand.Purpose.DODGE,
                 new Command.GoTo(to.point(), new Altitude(to.altitudeAmslMeters(), Altitude.Reference.AMSL)));
@@ -167,7 +167,7 @@ final class SeparationGuard {
     /** Who is on its way home stays so: that goes on when it is clear. */
     private RunDrone yielding(RunDrone drone, DroneId whom) {
         boolean home = drone.stage() == RunDroneStage.RETURNING;
-        return drone.with(drone.signs().yields(whom))
+        return drone.with(drone.flags().waitsFor(whom))
                 .to(home ? RunDroneStage.RETURNING : RunDroneStage.HOLDING, draft.now());
     }
 
@@ -210,7 +210,7 @@ final class SeparationGuard {
                 && (drone.stage() == RunDroneStage.HOLDING || drone.stage() == RunDroneStage.RETURNING)
                 && isFree(drone)
                 && look.isLive()
-                && look.takenBy() == null
+                && look.holder() == null
                 && look.waits()
                 && look.canGoTo()
                 && look.airborne();
@@ -218,18 +218,18 @@ final class SeparationGuard {
 
     /** Nothing is under way to it; or the step that it was told should show by now, and another one is looked for. */
     private boolean isFree(RunDrone drone) {
-        IssuedCommand errand = drone.errand();
+        IssuedCommand errand = drone.issuedCommand();
         return errand == null
                 ? !isBusy(drone)
                 : errand.kind() == IssuedCommand.Purpose.DODGE
                         && Duration.between(errand.at(), draft.now()).compareTo(LONGEST_UNANSWERED) > 0;
     }
 
-    private boolean meet(List<Trajectory> some, List<Trajectory> others) {
-        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> meet(one, other)));
+    private boolean isConflict(List<Trajectory> some, List<Trajectory> others) {
+        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> isConflict(one, other)));
     }
 
-    private boolean meet(Trajectory one, Trajectory other) {
+    private boolean isConflict(Trajectory one, Trajectory other) {
         return one.meets(other, horizontal, vertical) && !one.leaves(other, horizontal, vertical);
     }
 
@@ -237,9 +237,9 @@ final class SeparationGuard {
     private boolean mayHold(RunDrone drone) {
         DroneObservation look = looks.get(drone.id());
         return look != null
-                && drone.errand() == null
+                && drone.issuedCommand() == null
                 && look.isLive()
-                && look.takenBy() == null
+                && look.holder() == null
                 && look.airborne()
                 && (drone.stage() == RunDroneStage.FLYING ? look.isOnMission() : isHomeward(drone, look));
     }
@@ -255,7 +255,7 @@ final class SeparationGuard {
     }
 
     private boolean isBusy(RunDrone drone) {
-        Instant until = drone.tries().notBefore();
+        Instant until = drone.attempts().notBefore();
         return until != null && draft.now().isBefore(until);
     }
 
@@ -263,8 +263,8 @@ final class SeparationGuard {
         if (!mayHold(drone)) {
             return;
         }
-        draft.give(yielding(drone, other.id()), IssuedCommand.Purpose.HOLD, new Command.PauseMission());
-        draft.say(RunTrigger.TOO_NEAR, drone.id(), drone.name() + " waits until " + other.name() + " has passed.");
+        draft.sendCommand(yielding(drone, other.id()), IssuedCommand.Purpose.HOLD, new Command.PauseMission());
+        draft.explain(RunTrigger.TOO_NEAR, drone.id(), drone.name() + " waits until " + other.name() + " has passed.");
     }
 
     private static boolean waitsToRise(RunTransition draft, RunDrone drone) {
@@ -274,7 +274,7 @@ final class SeparationGuard {
     }
 
     /** Nobody takes off into the way of one who is in the air. */
-    private void mayRise(RunDrone drone) {
+    private void checkTakeOff(RunDrone drone) {
         DroneObservation look = looks.get(drone.id());
         Place place = look == null ? null : look.place();
         if (look == null || place == null || look.isArmed()) {
@@ -288,11 +288,11 @@ final class SeparationGuard {
                         .anyMatch(way -> up.stream().anyMatch(mine -> isInTheWay(mine, way, other))))
                 .findFirst();
         DroneId yields = above.map(RunDrone::id).orElse(null);
-        if (!Objects.equals(yields, drone.signs().yields())) {
-            draft.put(drone.with(drone.signs().yields(yields)));
-            above.filter(other -> drone.signs().yields() == null)
+        if (!Objects.equals(yields, drone.flags().waitsFor())) {
+            draft.put(drone.with(drone.flags().waitsFor(yields)));
+            above.filter(other -> drone.flags().waitsFor() == null)
                     .map(other -> drone.name() + " waits on the ground until " + other.name() + " has passed.")
-                    .ifPresent(words -> draft.say(RunTrigger.TOO_NEAR, drone.id(), words));
+                    .ifPresent(words -> draft.explain(RunTrigger.TOO_NEAR, drone.id(), words));
         }
     }
 
@@ -307,18 +307,18 @@ final class SeparationGuard {
 
     /** Of two who wait for each other one moves. */
     private boolean isWaitedForByEarlier(RunDrone drone) {
-        DroneId other = drone.signs().yields();
+        DroneId other = drone.flags().waitsFor();
         return other != null
-                && drone.id().equals(draft.drone(other).signs().yields())
+                && drone.id().equals(draft.drone(other).flags().waitsFor())
                 && other.value().compareTo(drone.id().value()) < 0;
     }
 
     private static boolean isAboutToGoOn(RunDrone drone) {
-        return drone.stage() == RunDroneStage.CONTINUING && drone.errand() == null && drone.next() == null;
+        return drone.stage() == RunDroneStage.CONTINUING && drone.issuedCommand() == null && drone.next() == null;
     }
 
     /** With a new mission it does not fly into the way of one who is not where plans take it to be. */
-    private void maySetOff(RunDrone drone) {
+    private void checkDeparture(RunDrone drone) {
         DroneObservation look = looks.get(drone.id());
         if (look == null || look.place() == null || !look.waits() || !look.airborne()) {
             return;
@@ -327,7 +327,7 @@ final class SeparationGuard {
         draft.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()) && other.stage().mayFly())
                 .filter(other -> far.of(draft, other, looks.get(other.id())).stream()
-                        .anyMatch(way -> isInTheWay(mine, way, other) || (look.rolls() && isNear(mine, way))))
+                        .anyMatch(way -> isInTheWay(mine, way, other) || (look.isStillMoving() && isNear(mine, way))))
                 .findFirst()
                 .ifPresent(other -> draft.put(yielding(drone, other.id())));
     }
@@ -336,21 +336,21 @@ final class SeparationGuard {
         return mine.stopping(0).meets(way.stopping(0), ROLLS_METERS, vertical);
     }
 
-    private void mayGoOn(RunDrone drone) {
+    private void checkHold(RunDrone drone) {
         DroneObservation look = looks.get(drone.id());
         boolean home = drone.stage() == RunDroneStage.RETURNING;
         if (!(home || drone.stage() == RunDroneStage.HOLDING) || look == null || look.place() == null) {
-            draft.put(drone.with(drone.signs().yields(null)));
-        } else if (drone.errand() == null && look.waits() && drone.next() == null && !isBusy(drone)) {
+            draft.put(drone.with(drone.flags().waitsFor(null)));
+        } else if (drone.issuedCommand() == null && look.waits() && drone.next() == null && !isBusy(drone)) {
             goOn(drone, look.place(), isClear(drone, look, look.place()));
         } else if (isHomeward(drone, look)) {
-            draft.put(drone.errand() == null ? drone.with(drone.signs().yields(null)) : drone);
+            draft.put(drone.issuedCommand() == null ? drone.with(drone.flags().waitsFor(null)) : drone);
         }
     }
 
     private boolean isClear(RunDrone drone, DroneObservation look, Place place) {
         boolean home = drone.stage() == RunDroneStage.RETURNING;
-        boolean rolls = look.rolls() && !home;
+        boolean rolls = look.isStillMoving() && !home;
         Trajectory mine = home ? far.homeward(drone, place) : far.mission(drone, place);
         return draft.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()))
@@ -362,7 +362,7 @@ final class SeparationGuard {
     private void goOn(RunDrone drone, Place place, boolean clear) {
         boolean late = Duration.between(drone.since(), draft.now()).compareTo(LONGEST_YIELD) > 0;
         if (clear) {
-            RunDrone free = drone.with(drone.signs().yields(null));
+            RunDrone free = drone.with(drone.flags().waitsFor(null));
             draft.put(drone.stage() == RunDroneStage.RETURNING ? free : free.to(RunDroneStage.CONTINUING, draft.now()));
         } else if (late) {
             late(drone, place);
@@ -378,8 +378,8 @@ final class SeparationGuard {
     /** Whoever is on its way home comes over those who do not pass; others get another way. */
     private void late(RunDrone drone, Place place) {
         if (drone.stage() != RunDroneStage.RETURNING) {
-            draft.put(drone.with(drone.signs().yields(null)));
-            draft.cause(RunTrigger.TOO_NEAR, drone.id(), drone.name() + " cannot pass; another way is looked for.");
+            draft.put(drone.with(drone.flags().waitsFor(null)));
+            draft.addCause(RunTrigger.TOO_NEAR, drone.id(), drone.name() + " cannot pass; another way is looked for.");
             return;
         }
         Place higher = place.at(place.altitudeAmslMeters() + OVER_METERS);
@@ -389,8 +389,8 @@ final class SeparationGuard {
         RunDrone again = drone.to(RunDroneStage.RETURNING, draft.now());
         boolean low = place.altitudeAmslMeters() - drone.craft().homeAmslMeters() < HIGHEST_OVER_METERS;
         if (may && low && !isWaitedForByEarlier(drone)) {
-            go(again.busy(draft.now().plus(UNTIL_OVER)), higher);
-            draft.say(
+            sendAside(again.busy(draft.now().plus(UNTIL_OVER)), higher);
+            draft.explain(
                     RunTrigger.TOO_NEAR, drone.id(), drone.name() + " climbs to come home over those who do not pass.");
         } else {
             draft.put(again);

@@ -36,7 +36,7 @@ final class TaskReports {
     private TaskReports() {}
 
     /** What its mission's items say, by how many are behind it. */
-    static void reckon(RunTransition draft, RunDrone drone, DroneObservation look) {
+    static void update(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie sortie = drone.sortie();
         if (sortie == null) {
             return;
@@ -97,7 +97,7 @@ final class TaskReports {
                         task.part(),
                         drone.id(),
                         Result.DONE,
-                        photo.heard(),
+                        photo.receivedAt(),
                         photo.number(),
                         "Photo " + photo.number() + where + "."));
             }
@@ -115,7 +115,7 @@ final class TaskReports {
                     : Geodesy.distanceMeters(point, place.point()) < NEAR_METERS;
             boolean heads = drone.passed() > task.item()
                     || drone.orders().stream().findFirst().equals(Optional.of(target.id()));
-            return there && heads && photo.heard().isAfter(since.minus(EARLIEST)) && !isTaken(photo);
+            return there && heads && photo.receivedAt().isAfter(since.minus(EARLIEST)) && !isTaken(photo);
         }
 
         /** It came of another task. */
@@ -153,7 +153,7 @@ final class TaskReports {
                         : Optional.empty();
             }
             String readings = payload.readings().stream()
-                    .filter(reading -> !reading.heard().isBefore(before.at()))
+                    .filter(reading -> !reading.receivedAt().isBefore(before.at()))
                     .map(reading -> reading.name() + " " + number(reading.value()))
                     .collect(Collectors.joining(", "));
             return Optional.of(
@@ -178,28 +178,28 @@ final class TaskReports {
     }
 
     /** Whether it is to be left out: it may have been done, and is not to be done twice. */
-    static boolean isSpared(RunTransition draft, TaskItem task) {
+    static boolean isSkipped(RunTransition draft, TaskItem task) {
         RunWaypoint target = draft.target(task.waypoint());
         return target.waypoint().task().parts().get(task.part()).isOnce()
                 && target.report(task.part()).isPresent();
     }
 
-    static Sortie sparing(RunTransition draft, Sortie sortie) {
-        return sortie.sparing(task -> isSpared(draft, task));
+    static Sortie withoutDone(RunTransition draft, Sortie sortie) {
+        return sortie.sparing(task -> isSkipped(draft, task));
     }
 
     /** True when what it is to get had to be changed for what was done meanwhile. */
-    static boolean spare(RunTransition draft, RunDrone drone, Sortie next) {
-        Sortie left = sparing(draft, next);
+    static boolean skipDone(RunTransition draft, RunDrone drone, Sortie next) {
+        Sortie left = withoutDone(draft, next);
         if (left.equals(next)) {
             return false;
         }
-        draft.put(drone.getting(left));
+        draft.put(drone.withNext(left));
         return true;
     }
 
     /** Whether it may just have begun a task that it has not spoken of. */
-    static boolean mayTellYet(RunTransition draft, RunDrone drone, DroneObservation look) {
+    static boolean mayReportYet(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie sortie = drone.sortie();
         Place here = look.place();
         boolean longAgo = Duration.between(drone.since(), draft.now()).compareTo(UNTIL_TOLD) >= 0;
@@ -207,7 +207,7 @@ final class TaskReports {
                 && sortie != null
                 && here != null
                 && sortie.tasks().stream()
-                        .filter(task -> !isSpared(draft, task))
+                        .filter(task -> !isSkipped(draft, task))
                         .map(task -> draft.target(task.waypoint()).waypoint().place())
                         .anyMatch(place -> Geodesy.distanceMeters(place.point(), here.point()) < NEAR_METERS);
     }

@@ -24,22 +24,22 @@ final class TourAssignment {
     private TourAssignment() {}
 
     /** True when it has to get another mission. */
-    static boolean over(RunTransition draft, PendingReplan request, Craft craft, @Nullable Tour tour) {
+    static boolean assign(RunTransition draft, PendingReplan request, Craft craft, @Nullable Tour tour) {
         RunDrone drone = draft.drone(craft.id());
         drone.orders().forEach(id -> draft.put(draft.target(id).to(RunWaypoint.State.ASSIGNED, drone.id(), null)));
         boolean up = drone.stage().compareTo(RunDroneStage.STARTING) >= 0;
         if (tour == null || (!up && tour.stops().isEmpty())) {
             return idle(draft, drone);
         }
-        Sortie whole = Sortie.of(draft.tally().sortie(), drone.kin().with(craft), tour, request.at(), draft::task);
-        Sortie next = TaskReports.sparing(draft, whole);
+        Sortie whole = Sortie.of(draft.tally().sortie(), drone.profile().with(craft), tour, request.at(), draft::task);
+        Sortie next = TaskReports.withoutDone(draft, whole);
         return up ? inTheAir(draft, drone, next) : onTheGround(draft, drone, next);
     }
 
     private static boolean idle(RunTransition draft, RunDrone drone) {
         boolean armed = drone.stage() == RunDroneStage.ARMING;
         RunDroneStage stage = armed ? RunDroneStage.RETURNING : RunDroneStage.LANDED;
-        draft.put(drone.getting(null).flying(null, 0).to(stage, draft.now()));
+        draft.put(drone.withNext(null).withSortie(null, 0).to(stage, draft.now()));
         return false;
     }
 
@@ -50,9 +50,9 @@ final class TourAssignment {
         }
         // What is under way to it already is brought, and then the newest.
         draft.put(
-                drone.errand() == null
-                        ? drone.getting(next).to(RunDroneStage.UPLOADING, draft.now())
-                        : drone.getting(next));
+                drone.issuedCommand() == null
+                        ? drone.withNext(next).to(RunDroneStage.UPLOADING, draft.now())
+                        : drone.withNext(next));
         return true;
     }
 
@@ -60,18 +60,18 @@ final class TourAssignment {
         Sortie sortie = drone.sortie();
         boolean flies = drone.stage() == RunDroneStage.FLYING
                 || drone.stage() == RunDroneStage.STARTING
-                || (drone.stage() == RunDroneStage.HOLDING && drone.signs().yields() != null);
+                || (drone.stage() == RunDroneStage.HOLDING && drone.flags().waitsFor() != null);
         if (flies && sortie != null && isSame(draft, sortie, MissionLegs.first(sortie, drone.passed()), next)) {
-            draft.put(drone.flying(sortie.retimed(next.tour(), next.zero(), drone.passed()), drone.passed())
-                    .getting(null));
+            draft.put(drone.withSortie(sortie.retimed(next.tour(), next.zero(), drone.passed()), drone.passed())
+                    .withNext(null));
             return false;
         }
-        draft.put(drone.getting(next));
+        draft.put(drone.withNext(next));
         return true;
     }
 
     /** Without what it visited since that was planned, while it was brought to stand there; empty: nothing. */
-    static Optional<Sortie> left(RunTransition draft, RunDrone drone, Sortie next, Place place) {
+    static Optional<Sortie> remaining(RunTransition draft, RunDrone drone, Sortie next, Place place) {
         List<Stop> stops = next.tour().stops();
         int done = 0;
         while (done < stops.size() && draft.target(stops.get(done).waypoint()).isVisitedBy(drone.id())) {
@@ -85,8 +85,9 @@ final class TourAssignment {
                 stops.subList(done, stops.size()),
                 next.tour().last(),
                 next.tour().usedJoules());
-        RunDrone.Profile kin = drone.kin().with(drone.craft().with(Start.inFlight(place)));
-        return Optional.of(TaskReports.sparing(draft, Sortie.of(next.number(), kin, rest, next.zero(), draft::task)));
+        RunDrone.Profile kin = drone.profile().with(drone.craft().with(Start.inFlight(place)));
+        return Optional.of(
+                TaskReports.withoutDone(draft, Sortie.of(next.number(), kin, rest, next.zero(), draft::task)));
     }
 
     /** From that item on, with the same still to be done at the same waypoints. */
@@ -105,7 +106,7 @@ final class TourAssignment {
 
     private static List<TaskPart> parts(RunTransition draft, Sortie sortie, int first) {
         return sortie.tasks().stream()
-                .filter(task -> task.item() >= first && !TaskReports.isSpared(draft, task))
+                .filter(task -> task.item() >= first && !TaskReports.isSkipped(draft, task))
                 .map(task -> new TaskPart(task.waypoint(), task.part()))
                 .toList();
     }

@@ -125,9 +125,9 @@ final class TrajectoryForecast {
 
     /** What it may do; none where it is on the ground, or nobody knows where it is. */
     List<Trajectory> of(RunTransition draft, RunDrone drone, @Nullable DroneObservation look) {
-        RunDrone.LinkLoss silence = drone.signs().silence();
+        RunDrone.LinkLoss silence = drone.flags().linkLoss();
         if (drone.stage() == RunDroneStage.SILENT && silence != null && silence.place() != null) {
-            double gone = Duration.between(silence.heard(), draft.now()).toMillis() / 1_000.0;
+            double gone = Duration.between(silence.lastContact(), draft.now()).toMillis() / 1_000.0;
             return corridor(drone, silence.place(), gone);
         }
         Place place = look == null ? null : look.place();
@@ -155,9 +155,9 @@ final class TrajectoryForecast {
 
     /** Its order should have shown by now: it may be lost. */
     private static boolean isLate(RunTransition draft, RunDrone drone) {
-        RunDrone.IssuedCommand errand = drone.errand();
+        RunDrone.IssuedCommand errand = drone.issuedCommand();
         return errand == null
-                ? drone.tries().failed() > 0
+                ? drone.attempts().failed() > 0
                 : Duration.between(errand.at(), draft.now()).compareTo(UNTIL_OBEYED) > 0;
     }
 
@@ -174,7 +174,8 @@ final class TrajectoryForecast {
         if (!look.waits()) {
             return List.of(homeward(drone, place));
         }
-        boolean called = drone.errand() != null && drone.errand().kind() == RunDrone.IssuedCommand.Purpose.HOME;
+        boolean called =
+                drone.issuedCommand() != null && drone.issuedCommand().kind() == RunDrone.IssuedCommand.Purpose.HOME;
         Trajectory stands = new Trajectory(standing(place));
         return called ? List.of(stands, homeward(drone, place)) : List.of(stands);
     }
@@ -269,7 +270,7 @@ final class TrajectoryForecast {
         Place home = drone.craft().finish().place();
         TrajectoryBuilder walk =
                 new TrajectoryBuilder(drone.craft().performance().speeds(), from, ago, 0);
-        ReturnHeight set = drone.signs().homeward();
+        ReturnHeight set = drone.flags().returnHeight();
         double height = Math.max(from.high(), home.altitudeAmslMeters() + (set == null ? RETURN_METERS : set.meters()));
         boolean there = from.spot().distanceMeters(at(home).spot()) < 2;
         if (!there) {

@@ -12,7 +12,7 @@ import org.dronemap.cognitive.operation.run.model.Sortie;
 final class VisitTracking {
     private VisitTracking() {}
 
-    static void reckon(RunTransition draft, DroneObservation look) {
+    static void update(RunTransition draft, DroneObservation look) {
         RunDrone drone = draft.drone(look.drone());
         Sortie sortie = drone.sortie();
         boolean tells =
@@ -21,7 +21,7 @@ final class VisitTracking {
             return;
         }
         pass(draft, drone, look, sortie);
-        TaskReports.reckon(draft, draft.drone(look.drone()), look);
+        TaskReports.update(draft, draft.drone(look.drone()), look);
     }
 
     private static void pass(RunTransition draft, RunDrone drone, DroneObservation look, Sortie sortie) {
@@ -32,14 +32,14 @@ final class VisitTracking {
         if (passed <= drone.passed()) {
             return;
         }
-        draft.put(drone.flying(sortie, passed));
+        draft.put(drone.withSortie(sortie, passed));
         List<String> known = sortie.done(drone.passed());
         sortie.done(passed).stream().filter(id -> !known.contains(id)).forEach(id -> visited(draft, drone, id));
     }
 
     /** While a mission is being brought to it, what it says may be of the one before or of the next. */
     private static boolean counts(RunDrone drone) {
-        return drone.signs().begun()
+        return drone.flags().begun()
                 && switch (drone.stage()) {
                     case FLYING, HOLDING, RETURNING, SILENT, SUSPENDED, GONE, LEFT -> true;
                     default -> false;
@@ -67,11 +67,11 @@ final class VisitTracking {
         draft.put(visited);
         draft.drones().stream()
                 .filter(any -> any.orders().contains(id))
-                .forEach(any -> draft.put(any.ordered(
+                .forEach(any -> draft.put(any.withOrders(
                         any.orders().stream().filter(other -> !other.equals(id)).toList())));
         if (again) {
-            draft.tally().twice();
-            draft.say(
+            draft.tally().countRepeatedVisit();
+            draft.explain(
                     RunTrigger.HEARD_AGAIN,
                     drone.id(),
                     "The waypoint " + id + " was visited twice: by " + name(draft, target) + ", and by " + drone.name()

@@ -20,7 +20,7 @@ final class WaypointTransfer {
 
     /** It flies what it has on board; a drone that is not heard is nobody to wait for. */
     private static boolean isUnderWay(RunDrone drone) {
-        boolean holds = drone.errand() == null && drone.tries().failed() == 0;
+        boolean holds = drone.issuedCommand() == null && drone.attempts().failed() == 0;
         return switch (drone.stage()) {
             case STARTING, FLYING, CONTINUING -> true;
             case HOLDING -> !holds;

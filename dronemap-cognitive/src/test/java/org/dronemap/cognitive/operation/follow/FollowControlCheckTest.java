@@ -50,7 +50,7 @@ class FollowControlCheckTest extends FollowTestBase {
         seen(barred);
         seen(barred);
         assertThat(given).last().isEqualTo(new Command.ReturnToLaunch());
-        assertThat(state.told())
+        assertThat(state.notices())
                 .last()
                 .extracting(FollowState.Notice::words)
                 .isEqualTo("mia may not command it any more. Falcon flies home.");
@@ -131,7 +131,7 @@ class FollowControlCheckTest extends FollowTestBase {
         ends(new Outcome.TimedOut("The vehicle did not tell its parameter FS_GCS_ENABLE."));
         seen(GROUND);
         assertThat(given).containsExactly(new SetReturnOnCloudLoss(), new Command.Arm());
-        assertThat(state.told())
+        assertThat(state.notices())
                 .last()
                 .extracting(FollowState.Notice::words)
                 .asString()

@@ -119,9 +119,9 @@ class FollowGuidanceTest {
 
     @Test
     void takesAPlaceThatIsKnownToMoreThanFiftyMetresForNone() {
-        assertThat(guide.sighted(new TargetReport(1, ZERO, ZERO, ZERO, null, PHONE, 51, null)))
+        assertThat(guide.reported(new TargetReport(1, ZERO, ZERO, ZERO, null, PHONE, 51, null)))
                 .isFalse();
-        assertThat(guide.sighted(new TargetReport(2, ZERO, ZERO, ZERO, null, PHONE, 50, null)))
+        assertThat(guide.reported(new TargetReport(2, ZERO, ZERO, ZERO, null, PHONE, 50, null)))
                 .isTrue();
     }
 
@@ -130,7 +130,7 @@ class FollowGuidanceTest {
         double nearest = Double.POSITIVE_INFINITY;
         for (int end = tenths + (int) (seconds * 10); tenths < end; tenths++) {
             Instant now = ZERO.plus(Duration.ofMillis(100L * tenths));
-            guide.sighted(new TargetReport(tenths, now, now, now, Duration.ZERO, PHONE, 3, null));
+            guide.reported(new TargetReport(tenths, now, now, now, Duration.ZERO, PHONE, 3, null));
             OperationObservation.ObservedDrone seen = new OperationObservation.ObservedDrone(
                     drone("d1", falcon, now), OURS, Duration.ZERO, Duration.ZERO);
             AirspaceSnapshot around = new AirspaceSnapshot(Map.of(FALCON, zones), aloft, Set.of());
@@ -179,9 +179,9 @@ class FollowGuidanceTest {
         FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
-        FollowInput.Observed low = (FollowInput.Observed) follow.looked(relieved, both(PHONE, 490));
+        FollowInput.Observed low = (FollowInput.Observed) follow.observe(relieved, both(PHONE, 490));
         assertThat(low.others()).extracting(FollowInput.OtherDrone::apartMeters).containsOnlyNulls();
-        FollowInput.Observed up = (FollowInput.Observed) follow.looked(relieved, both(PHONE, AMSL));
+        FollowInput.Observed up = (FollowInput.Observed) follow.observe(relieved, both(PHONE, AMSL));
         assertThat(up.others().get(0).apartMeters()).isCloseTo(Geodesy.distanceMeters(HOME, PHONE), within(0.01));
     }
 
@@ -208,16 +208,16 @@ class FollowGuidanceTest {
         FollowState relieved = new FollowOperation(FollowSeparation.USUAL)
                 .decide(state, new FollowInput.SendRelief(ZERO, kestrel))
                 .next();
-        FollowState rising = relieved.crew().others().get(0);
+        FollowState rising = relieved.reliefOrNone().others().get(0);
         FollowState both = relieved.with(
-                relieved.crew().with(List.of(rising.to(FollowStage.TRACKING, ZERO, "It is in the air."))));
+                relieved.reliefOrNone().with(List.of(rising.to(FollowStage.TRACKING, ZERO, "It is in the air."))));
         Geodetic first = PHONE;
         Geodetic second = new Geodetic(47.39870, 8.5456);
         double least = Double.POSITIVE_INFINITY;
         Map<DroneId, Setpoint> said = Map.of();
         for (int tenth = 0; tenth < 400; tenth++) {
             Instant now = ZERO.plusMillis(100L * tenth);
-            guide.sighted(new TargetReport(tenth, now, now, now, Duration.ZERO, PHONE, 3, null));
+            guide.reported(new TargetReport(tenth, now, now, now, Duration.ZERO, PHONE, 3, null));
             List<OperationObservation.ObservedDrone> seen = List.of(
                     new OperationObservation.ObservedDrone(drone("d1", first, now), OURS, Duration.ZERO, Duration.ZERO),
                     new OperationObservation.ObservedDrone(
@@ -248,8 +248,8 @@ class FollowGuidanceTest {
                 new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
-        FollowState up = relieved.crew().others().get(0).to(FollowStage.TRACKING, ZERO, "It is in the air.");
-        FollowState ready = relieved.with(relieved.crew().with(List.of(up)));
+        FollowState up = relieved.reliefOrNone().others().get(0).to(FollowStage.TRACKING, ZERO, "It is in the air.");
+        FollowState ready = relieved.with(relieved.reliefOrNone().with(List.of(up)));
         falcon = new Geodetic(HOME.latitudeDegrees() + 0.0006, HOME.longitudeDegrees());
         FollowInput.Observation air = FollowTestBase.led(
                 new FollowInput.Observation(null, 0, true, true, true, false, "GUIDED", 90, 66.0, null, null));

@@ -132,26 +132,26 @@ class FollowOperationTest extends FollowTestBase {
     void tellsApartWhyPositionsDoNotCome() {
         start();
         heard(AIR, 5);
-        reach = ReporterState.SPEAKS;
+        reach = ReporterState.ACTIVE;
         silent(AIR, 4);
         assertThat(state.note()).contains("does not know where it is", "flies home 60 s after");
-        reach = ReporterState.VAGUE;
+        reach = ReporterState.UNUSABLE;
         silent(AIR, 1);
         assertThat(state.note()).contains("no better than 50 m", "flies home 60 s after");
         List<String> before =
-                state.told().stream().map(FollowState.Notice::words).toList();
-        reach = ReporterState.ASLEEP;
+                state.notices().stream().map(FollowState.Notice::words).toList();
+        reach = ReporterState.IDLE;
         silent(AIR, 1);
         assertThat(state.note()).contains("stands still: the screen is off");
-        reach = ReporterState.CUT;
+        reach = ReporterState.UNREACHABLE;
         silent(AIR, 1);
         assertThat(state.note()).contains("no network");
-        reach = ReporterState.GONE;
+        reach = ReporterState.CLOSED;
         silent(AIR, 1);
         assertThat(state.note()).contains("was closed");
         heard(AIR, 1);
         assertThat(state.note()).isNull();
-        assertThat(state.told())
+        assertThat(state.notices())
                 .hasSize(before.size() + 4)
                 .last()
                 .extracting(FollowState.Notice::words)
@@ -178,7 +178,7 @@ class FollowOperationTest extends FollowTestBase {
         assertThat(state.stage()).isEqualTo(FollowStage.TRACKING);
         heard(led(new Observation(null, 0, true, true, true, false, "GUIDED", 24, 300.0, null, null)), 1);
         assertThat(state.stage()).isEqualTo(FollowStage.RETURNING);
-        assertThat(state.told().get(state.told().size() - 1).words()).contains("24 %");
+        assertThat(state.notices().get(state.notices().size() - 1).words()).contains("24 %");
     }
 
     @Test
@@ -194,7 +194,7 @@ class FollowOperationTest extends FollowTestBase {
         seen(GROUND);
         assertThat(given).filteredOn(Command.Arm.class::isInstance).hasSize(3);
         assertThat(state.isOver()).isTrue();
-        assertThat(state.told()).extracting(FollowState.Notice::words).anyMatch(words -> words.contains("Compass"));
+        assertThat(state.notices()).extracting(FollowState.Notice::words).anyMatch(words -> words.contains("Compass"));
     }
 
     @Test

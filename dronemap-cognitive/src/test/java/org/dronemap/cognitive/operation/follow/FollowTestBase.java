@@ -97,7 +97,7 @@ abstract class FollowTestBase {
     }
 
     void ends(Outcome outcome) {
-        FollowState.IssuedCommand errand = state.errand();
+        FollowState.IssuedCommand errand = state.issuedCommand();
         assertThat(errand).isNotNull();
         take(new FollowInput.CommandEnded(at(), state.drone(), errand.command(), outcome));
         now += 1;

@@ -71,7 +71,7 @@ class ReliefHandoverTest extends FollowTestBase {
         for (double passed = 0; passed < seconds; passed += 0.1) {
             now += 0.1;
             sighted = at();
-            List<FollowInput.OtherDrone> others = state.crew().others().stream()
+            List<FollowInput.OtherDrone> others = state.reliefOrNone().others().stream()
                     .map(FollowState::drone)
                     .map(drone -> new FollowInput.OtherDrone(drone, looks.get(drone), apart.get(drone)))
                     .toList();
@@ -86,11 +86,11 @@ class ReliefHandoverTest extends FollowTestBase {
     }
 
     private List<String> words() {
-        return state.told().stream().map(FollowState.Notice::words).toList();
+        return state.notices().stream().map(FollowState.Notice::words).toList();
     }
 
     private @Nullable FollowStage stageOf(DroneId drone) {
-        return state.crew().others().stream()
+        return state.reliefOrNone().others().stream()
                 .filter(other -> other.drone().equals(drone))
                 .map(FollowState::stage)
                 .findFirst()
@@ -126,7 +126,7 @@ class ReliefHandoverTest extends FollowTestBase {
         pass(1);
         assertThat(words()).last().isEqualTo("Falcon is down.");
         assertThat(follow.drones(state)).containsExactly(KESTREL);
-        assertThat(state.crew().failed()).isEmpty();
+        assertThat(state.reliefOrNone().failed()).isEmpty();
     }
 
     @Test
@@ -168,7 +168,7 @@ class ReliefHandoverTest extends FollowTestBase {
         pass(10);
         assertThat(state.drone()).isEqualTo(FALCON);
         assertThat(told.get(FALCON)).contains(new SetReturnOnCloudLoss(), new Command.TakeOff(15));
-        assertThat(state.crew().sent()).isEqualTo(3);
+        assertThat(state.reliefOrNone().sent()).isEqualTo(3);
     }
 
     @Test
@@ -240,8 +240,8 @@ class ReliefHandoverTest extends FollowTestBase {
         pass(0.5);
         assertThat(state.stage()).isEqualTo(FollowStage.TRACKING);
         assertThat(state.isRelievable()).isTrue();
-        assertThat(state.crew().failed()).containsExactly(KESTREL);
-        assertThat(state.crew().others()).isEmpty();
+        assertThat(state.reliefOrNone().failed()).containsExactly(KESTREL);
+        assertThat(state.reliefOrNone().others()).isEmpty();
         relieve(OSPREY, "Osprey");
         apart.put(OSPREY, 20.0);
         pass(10);

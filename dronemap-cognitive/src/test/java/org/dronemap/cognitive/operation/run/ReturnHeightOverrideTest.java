@@ -128,7 +128,7 @@ class ReturnHeightOverrideTest {
         fleet.wish(new RunInput.JoinDrone(
                 fleet.now, "Ann", PlanningFixtures.craft(7, 300, 0), "Drone d7", VehicleKind.MULTICOPTER));
 
-        Double layer = fleet.drone(7).kin().returnMeters();
+        Double layer = fleet.drone(7).profile().returnMeters();
 
         assertThat(layer).isNotNull().isGreaterThanOrEqualTo(highest + 5);
     }

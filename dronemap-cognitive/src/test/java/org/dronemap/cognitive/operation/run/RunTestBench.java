@@ -115,7 +115,7 @@ final class RunTestBench {
                 .filter(each -> !(serverDown && each.ofServer()))
                 .forEach(each -> each.what().run());
         if (!serverDown && !state.isOver()) {
-            input(run.looked(state, scene()));
+            input(run.observed(state, scene()));
         }
         oneAssignment();
     }
@@ -141,7 +141,7 @@ final class RunTestBench {
         vehicle.mode = mode;
         RunTransition draft = new RunTransition(state, now);
         RunDrone drone = draft.drone(vehicle.id);
-        draft.put(drone.with(drone.signs().yields(vehicle(other).id))
+        draft.put(drone.with(drone.flags().waitsFor(vehicle(other).id))
                 .to(RunDroneStage.HOLDING, now)
                 .busy(now.plusSeconds(seconds)));
         state = draft.decision().next();
@@ -326,7 +326,7 @@ final class RunTestBench {
             boolean counts = drone != null
                     && vehicle.fliesMission()
                     && vehicle.heardFor > 10
-                    && drone.stage().takesOrders();
+                    && drone.stage().acceptsCommands();
             if (!counts) {
                 continue;
             }

@@ -32,7 +32,7 @@ public final class Lane implements AutoCloseable {
 
     /** Something that wants to be called at every tick, on the lane's thread. */
     public interface Ticker {
-        void tick();
+        void advance();
 
         /** The process has stood still for longer than anybody waits; before anything else is done. */
         default void stoodStill(Duration how) {}
@@ -50,7 +50,7 @@ public final class Lane implements AutoCloseable {
     private final Loop loop;
     private volatile boolean closed;
     // Owned by the lane's thread.
-    private final ArrayDeque<Runnable> taken = new ArrayDeque<>(AT_ONCE);
+    private final ArrayDeque<Runnable> batch = new ArrayDeque<>(AT_ONCE);
     private final List<Ticker> tickers = new ArrayList<>();
     private long lastTickNanos;
     private volatile Turn turn;
@@ -85,12 +85,12 @@ public final class Lane implements AutoCloseable {
     }
 
     /** Adds a ticker; from the lane's thread only. */
-    public void addTicker(Ticker ticker) {
+    public void addPeriodicTask(Ticker ticker) {
         tickers.add(ticker);
     }
 
     /** Removes a ticker; from the lane's thread only. */
-    public void removeTicker(Ticker ticker) {
+    public void removePeriodicTask(Ticker ticker) {
         tickers.remove(ticker);
     }
 
@@ -125,15 +125,15 @@ public final class Lane implements AutoCloseable {
     }
 
     private long work() {
-        boolean any = tasks.drainTo(taken, AT_ONCE) > 0;
-        for (Runnable task = taken.poll(); task != null && !closed; task = taken.poll()) {
+        boolean any = tasks.drainTo(batch, AT_ONCE) > 0;
+        for (Runnable task = batch.poll(); task != null && !closed; task = batch.poll()) {
             // Before the task, which may judge a silence that was our own.
             noticeStall();
             guard(task);
-            tickWhenDue();
+            runPeriodicTasksWhenDue();
         }
         noticeStall();
-        tickWhenDue();
+        runPeriodicTasksWhenDue();
         return any ? 0 : TICK_NANOS;
     }
 
@@ -153,14 +153,14 @@ public final class Lane implements AutoCloseable {
         }
     }
 
-    private void tickWhenDue() {
+    private void runPeriodicTasksWhenDue() {
         long gap = time.nanos() - lastTickNanos;
         if (gap < TICK_NANOS) {
             return;
         }
         lastTickNanos += gap;
         for (Ticker ticker : List.copyOf(tickers)) {
-            guard(ticker::tick);
+            guard(ticker::advance);
         }
     }
 

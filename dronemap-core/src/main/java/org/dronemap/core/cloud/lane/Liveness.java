@@ -20,7 +20,7 @@ public final class Liveness {
         this.watchdog = watchdog;
     }
 
-    public void heard(long nowNanos) {
+    public void received(long nowNanos) {
         if (everHeard) {
             long gap = Math.max(0, nowNanos - lastHeardNanos);
             longestGapNanos = Math.max((double) gap, longestGapNanos * (1 - Math.min(1, gap / MEMORY_NANOS)));

@@ -69,7 +69,7 @@ public final class StoreWriter implements AutoCloseable {
         }
 
         @Override
-        public boolean isPassing() {
+        public boolean isTransient() {
             return true;
         }
     }

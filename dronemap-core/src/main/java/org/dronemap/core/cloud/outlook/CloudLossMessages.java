@@ -29,7 +29,7 @@ public final class CloudLossMessages {
     }
 
     /** Only what is not as everybody expects it. */
-    public static Optional<String> worthSaying(ParameterOverrideRecorder.OverridePlan plan, boolean crossing) {
+    public static Optional<String> notable(ParameterOverrideRecorder.OverridePlan plan, boolean crossing) {
         return crossing || !plan.after().note().isEmpty()
                 ? Optional.of(plan.after().sentence() + (crossing ? " " + CROSSING : ""))
                 : Optional.empty();

@@ -23,11 +23,11 @@ public final class CommandTimeoutWatch implements Lane.Ticker {
     }
 
     @Override
-    public void tick() {
+    public void advance() {
         if (command.record().outcome() != null) {
-            lane.removeTicker(this);
+            lane.removePeriodicTask(this);
         } else if (command.silentFor(lane.activeNanos(), LONGEST_SILENCE_NANOS)) {
-            lane.removeTicker(this);
+            lane.removePeriodicTask(this);
             giveUp.accept(UNHEARD);
         }
     }
@@ -37,7 +37,7 @@ public final class CommandTimeoutWatch implements Lane.Ticker {
     public void stoodStill(Duration how) {
         if (command.record().outcome() == null
                 && command.command().kind().contention().newerWins()) {
-            lane.removeTicker(this);
+            lane.removePeriodicTask(this);
             giveUp.accept(new Outcome.Unknown("The server stood still for " + how.toSeconds()
                     + " s, so it was not gone on with; look at the drone."));
         }

@@ -24,14 +24,14 @@ public final class CommandTracker {
     private final long givenNanos;
     private long lastSignNanos;
     private volatile CommandRecord record;
-    private volatile CommandRecord told;
+    private volatile CommandRecord published;
 
     /** {@code activeNanos} stand still while the process does, {@code nowNanos} do not. */
     public CommandTracker(Command command, CommandRecord record, long activeNanos, long nowNanos) {
         this.givenNanos = nowNanos;
         this.command = command;
         this.record = record;
-        this.told = record;
+        this.published = record;
         this.lastSignNanos = activeNanos;
     }
 
@@ -53,13 +53,13 @@ public final class CommandTracker {
     }
 
     /** What others may see: an outcome only once it is written, so that nobody relies on one that a crash takes back. */
-    public CommandRecord told() {
-        return told;
+    public CommandRecord published() {
+        return published;
     }
 
     public void update(CommandRecord newer, long nowNanos) {
         record = newer;
-        told = newer;
+        published = newer;
         lastSignNanos = nowNanos;
     }
 
@@ -70,7 +70,7 @@ public final class CommandTracker {
     }
 
     public void written() {
-        told = record;
+        published = record;
     }
 
     boolean silentFor(long nowNanos, long nanos) {

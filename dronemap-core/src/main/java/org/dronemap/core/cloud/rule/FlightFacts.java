@@ -33,7 +33,7 @@ public final class FlightFacts {
     }
 
     /** By a pilot's sticks. */
-    public static boolean isLedByHand(DroneState state) {
+    public static boolean isSteeredManually(DroneState state) {
         return state.capabilities().steering(state.mode()).equals(Optional.of(Steering.STICKS));
     }
 

@@ -22,7 +22,7 @@ public final class KnownLandingSites {
 
     private final Deque<Geodetic> stood = new ArrayDeque<>(MOST);
 
-    public void heard(DroneState state) {
+    public void observe(DroneState state) {
         Position position = state.position();
         Geodetic here = position == null ? null : position.point();
         if (here == null || state.airborne() || !Boolean.FALSE.equals(state.armed())) {

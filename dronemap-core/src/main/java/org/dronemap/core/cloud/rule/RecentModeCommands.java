@@ -52,9 +52,9 @@ public final class RecentModeCommands {
             case NONE -> false;
             case CHANGES_MODE -> ((Command.SetMode) command).mode().equals(mode);
             case STANDS, TAKES_MISSION ->
-                by == null || by.takesOrders() || (by == Steering.STICKS && mayStandIn(mode, can));
-            case CLIMBS, GOES, GOES_ON_ITS_MAP, TURNS -> by == null || by.takesOrders();
-            case FLIES_MISSION -> by == null || by.takesOrders() || by == Steering.MISSION;
+                by == null || by.acceptsCommands() || (by == Steering.STICKS && mayStandIn(mode, can));
+            case CLIMBS, GOES, GOES_ON_ITS_MAP, TURNS -> by == null || by.acceptsCommands();
+            case FLIES_MISSION -> by == null || by.acceptsCommands() || by == Steering.MISSION;
             case COMES_DOWN -> by == null || by.isSafe() || by == Steering.MISSION;
         };
     }

@@ -34,13 +34,13 @@ class WatchdogTest {
     void learnsThatALinkPausesNowAndThenAndForgetsItAgain() {
         hearEvery(SECOND / 100, 100);
         long afterPause = 99 * (SECOND / 100) + 1_450_000_000L;
-        liveness.heard(afterPause);
+        liveness.received(afterPause);
         assertThat(liveness.judge(afterPause + 2_800_000_000L)).isEqualTo(LinkState.LIVE);
 
         long last = afterPause;
         for (int i = 0; i < 20_000; i++) {
             last += SECOND / 100;
-            liveness.heard(last);
+            liveness.received(last);
         }
 
         assertThat(liveness.judge(last + 1_600_000_000L)).isEqualTo(LinkState.SUSPECT);
@@ -48,7 +48,7 @@ class WatchdogTest {
 
     @Test
     void probesOncePerSecondOfSilence() {
-        liveness.heard(0);
+        liveness.received(0);
 
         assertThat(liveness.probeDue(2_900_000_000L)).isFalse();
         assertThat(liveness.probeDue(3 * SECOND)).isTrue();
@@ -70,7 +70,7 @@ class WatchdogTest {
 
     private void hearEvery(long gapNanos, int times) {
         for (int i = 0; i < times; i++) {
-            liveness.heard(i * gapNanos);
+            liveness.received(i * gapNanos);
         }
     }
 }

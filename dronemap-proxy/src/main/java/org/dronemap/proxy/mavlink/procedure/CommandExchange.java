@@ -31,11 +31,11 @@ public final class CommandExchange implements Exchange {
     private int tries;
     private long settledNanos;
     private long lastSentNanos;
-    private long lastHeardNanos;
+    private long lastReceivedNanos;
     private long deadlineNanos;
     private boolean accepted;
     private long acceptedNanos;
-    private boolean saidSince;
+    private boolean reportedSince;
     private boolean inProgress;
     private long lastProgressNanos;
     private int refusal;
@@ -58,37 +58,37 @@ public final class CommandExchange implements Exchange {
         };
         settledNanos = target.ledger().settledNanos(request.command(), nowNanos, target.roundTrip());
         deadlineNanos = settledNanos + pace.deadlineNanos();
-        lastHeardNanos = nowNanos;
+        lastReceivedNanos = nowNanos;
         if (request.retry() != MavCommandRequest.Retry.ONCE || settledNanos - nowNanos <= 0) {
             send(nowNanos);
         }
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null) {
             return;
         }
-        lastHeardNanos = nowNanos;
-        if (accepted && isTelling(frame) && nowNanos - acceptedNanos >= SAID_AFTER_NANOS) {
-            saidSince = true;
+        lastReceivedNanos = nowNanos;
+        if (accepted && isProof(frame) && nowNanos - acceptedNanos >= SAID_AFTER_NANOS) {
+            reportedSince = true;
         }
         if (frame.messageId() == CommandAck.ID) {
             CommandAck ack = CommandAck.decode(frame);
             if (ack.command() == request.command() && MavlinkTarget.isForUs(ack.targetSystem())) {
-                heardOf(ack, nowNanos);
+                commandAckReceived(ack, nowNanos);
             }
         }
         look();
     }
 
-    private boolean isTelling(Frame frame) {
+    private boolean isProof(Frame frame) {
         int telling = request.proof().shownBy();
         return telling == MavCommandRequest.CompletionCheck.ANY || frame.messageId() == telling;
     }
 
     /** What comes before an earlier exchange of this command has settled may belong to that one. */
-    private void heardOf(CommandAck ack, long nowNanos) {
+    private void commandAckReceived(CommandAck ack, long nowNanos) {
         target.ledger().crossed(ack.command(), nowNanos);
         if (tries > 0 && nowNanos - settledNanos >= 0) {
             if (tries == 1 && !inProgress && !accepted) {
@@ -99,12 +99,12 @@ public final class CommandExchange implements Exchange {
     }
 
     @Override
-    public void said(Severity severity, String text, long nowNanos) {
-        reasons.said(severity, text, nowNanos);
+    public void textReceived(Severity severity, String text, long nowNanos) {
+        reasons.textReceived(severity, text, nowNanos);
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         look();
         if (outcome != null) {
             return;
@@ -162,7 +162,7 @@ public final class CommandExchange implements Exchange {
         return switch (request.retry()) {
             case ONCE -> false;
             // What was said later than an answer takes shows the vehicle as the last try left it.
-            case VERIFY_FIRST -> !inProgress && lastHeardNanos - lastSentNanos >= pace.firstNanos();
+            case VERIFY_FIRST -> !inProgress && lastReceivedNanos - lastSentNanos >= pace.firstNanos();
             case REPEATABLE ->
                 !inProgress || nowNanos - Math.max(lastProgressNanos, lastSentNanos) >= ASK_PROGRESS_NANOS;
         };
@@ -217,7 +217,7 @@ public final class CommandExchange implements Exchange {
                 || !request.proof().seen().getAsBoolean()) {
             return;
         }
-        if (accepted || (!seenAtStart && lastHeardNanos - lastSentNanos >= 0)) {
+        if (accepted || (!seenAtStart && lastReceivedNanos - lastSentNanos >= 0)) {
             outcome = new Outcome.Succeeded();
         }
     }
@@ -227,10 +227,10 @@ public final class CommandExchange implements Exchange {
         if (since <= request.proof().patience().toNanos()) {
             return;
         }
-        if (nowNanos - lastHeardNanos >= SILENCE_NANOS) {
+        if (nowNanos - lastReceivedNanos >= SILENCE_NANOS) {
             outcome =
                     new Outcome.Unknown("The vehicle accepted it and then fell silent, before it was seen to be done.");
-        } else if (saidSince) {
+        } else if (reportedSince) {
             outcome = new Outcome.Failed(request.proof().unseen());
         } else if (since > LONGEST_UNSAID_NANOS) {
             outcome = new Outcome.Unknown("The vehicle accepted it, but has not said what it does since.");

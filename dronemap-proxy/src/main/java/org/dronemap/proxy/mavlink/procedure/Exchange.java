@@ -13,12 +13,12 @@ public interface Exchange {
     void start(long nowNanos);
 
     /** Any frame of the vehicle's autopilot. */
-    void heard(Frame frame, long nowNanos);
+    void received(Frame frame, long nowNanos);
 
     /** A whole sentence of the vehicle. */
-    default void said(Severity severity, String text, long nowNanos) {}
+    default void textReceived(Severity severity, String text, long nowNanos) {}
 
-    void tick(long nowNanos);
+    void advance(long nowNanos);
 
     /** Nobody waits for it any more: tells the vehicle to stop where it can, and sends nothing after that. */
     default void cancel(long nowNanos) {}

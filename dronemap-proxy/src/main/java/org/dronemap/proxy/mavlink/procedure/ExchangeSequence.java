@@ -38,29 +38,29 @@ public final class ExchangeSequence implements Exchange {
 
     @Override
     public void start(long nowNanos) {
-        advance(nowNanos);
+        startNext(nowNanos);
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (current != null) {
-            current.heard(frame, nowNanos);
-            advance(nowNanos);
+            current.received(frame, nowNanos);
+            startNext(nowNanos);
         }
     }
 
     @Override
-    public void said(Severity severity, String text, long nowNanos) {
+    public void textReceived(Severity severity, String text, long nowNanos) {
         if (current != null) {
-            current.said(severity, text, nowNanos);
+            current.textReceived(severity, text, nowNanos);
         }
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (current != null) {
-            current.tick(nowNanos);
-            advance(nowNanos);
+            current.advance(nowNanos);
+            startNext(nowNanos);
         }
     }
 
@@ -76,7 +76,7 @@ public final class ExchangeSequence implements Exchange {
         return outcome;
     }
 
-    private void advance(long nowNanos) {
+    private void startNext(long nowNanos) {
         while (outcome == null) {
             Outcome ended = current == null ? new Outcome.Succeeded() : current.outcome();
             if (ended == null) {

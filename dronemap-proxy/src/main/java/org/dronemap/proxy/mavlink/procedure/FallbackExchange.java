@@ -26,19 +26,19 @@ public final class FallbackExchange implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
-        current.heard(frame, nowNanos);
+    public void received(Frame frame, long nowNanos) {
+        current.received(frame, nowNanos);
         change(nowNanos);
     }
 
     @Override
-    public void said(Severity severity, String text, long nowNanos) {
-        current.said(severity, text, nowNanos);
+    public void textReceived(Severity severity, String text, long nowNanos) {
+        current.textReceived(severity, text, nowNanos);
     }
 
     @Override
-    public void tick(long nowNanos) {
-        current.tick(nowNanos);
+    public void advance(long nowNanos) {
+        current.advance(nowNanos);
         change(nowNanos);
     }
 

@@ -23,14 +23,14 @@ public final class FutureExchange implements Exchange {
     @Override
     public void start(long nowNanos) {
         startedNanos = nowNanos;
-        tick(nowNanos);
+        advance(nowNanos);
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {}
+    public void received(Frame frame, long nowNanos) {}
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome != null) {
             return;
         }

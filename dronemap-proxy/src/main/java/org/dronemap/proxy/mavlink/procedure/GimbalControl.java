@@ -46,7 +46,7 @@ public final class GimbalControl {
     }
 
     /** Any component of the vehicle said something. */
-    public void heard(Frame frame) {
+    public void received(Frame frame) {
         there |= REPORTS.contains(frame.messageId());
     }
 
@@ -64,21 +64,21 @@ public final class GimbalControl {
         points = true;
         farewells = FAREWELLS;
         pointedNanos = now;
-        say(LEVEL, (float) Math.toRadians(degrees));
+        sendPitch(LEVEL, (float) Math.toRadians(degrees));
     }
 
     /** Nobody says any more where it shall look: it is let go. */
-    public void tick(long now) {
+    public void advance(long now) {
         if (now - wantedNanos < PATIENCE_NANOS || farewells == 0 || now - pointedNanos < PAUSE_NANOS) {
             return;
         }
         points = false;
         farewells--;
         pointedNanos = now;
-        say(NEUTRAL, Float.NaN);
+        sendPitch(NEUTRAL, Float.NaN);
     }
 
-    private void say(int flags, float pitch) {
+    private void sendPitch(int flags, float pitch) {
         float yaw = Float.isNaN(pitch) ? Float.NaN : 0f;
         out.accept(
                 new GimbalManagerSetPitchyaw(

@@ -41,8 +41,8 @@ public final class HomeRead implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
-        patience.heard(nowNanos);
+    public void received(Frame frame, long nowNanos) {
+        patience.received(nowNanos);
         if (outcome == null && frame.messageId() == HomePosition.ID) {
             HomePosition home = HomePosition.decode(frame);
             if (wanted.test(home)) {
@@ -54,7 +54,7 @@ public final class HomeRead implements Exchange {
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome == null && nowNanos - lastSentNanos >= pauseNanos()) {
             outcome = patience.end(nowNanos);
             if (outcome == null) {

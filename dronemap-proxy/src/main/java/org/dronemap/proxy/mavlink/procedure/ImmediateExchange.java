@@ -20,10 +20,10 @@ public final class ImmediateExchange implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {}
+    public void received(Frame frame, long nowNanos) {}
 
     @Override
-    public void tick(long nowNanos) {}
+    public void advance(long nowNanos) {}
 
     @Override
     public @Nullable Outcome outcome() {

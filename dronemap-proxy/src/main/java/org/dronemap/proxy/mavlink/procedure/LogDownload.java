@@ -81,20 +81,20 @@ public final class LogDownload implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null) {
             return;
         }
-        patience.heard(nowNanos);
+        patience.received(nowNanos);
         if (frame.messageId() == LogData.ID) {
             LogData data = LogData.decode(frame);
             if (data.id() == log.number()) {
-                took(data, nowNanos);
+                blockReceived(data, nowNanos);
             }
         }
     }
 
-    private void took(LogData data, long nowNanos) {
+    private void blockReceived(LogData data, long nowNanos) {
         lastDataNanos = nowNanos;
         if (completed || data.ofs() % PIECE != 0 || data.ofs() > sizeBytes) {
             return;
@@ -115,7 +115,7 @@ public final class LogDownload implements Exchange {
     private void keep(int piece, byte[] bytes, long nowNanos) {
         if (bytes.length > 0 && piece < pieces && !got.get(piece) && sink.put(piece, bytes)) {
             got.set(piece);
-            patience.news(nowNanos);
+            patience.progressed(nowNanos);
             observer.progress((int) Math.min(total(), (long) got.cardinality() * PIECE), total());
         }
     }
@@ -137,7 +137,7 @@ public final class LogDownload implements Exchange {
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome != null) {
             return;
         }

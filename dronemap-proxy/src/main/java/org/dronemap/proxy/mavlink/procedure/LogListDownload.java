@@ -61,17 +61,17 @@ public final class LogListDownload implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null) {
             return;
         }
-        patience.heard(nowNanos);
+        patience.received(nowNanos);
         if (frame.messageId() == LogEntry.ID) {
-            took(LogEntry.decode(frame), nowNanos);
+            entryReceived(LogEntry.decode(frame), nowNanos);
         }
     }
 
-    private void took(LogEntry entry, long nowNanos) {
+    private void entryReceived(LogEntry entry, long nowNanos) {
         if (entry.numLogs() == 0) {
             outcome = new Outcome.Succeeded();
             return;
@@ -84,7 +84,7 @@ public final class LogListDownload implements Exchange {
         Instant at = entry.timeUtc() == 0 ? null : Instant.ofEpochSecond(entry.timeUtc());
         if (found.put(entry.id(), new VehicleLog(entry.id(), at, entry.size())) == null) {
             tries = 0;
-            patience.news(nowNanos);
+            patience.progressed(nowNanos);
             observer.progress(found.size(), entry.numLogs());
         }
         found.headMap(first).clear();
@@ -94,7 +94,7 @@ public final class LogListDownload implements Exchange {
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         long quiet =
                 Math.min(nowNanos - lastSentNanos, tries == 0 ? patience.sinceNewsNanos(nowNanos) : Long.MAX_VALUE);
         if (outcome == null && quiet >= Math.max(IDLE_NANOS, pace.pauseNanos(tries))) {

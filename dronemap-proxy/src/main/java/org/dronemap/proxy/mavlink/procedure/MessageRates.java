@@ -39,9 +39,9 @@ public final class MessageRates {
 
     private static final class Stream {
         private final long intervalMicros;
-        private long heardNanos;
+        private long receivedNanos;
         private long askedNanos;
-        private boolean everHeard;
+        private boolean everReceived;
         private int asks;
 
         Stream(long intervalMicros) {
@@ -53,7 +53,7 @@ public final class MessageRates {
                 return true;
             }
             long normal = Math.max(3 * intervalMicros * 1000, SOON_NANOS);
-            boolean silent = !everHeard || nowNanos - heardNanos > normal;
+            boolean silent = !everReceived || nowNanos - receivedNanos > normal;
             return silent && nowNanos - askedNanos > (asks < EAGER_ASKS ? SOON_NANOS : LATER_NANOS);
         }
     }
@@ -77,22 +77,22 @@ public final class MessageRates {
         streams.put(messageId, new Stream(intervalMicros));
     }
 
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         Stream stream = streams.get(frame.messageId());
         if (stream != null) {
-            stream.heardNanos = nowNanos;
-            stream.everHeard = true;
+            stream.receivedNanos = nowNanos;
+            stream.everReceived = true;
         } else if (frame.messageId() == CommandAck.ID) {
             CommandAck ack = CommandAck.decode(frame);
             boolean ours = ack.command() == SET_MESSAGE_INTERVAL && MavlinkTarget.isForUs(ack.targetSystem());
             // One message alone may be unknown too; the old way comes when nothing at all was ever heard.
             newWayUnknown |= ours
                     && ack.result() == MavResult.UNSUPPORTED
-                    && streams.values().stream().noneMatch(any -> any.everHeard);
+                    && streams.values().stream().noneMatch(any -> any.everReceived);
         }
     }
 
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (nowNanos - lastSentNanos < PACE_NANOS) {
             return;
         }
@@ -125,7 +125,7 @@ public final class MessageRates {
     }
 
     private static boolean flows(Stream stream, long nowNanos) {
-        return stream.everHeard && nowNanos - stream.heardNanos < SOON_NANOS;
+        return stream.everReceived && nowNanos - stream.receivedNanos < SOON_NANOS;
     }
 
     private void ask(int messageId, Stream stream, long nowNanos) {

@@ -29,8 +29,8 @@ public final class MissionClear implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
-        patience.heard(nowNanos);
+    public void received(Frame frame, long nowNanos) {
+        patience.received(nowNanos);
         if (outcome == null && frame.messageId() == MissionAck.ID) {
             MissionAck ack = MissionAck.decode(frame);
             if (ack.missionType() == kind.number() && MavlinkTarget.isForUs(ack.targetSystem())) {
@@ -42,7 +42,7 @@ public final class MissionClear implements Exchange {
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome == null && nowNanos - lastSentNanos >= pauseNanos()) {
             outcome = patience.end(nowNanos);
             if (outcome == null) {

@@ -45,7 +45,7 @@ public final class MissionDownload implements Exchange {
     private long firstRefusedNanos;
     private long lastSentNanos;
     private long stamp = MissionOpaqueId.NONE;
-    private boolean integersHeard;
+    private boolean integersReceived;
     private boolean floatsTaken;
     private @Nullable Outcome outcome;
 
@@ -114,25 +114,26 @@ public final class MissionDownload implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null) {
             return;
         }
-        patience.heard(nowNanos);
+        patience.received(nowNanos);
         switch (frame.messageId()) {
             case MissionCount.ID -> counted(MissionCount.decode(frame), MissionOpaqueId.of(frame), nowNanos);
             case MissionItemInt.ID -> {
-                integersHeard = true;
-                took(MissionItemInt.decode(frame), nowNanos);
+                integersReceived = true;
+                itemReceived(MissionItemInt.decode(frame), nowNanos);
             }
-            case MissionItem.ID -> floatsTaken |= took(LegacyMissionItems.exact(MissionItem.decode(frame)), nowNanos);
+            case MissionItem.ID ->
+                floatsTaken |= itemReceived(LegacyMissionItems.exact(MissionItem.decode(frame)), nowNanos);
             case MissionAck.ID -> refused(MissionAck.decode(frame), nowNanos);
             default -> {}
         }
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome != null || nowNanos - lastSentNanos < pauseNanos()) {
             return;
         }
@@ -159,7 +160,7 @@ public final class MissionDownload implements Exchange {
         int component = target.componentId();
         if (count < 0) {
             target.send(new MissionRequestList(system, component, kind.number()));
-        } else if (!integersHeard && tries >= TRIES_BEFORE_FLOATS && tries % 2 == 1) {
+        } else if (!integersReceived && tries >= TRIES_BEFORE_FLOATS && tries % 2 == 1) {
             // Old vehicles know only the request for an item with floating-point position, good to half a metre.
             target.send(new MissionRequest(system, component, next(), kind.number()));
         } else {
@@ -172,7 +173,7 @@ public final class MissionDownload implements Exchange {
 
     private void askAhead(long nowNanos) {
         Double trip = target.roundTrip().smoothedMillis();
-        if (!inAnyOrder || !integersHeard || count < 0 || trip == null || trip < SLOW_MILLIS) {
+        if (!inAnyOrder || !integersReceived || count < 0 || trip == null || trip < SLOW_MILLIS) {
             return;
         }
         int end = Math.min(Math.min(count, part.first() + part.most()), next() + MOST_AT_ONCE);
@@ -201,14 +202,14 @@ public final class MissionDownload implements Exchange {
         goOn(nowNanos);
     }
 
-    private boolean took(MissionItemInt item, long nowNanos) {
+    private boolean itemReceived(MissionItemInt item, long nowNanos) {
         if (count < 0 || item.missionType() != kind.number() || item.seq() < next()) {
             return false;
         }
         if (item.seq() > next()) {
             return ahead.keep(item);
         }
-        for (MissionItemInt each = item; each != null; each = ahead.take(next())) {
+        for (MissionItemInt each = item; each != null; each = ahead.remove(next())) {
             items.add(each);
         }
         observer.progress(items.size(), count);
@@ -217,7 +218,7 @@ public final class MissionDownload implements Exchange {
     }
 
     private void goOn(long nowNanos) {
-        patience.news(nowNanos);
+        patience.progressed(nowNanos);
         if (items.size() == part.most() || next() >= count) {
             target.send(new MissionAck(target.systemId(), target.componentId(), 0, kind.number()));
             outcome = new Outcome.Succeeded();

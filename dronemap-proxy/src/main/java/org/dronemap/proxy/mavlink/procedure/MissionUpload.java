@@ -94,11 +94,11 @@ public final class MissionUpload implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null || refusal != 0) {
             return;
         }
-        patience.heard(nowNanos);
+        patience.received(nowNanos);
         if (lastWordOpen) {
             lastWordOpen = false;
             lastWords++;
@@ -118,14 +118,14 @@ public final class MissionUpload implements Exchange {
     }
 
     @Override
-    public void said(Severity severity, String text, long nowNanos) {
+    public void textReceived(Severity severity, String text, long nowNanos) {
         if (severity.compareTo(Severity.WARNING) <= 0) {
             reason = text;
         }
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome != null) {
             return;
         }
@@ -205,7 +205,7 @@ public final class MissionUpload implements Exchange {
         }
         if (seq != asked) {
             tries = 0;
-            patience.news(nowNanos);
+            patience.progressed(nowNanos);
         }
         asked = seq;
         lastAsked = seq == span.last();

@@ -43,7 +43,7 @@ public final class ParameterChange implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null || frame.messageId() != ParamValue.ID) {
             return;
         }
@@ -65,7 +65,7 @@ public final class ParameterChange implements Exchange {
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome == null && nowNanos - lastSentNanos >= patienceNanos()) {
             if (tries == TRIES) {
                 outcome = setting

@@ -62,18 +62,18 @@ public final class ParameterDownload implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null) {
             return;
         }
-        patience.heard(nowNanos);
+        patience.received(nowNanos);
         if (frame.messageId() == ParamValue.ID) {
-            took(ParamValue.decode(frame), nowNanos);
+            valueReceived(ParamValue.decode(frame), nowNanos);
         }
     }
 
     /** Answers to a write carry no index; they are no part of the list. */
-    private void took(ParamValue message, long nowNanos) {
+    private void valueReceived(ParamValue message, long nowNanos) {
         int index = message.paramIndex();
         if (index >= message.paramCount() || message.paramId().isEmpty()) {
             return;
@@ -88,7 +88,7 @@ public final class ParameterDownload implements Exchange {
         }
         gaps.answered(index);
         if (byIndex.put(index, codec.decode(message)) == null) {
-            patience.news(nowNanos);
+            patience.progressed(nowNanos);
             observer.progress(byIndex.size(), count);
         }
         if (byIndex.size() == count) {
@@ -97,7 +97,7 @@ public final class ParameterDownload implements Exchange {
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome != null) {
             return;
         }
@@ -110,7 +110,7 @@ public final class ParameterDownload implements Exchange {
             if (gaps.isEmpty() && patience.sinceNewsNanos(nowNanos) >= Math.max(IDLE_NANOS, pace.firstNanos())) {
                 gaps.add(missing());
             }
-            gaps.tick(nowNanos, patience.isAudible(nowNanos));
+            gaps.sendDue(nowNanos, patience.isAudible(nowNanos));
         }
     }
 

@@ -23,7 +23,7 @@ public final class ParameterRead implements Exchange {
     private final MavlinkTarget target;
     private final ParameterCodec codec;
     private final List<List<String>> wanted;
-    private final Map<String, Parameter> told = new HashMap<>();
+    private final Map<String, Parameter> received = new HashMap<>();
     private int tries;
     private long lastSentNanos;
     private @Nullable Outcome outcome;
@@ -36,8 +36,8 @@ public final class ParameterRead implements Exchange {
     }
 
     /** The one that the vehicle has by one of these names. */
-    public Optional<Parameter> told(List<String> names) {
-        return names.stream().filter(told::containsKey).map(told::get).findFirst();
+    public Optional<Parameter> findAny(List<String> names) {
+        return names.stream().filter(received::containsKey).map(received::get).findFirst();
     }
 
     @Override
@@ -47,7 +47,7 @@ public final class ParameterRead implements Exchange {
 
     private void ask(long nowNanos) {
         for (List<String> names : wanted) {
-            if (told(names).isEmpty()) {
+            if (findAny(names).isEmpty()) {
                 names.forEach(
                         name -> target.send(new ParamRequestRead(target.systemId(), target.componentId(), name, -1)));
             }
@@ -57,21 +57,21 @@ public final class ParameterRead implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null || frame.messageId() != ParamValue.ID) {
             return;
         }
         Parameter parameter = codec.decode(ParamValue.decode(frame));
         if (wanted.stream().anyMatch(names -> names.contains(parameter.name()))) {
-            told.put(parameter.name(), parameter);
-            if (wanted.stream().allMatch(names -> told(names).isPresent())) {
+            received.put(parameter.name(), parameter);
+            if (wanted.stream().allMatch(names -> findAny(names).isPresent())) {
                 outcome = new Outcome.Succeeded();
             }
         }
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         long patience = target.roundTrip().patienceNanos(BETWEEN_TRIES_NANOS, LONGEST_NANOS, BETWEEN_TRIES_NANOS);
         if (outcome != null || nowNanos - lastSentNanos < patience) {
             return;
@@ -79,7 +79,7 @@ public final class ParameterRead implements Exchange {
         if (tries < TRIES) {
             ask(nowNanos);
         } else {
-            outcome = told.isEmpty()
+            outcome = received.isEmpty()
                     ? new Outcome.TimedOut("The vehicle did not tell any of its parameters.")
                     : new Outcome.Succeeded();
         }

@@ -44,7 +44,7 @@ public final class ParameterWrite implements Exchange {
     private RequestWindow<String> open;
     private int round = 1;
     private int steps;
-    private int told = -1;
+    private int reportedCount = -1;
     private long phaseNanos;
     private final TransferTimeout patience = new TransferTimeout();
     private @Nullable Outcome outcome;
@@ -77,7 +77,7 @@ public final class ParameterWrite implements Exchange {
             }
         }
         enter(Phase.LEARN, unknown, this::read, nowNanos);
-        tick(nowNanos);
+        advance(nowNanos);
     }
 
     private void enter(Phase next, List<String> names, java.util.function.Consumer<String> ask, long nowNanos) {
@@ -105,17 +105,17 @@ public final class ParameterWrite implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (outcome != null) {
             return;
         }
-        patience.heard(nowNanos);
+        patience.received(nowNanos);
         if (frame.messageId() == ParamValue.ID) {
             Parameter parameter = codec.decode(ParamValue.decode(frame));
             if (open.isAsked(parameter.name()) && counts(parameter)) {
                 open.answered(parameter.name());
                 held.put(parameter.name(), parameter);
-                patience.news(nowNanos);
+                patience.progressed(nowNanos);
                 answered(parameter);
             }
         }
@@ -136,26 +136,26 @@ public final class ParameterWrite implements Exchange {
             wrong.add(parameter.name());
         } else if (phase != Phase.LEARN) {
             steps++;
-            tell();
+            reportProgress();
         }
     }
 
-    private void tell() {
+    private void reportProgress() {
         int done = Math.min(wanted.size(), steps / 2);
-        if (done > told) {
-            told = done;
+        if (done > reportedCount) {
+            reportedCount = done;
             observer.progress(done, wanted.size());
         }
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome != null) {
             return;
         }
-        open.tick(nowNanos, patience.isAudible(nowNanos));
+        open.sendDue(nowNanos, patience.isAudible(nowNanos));
         if (open.isEmpty()) {
-            advance(nowNanos);
+            enterNextPhase(nowNanos);
         } else if (patience.isBrokenOff(nowNanos)) {
             outcome = unanswered("within 60 s");
         } else if (patience.isAudible(nowNanos)
@@ -178,7 +178,7 @@ public final class ParameterWrite implements Exchange {
         };
     }
 
-    private void advance(long nowNanos) {
+    private void enterNextPhase(long nowNanos) {
         switch (phase) {
             case LEARN -> enter(Phase.SET, List.copyOf(wanted.keySet()), this::set, nowNanos);
             case SET -> enter(Phase.SETTLE, List.of(), name -> {}, nowNanos);

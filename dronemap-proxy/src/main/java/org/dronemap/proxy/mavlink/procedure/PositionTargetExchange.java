@@ -31,10 +31,10 @@ public final class PositionTargetExchange implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {}
+    public void received(Frame frame, long nowNanos) {}
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome == null && nowNanos - lastSentNanos >= BETWEEN_NANOS) {
             if (sent == TIMES) {
                 outcome = new Outcome.Succeeded();

@@ -36,7 +36,7 @@ final class PrefetchedItems {
     }
 
     @Nullable
-    MissionItemInt take(int seq) {
+    MissionItemInt remove(int seq) {
         return early.remove(seq);
     }
 

@@ -18,7 +18,7 @@ final class RefusalTextFinder {
 
     private final List<Sentence> sentences = new ArrayList<>();
 
-    void said(Severity severity, String text, long nowNanos) {
+    void textReceived(Severity severity, String text, long nowNanos) {
         if (sentences.size() == MAX_SENTENCES) {
             sentences.remove(0);
         }

@@ -70,7 +70,7 @@ final class RequestWindow<K> {
     }
 
     /** {@code audible}: asking somebody who cannot be heard is no try. */
-    void tick(long nowNanos, boolean audible) {
+    void sendDue(long nowNanos, boolean audible) {
         for (Iterator<Map.Entry<K, Asked>> entries = asked.entrySet().iterator(); entries.hasNext(); ) {
             Map.Entry<K, Asked> entry = entries.next();
             Asked last = entry.getValue();

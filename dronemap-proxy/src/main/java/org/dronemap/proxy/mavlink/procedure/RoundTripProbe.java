@@ -30,7 +30,7 @@ public final class RoundTripProbe {
     }
 
     /** Any frame of the vehicle's autopilot. */
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (frame.messageId() != Timesync.ID || frame.payloadLength() == 0) {
             return;
         }
@@ -52,7 +52,7 @@ public final class RoundTripProbe {
         }
     }
 
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (nowNanos - lastTickNanos > STALL_NANOS) {
             // We stood still ourselves: what comes now has waited for us, not travelled.
             Arrays.fill(open, 0);

@@ -32,7 +32,7 @@ public final class SetCurrentItem implements Exchange {
     }
 
     @Override
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (frame.messageId() == MissionCurrent.ID
                 && seen.test(MissionCurrent.decode(frame).seq())) {
             outcome = new Outcome.Succeeded();
@@ -40,7 +40,7 @@ public final class SetCurrentItem implements Exchange {
     }
 
     @Override
-    public void tick(long nowNanos) {
+    public void advance(long nowNanos) {
         if (outcome == null && nowNanos - lastSentNanos >= BETWEEN_TRIES_NANOS) {
             if (tries == TRIES) {
                 outcome = CommandExchange.noAnswer(TRIES * BETWEEN_TRIES_NANOS, TRIES);

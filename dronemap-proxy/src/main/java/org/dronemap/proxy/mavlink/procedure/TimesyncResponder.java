@@ -17,7 +17,7 @@ public final class TimesyncResponder {
     }
 
     /** Any frame of a vehicle that is known. */
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         if (frame.messageId() != Timesync.ID) {
             return;
         }

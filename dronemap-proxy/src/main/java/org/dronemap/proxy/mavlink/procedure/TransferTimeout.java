@@ -14,22 +14,22 @@ final class TransferTimeout {
     static final int TRIES = 9;
     private static final long AUDIBLE_NANOS = 2_000_000_000L;
 
-    private long lastHeardNanos;
+    private long lastReceivedNanos;
     private long lastNewsNanos;
     private int tries;
 
     void begin(long nowNanos) {
-        lastHeardNanos = nowNanos;
-        news(nowNanos);
+        lastReceivedNanos = nowNanos;
+        progressed(nowNanos);
     }
 
     /** Any frame of the vehicle. */
-    void heard(long nowNanos) {
-        lastHeardNanos = nowNanos;
+    void received(long nowNanos) {
+        lastReceivedNanos = nowNanos;
     }
 
     /** The transfer has come a step forward. */
-    void news(long nowNanos) {
+    void progressed(long nowNanos) {
         lastNewsNanos = nowNanos;
         tries = 0;
     }
@@ -47,7 +47,7 @@ final class TransferTimeout {
     }
 
     boolean isAudible(long nowNanos) {
-        return nowNanos - lastHeardNanos < AUDIBLE_NANOS;
+        return nowNanos - lastReceivedNanos < AUDIBLE_NANOS;
     }
 
     long sinceNewsNanos(long nowNanos) {

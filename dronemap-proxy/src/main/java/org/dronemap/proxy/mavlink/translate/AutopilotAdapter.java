@@ -57,7 +57,7 @@ public interface AutopilotAdapter {
     FlightPhase phase(Heartbeat heartbeat);
 
     /** How a command is carried out on this autopilot. */
-    Exchange plan(Command command, CommandContext cockpit);
+    Exchange exchangeFor(Command command, CommandContext cockpit);
 
     /** What says a setpoint to this autopilot; empty when nothing does. */
     Optional<Message> steer(Setpoint setpoint, MavlinkTarget target);

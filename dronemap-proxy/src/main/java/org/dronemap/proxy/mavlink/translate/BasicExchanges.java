@@ -124,7 +124,7 @@ final class BasicExchanges {
     }
 
     /** Sets a parameter if the vehicle has it; goes on with a warning if not. */
-    static ExchangeSequence.Step wish(CommandContext cockpit, ParameterChange.Wanted wanted) {
+    static ExchangeSequence.Step setParameterStep(CommandContext cockpit, ParameterChange.Wanted wanted) {
         Predicate<Outcome> goesOn = outcome -> {
             if (!(outcome instanceof Outcome.Succeeded)) {
                 cockpit.warning()

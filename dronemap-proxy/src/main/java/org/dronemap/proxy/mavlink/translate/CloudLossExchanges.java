@@ -80,7 +80,7 @@ final class CloudLossExchanges {
     private static Outcome missing(CloudLossParameters policy, ParameterRead reading) {
         return policy.settings().stream()
                 .filter(setting ->
-                        setting.needed() && reading.told(setting.names()).isEmpty())
+                        setting.needed() && reading.findAny(setting.names()).isEmpty())
                 .findFirst()
                 .<Outcome>map(setting ->
                         new Outcome.TimedOut("The vehicle did not tell its parameter " + setting.name() + "."))
@@ -94,7 +94,7 @@ final class CloudLossExchanges {
         Map<String, Double> owners = new HashMap<>();
         Map<String, Double> ours = new HashMap<>();
         for (CloudLossParameters.Setting setting : policy.settings()) {
-            reading.told(setting.names()).ifPresent(found -> {
+            reading.findAny(setting.names()).ifPresent(found -> {
                 double owner = owners(command, found);
                 double wanted = found.type().held(setting.wanted().applyAsDouble(owner));
                 OverriddenParameter value = new OverriddenParameter(found.name(), owner, wanted, setting.bits());
@@ -116,7 +116,8 @@ final class CloudLossExchanges {
             ReturnHeightExchanges.@Nullable Setting setting,
             ParameterRead reading,
             List<OverriddenParameter> values) {
-        Parameter found = setting == null ? null : reading.told(setting.words()).orElse(null);
+        Parameter found =
+                setting == null ? null : reading.findAny(setting.words()).orElse(null);
         if (setting == null || found == null) {
             return null;
         }
@@ -139,7 +140,7 @@ final class CloudLossExchanges {
     }
 
     private static double shown(ParameterRead reading, String name) {
-        return reading.told(List.of(name)).map(Parameter::value).orElse(Double.NaN);
+        return reading.findAny(List.of(name)).map(Parameter::value).orElse(Double.NaN);
     }
 
     private static Exchange writing(CommandContext cockpit, List<ParameterValue> values, ParameterRead reading) {
@@ -149,7 +150,7 @@ final class CloudLossExchanges {
                         cockpit.target(),
                         cockpit.parameters().codec(),
                         values,
-                        name -> reading.told(List.of(name)).orElse(null),
+                        name -> reading.findAny(List.of(name)).orElse(null),
                         cockpit.observer());
     }
 
@@ -164,14 +165,14 @@ final class CloudLossExchanges {
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> untold(command, reading))),
                 ExchangeSequence.Step.of(() -> writing(cockpit, toPutBack(command, reading), reading)),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
-                    command.keeper().leftAlone(others(command, reading));
+                    command.keeper().skipped(others(command, reading));
                     return new Outcome.Succeeded();
                 }))));
     }
 
     private static Outcome untold(RestoreParameters command, ParameterRead reading) {
         return command.values().stream()
-                .filter(value -> reading.told(List.of(value.name())).isEmpty())
+                .filter(value -> reading.findAny(List.of(value.name())).isEmpty())
                 .findFirst()
                 .<Outcome>map(
                         value -> new Outcome.TimedOut("The vehicle did not tell its parameter " + value.name() + "."))

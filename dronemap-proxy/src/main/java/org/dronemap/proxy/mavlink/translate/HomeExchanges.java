@@ -34,7 +34,7 @@ final class HomeExchanges {
 
     /** A home in wire units: degrees × 1e7, metres above mean sea level. */
     private record WireHome(int latitudeE7, int longitudeE7, double altitudeMeters) {
-        boolean isSaidBy(HomePosition home) {
+        boolean matches(HomePosition home) {
             Geodetic said = TelemetryDecoder.point(home.latitude(), home.longitude());
             Geodetic meant = new Geodetic(latitudeE7 / 1e7, longitudeE7 / 1e7);
             return said != null
@@ -52,15 +52,15 @@ final class HomeExchanges {
         Geodetic point = command.point();
         Altitude altitude = command.altitude();
         if (point == null || altitude == null) {
-            return said(cockpit, null);
+            return setAndConfirm(cockpit, null);
         }
         Double before = cockpit.status().homeAltitudeAmslMeters();
         if (altitude.reference() == Altitude.Reference.AMSL) {
-            return said(cockpit, place(point, altitude.meters()));
+            return setAndConfirm(cockpit, place(point, altitude.meters()));
         }
         return before == null
                 ? BasicExchanges.refuse(OutcomeCode.HOME_UNKNOWN, NO_HOME)
-                : said(cockpit, place(point, before + altitude.meters()));
+                : setAndConfirm(cockpit, place(point, before + altitude.meters()));
     }
 
     private static WireHome place(Geodetic point, double altitudeMeters) {
@@ -72,17 +72,17 @@ final class HomeExchanges {
      * Ordered once more when the vehicle keeps saying another home: an acknowledgement names only the command, so that
      * the late one of an order before may have passed for the one of this order, which is lost.
      */
-    private static Exchange said(CommandContext cockpit, @Nullable WireHome place) {
+    private static Exchange setAndConfirm(CommandContext cockpit, @Nullable WireHome place) {
         HomeRead first = reading(cockpit, place);
         BooleanSupplier elsewhere = () -> first.outcome() instanceof Outcome.Failed;
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> order(cockpit, place)),
-                new ExchangeSequence.Step(() -> first, HomeExchanges::isSaid),
+                new ExchangeSequence.Step(() -> first, HomeExchanges::isReported),
                 ExchangeSequence.Step.when(elsewhere, () -> order(cockpit, place)),
                 ExchangeSequence.Step.when(elsewhere, () -> reading(cockpit, place))));
     }
 
-    private static boolean isSaid(Outcome outcome) {
+    private static boolean isReported(Outcome outcome) {
         return switch (outcome.kind()) {
             case SUCCEEDED, FAILED -> true;
             case REFUSED, TIMED_OUT, SUPERSEDED, UNKNOWN -> false;
@@ -92,7 +92,7 @@ final class HomeExchanges {
     private static HomeRead reading(CommandContext cockpit, @Nullable WireHome place) {
         return new HomeRead(
                 cockpit.target(),
-                home -> place == null ? isHere(cockpit.status(), home) : place.isSaidBy(home),
+                home -> place == null ? isHere(cockpit.status(), home) : place.matches(home),
                 HomeExchanges::words);
     }
 

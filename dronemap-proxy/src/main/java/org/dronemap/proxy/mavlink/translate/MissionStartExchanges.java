@@ -61,7 +61,7 @@ final class MissionStartExchanges {
         boolean goOn = onCloudLoss == MissionCloudLossPolicy.CONTINUE;
         return switch (kind) {
             case MULTICOPTER, HELICOPTER ->
-                List.of(BasicExchanges.wish(
+                List.of(BasicExchanges.setParameterStep(
                         cockpit, new ParameterChange.Wanted("FS_OPTIONS", old -> goOn ? old | 2 : old & ~2, false)));
             case FIXED_WING, VTOL, ROVER, BOAT -> {
                 if (goOn) {

@@ -20,7 +20,7 @@ public final class ParameterTable {
 
     private final ParameterCodec codec;
     private final Consumer<DroneEvent> out;
-    private final Map<String, Parameter> heard = new HashMap<>();
+    private final Map<String, Parameter> parameters = new HashMap<>();
     private boolean whole;
 
     public ParameterTable(AutopilotAdapter autopilot, Consumer<DroneEvent> out) {
@@ -35,18 +35,18 @@ public final class ParameterTable {
     /** As last heard; null when it never was. */
     @Nullable
     Parameter find(String name) {
-        return heard.get(name);
+        return parameters.get(name);
     }
 
-    public void heard(Frame frame) {
+    public void received(Frame frame) {
         if (frame.messageId() != ParamValue.ID) {
             return;
         }
         Parameter now = codec.decode(ParamValue.decode(frame));
-        if (now.name().isEmpty() || (heard.size() >= MOST && !heard.containsKey(now.name()))) {
+        if (now.name().isEmpty() || (parameters.size() >= MOST && !parameters.containsKey(now.name()))) {
             return;
         }
-        Parameter before = heard.put(now.name(), now);
+        Parameter before = parameters.put(now.name(), now);
         // Until the list is whole, single ones are no news: a part would look like all.
         if (whole && !now.equals(before)) {
             out.accept(new DroneEvent.ParameterReported(now));
@@ -56,8 +56,8 @@ public final class ParameterTable {
     /** The whole list was read. */
     void read(List<Parameter> all) {
         whole = true;
-        heard.clear();
-        all.forEach(parameter -> heard.put(parameter.name(), parameter));
+        parameters.clear();
+        all.forEach(parameter -> parameters.put(parameter.name(), parameter));
         out.accept(new DroneEvent.ParametersRead(all));
     }
 }

@@ -18,7 +18,7 @@ final class PayloadTranslator {
     private PayloadTranslator() {}
 
     /** Whoever on the vehicle says it. */
-    static Optional<DroneEvent> heard(Frame frame) {
+    static Optional<DroneEvent> translate(Frame frame) {
         return Optional.ofNullable(
                 switch (frame.messageId()) {
                     case CameraFeedback.ID -> photo(CameraFeedback.decode(frame));

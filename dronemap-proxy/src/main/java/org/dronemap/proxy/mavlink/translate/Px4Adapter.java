@@ -190,7 +190,7 @@ final class Px4Adapter implements AutopilotAdapter {
     }
 
     @Override
-    public Exchange plan(Command command, CommandContext cockpit) {
+    public Exchange exchangeFor(Command command, CommandContext cockpit) {
         return switch (command.kind()) {
             case SET_MODE -> mode(cockpit, ((Command.SetMode) command).mode());
             case TAKE_OFF -> takeOff(cockpit, (Command.TakeOff) command);
@@ -208,7 +208,7 @@ final class Px4Adapter implements AutopilotAdapter {
             case SET_CLOUD_LOSS ->
                 CloudLossExchanges.set(
                         cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
-            case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
+            case RESTORE_PARAMETERS -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
             case ARM -> BasicExchanges.arm(cockpit);
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
             case TAKE_PICTURE -> BasicExchanges.picture(cockpit);
@@ -228,7 +228,7 @@ final class Px4Adapter implements AutopilotAdapter {
 
     @Override
     public Optional<Message> steer(Setpoint setpoint, MavlinkTarget target) {
-        return new SetpointEncoder(target, kind).say(setpoint);
+        return new SetpointEncoder(target, kind).encode(setpoint);
     }
 
     private static Exchange upload(CommandContext cockpit, List<MissionItem> mission) {
@@ -310,7 +310,7 @@ final class Px4Adapter implements AutopilotAdapter {
     private static Exchange start(CommandContext cockpit, Command.StartMission start) {
         boolean goOn = start.onCloudLoss() == MissionCloudLossPolicy.CONTINUE;
         List<ExchangeSequence.Step> steps = new ArrayList<>();
-        steps.add(BasicExchanges.wish(
+        steps.add(BasicExchanges.setParameterStep(
                 cockpit,
                 new ParameterChange.Wanted(
                         "COM_DLL_EXCEPT",

@@ -76,7 +76,7 @@ final class ReturnHeightExchanges {
 
     /** A reading that has succeeded has it: it asked for nothing else. */
     private static Parameter found(ParameterRead reading, Setting setting) {
-        return reading.told(setting.words()).orElseThrow();
+        return reading.findAny(setting.words()).orElseThrow();
     }
 
     private static double wanted(SetReturnHeight command, Setting setting, Parameter before) {

@@ -40,7 +40,7 @@ final class SetpointEncoder {
         drives = kind == VehicleKind.ROVER || kind == VehicleKind.BOAT;
     }
 
-    Optional<Message> say(Setpoint setpoint) {
+    Optional<Message> encode(Setpoint setpoint) {
         return Optional.of(
                 switch (setpoint.kind()) {
                     case VELOCITY -> speeds((Setpoint.Velocity) setpoint);

@@ -22,10 +22,10 @@ final class StatustextJoiner {
         this.out = out;
     }
 
-    void heard(Frame frame, long nowNanos) {
+    void received(Frame frame, long nowNanos) {
         Statustext message = Statustext.decode(frame);
         if (message.id() == 0) {
-            say(severity(message.severity()), message.text());
+            publish(severity(message.severity()), message.text());
             return;
         }
         if (message.id() != id) {
@@ -49,7 +49,7 @@ final class StatustextJoiner {
     }
 
     /** Lets go of a sentence whose end does not come. */
-    void tick(long nowNanos) {
+    void advance(long nowNanos) {
         if (pending.length() > 0 && nowNanos - sinceNanos > PATIENCE_NANOS) {
             pending.append(" …");
             flush();
@@ -59,10 +59,10 @@ final class StatustextJoiner {
     private void flush() {
         String text = pending.toString();
         pending.setLength(0);
-        say(severity, text);
+        publish(severity, text);
     }
 
-    private void say(Severity how, String text) {
+    private void publish(Severity how, String text) {
         if (!text.isBlank()) {
             out.accept(how, text.strip());
         }

@@ -33,7 +33,7 @@ public final class TelemetryTranslator {
     private final Consumer<DroneEvent> out;
     private final TelemetryDecoder readings = new TelemetryDecoder();
     private final StatustextJoiner texts;
-    private boolean phaseTold;
+    private boolean phasePublished;
 
     public TelemetryTranslator(AutopilotAdapter autopilot, VehicleStatus status, Consumer<DroneEvent> out) {
         this.autopilot = autopilot;
@@ -43,7 +43,7 @@ public final class TelemetryTranslator {
     }
 
     /** A frame of the vehicle's autopilot. */
-    public void heard(Frame frame, long nowNanos) {
+    public void received(Frame frame, long nowNanos) {
         switch (frame.messageId()) {
             case Heartbeat.ID -> heartbeat(Heartbeat.decode(frame));
             case SysStatus.ID -> sysStatus(SysStatus.decode(frame));
@@ -60,7 +60,7 @@ public final class TelemetryTranslator {
             case VfrHud.ID ->
                 readings.motion(VfrHud.decode(frame))
                         .ifPresent(motion -> out.accept(new DroneEvent.MotionReported(motion)));
-            case Statustext.ID -> texts.heard(frame, nowNanos);
+            case Statustext.ID -> texts.received(frame, nowNanos);
             default -> rare(frame);
         }
     }
@@ -79,7 +79,7 @@ public final class TelemetryTranslator {
             case WindCov.ID -> wind(TelemetryDecoder.wind(WindCov.decode(frame)));
             case ServoOutputRaw.ID ->
                 PayloadTranslator.outputs(ServoOutputRaw.decode(frame)).ifPresent(out);
-            default -> PayloadTranslator.heard(frame).ifPresent(out);
+            default -> PayloadTranslator.translate(frame).ifPresent(out);
         }
     }
 
@@ -91,16 +91,16 @@ public final class TelemetryTranslator {
     }
 
     /** Another component of the same vehicle, such as a camera or a computer beside the autopilot. */
-    public void overheard(Frame frame, long nowNanos) {
+    public void receivedFromComponent(Frame frame, long nowNanos) {
         if (frame.messageId() == Statustext.ID) {
-            texts.heard(frame, nowNanos);
+            texts.received(frame, nowNanos);
         } else {
-            PayloadTranslator.heard(frame).ifPresent(out);
+            PayloadTranslator.translate(frame).ifPresent(out);
         }
     }
 
-    public void tick(long nowNanos) {
-        texts.tick(nowNanos);
+    public void advance(long nowNanos) {
+        texts.advance(nowNanos);
     }
 
     /** Says who the vehicle is and what it can do. */
@@ -113,7 +113,7 @@ public final class TelemetryTranslator {
         String mode = autopilot.modeName(heartbeat);
         status.heartbeat(heartbeat, mode);
         out.accept(new DroneEvent.ModeReported(mode, status.armed()));
-        if (!phaseTold) {
+        if (!phasePublished) {
             phase(autopilot.phase(heartbeat));
         }
     }
@@ -127,7 +127,7 @@ public final class TelemetryTranslator {
             default -> null;
         };
         if (phase != null) {
-            phaseTold = true;
+            phasePublished = true;
         }
         phase(phase);
     }

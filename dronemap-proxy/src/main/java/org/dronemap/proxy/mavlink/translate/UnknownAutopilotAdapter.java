@@ -72,7 +72,7 @@ final class UnknownAutopilotAdapter implements AutopilotAdapter {
     }
 
     @Override
-    public Exchange plan(Command command, CommandContext cockpit) {
+    public Exchange exchangeFor(Command command, CommandContext cockpit) {
         return new ImmediateExchange(() -> new Outcome.Refused(
                 "gate",
                 new Refusal(

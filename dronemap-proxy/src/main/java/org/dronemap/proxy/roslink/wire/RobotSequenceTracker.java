@@ -58,7 +58,7 @@ public final class RobotSequenceTracker {
             return false;
         }
 
-        void take(long number) {
+        void count(long number) {
             long ahead = number - newest;
             if (!begun || Math.abs(ahead) >= NEAR) {
                 begun = true;
@@ -98,9 +98,9 @@ public final class RobotSequenceTracker {
             inOneRow = fitsAll ? Math.min(inOneRow + 1, SURE) : Math.max(0, inOneRow - 1);
             inRowsOfTheirOwn = fitsOwn ? Math.min(inRowsOfTheirOwn + 1, SURE) : Math.max(0, inRowsOfTheirOwn - 1);
         }
-        all.take(number);
+        all.count(number);
         if (own != null) {
-            own.take(number);
+            own.count(number);
         }
         received++;
         return true;

@@ -104,7 +104,7 @@ class CommandExchangeTest {
         exchange.start(wire.now());
         for (int i = 0; i < 7; i++) {
             wire.run(exchange, 1);
-            exchange.heard(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
+            exchange.received(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
         }
 
         assertThat(exchange.outcome()).isEqualTo(new Outcome.Failed("It did not arm."));
@@ -120,11 +120,11 @@ class CommandExchangeTest {
         exchange.start(wire.now());
         wire.run(exchange, 0.5);
         for (int second = 1; second <= seconds && exchange.outcome() == null; second++) {
-            exchange.heard(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
+            exchange.received(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
             wire.run(exchange, 1);
         }
         armed.set(done);
-        exchange.heard(wire.frame(new Heartbeat(2, 3, 0, 0, 4, 3)), wire.now());
+        exchange.received(wire.frame(new Heartbeat(2, 3, 0, 0, 4, 3)), wire.now());
         return wire.run(exchange, 0.5);
     }
 
@@ -150,7 +150,7 @@ class CommandExchangeTest {
         CommandExchange exchange = exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
         exchange.start(wire.now());
         wire.run(exchange, 0.5);
-        exchange.said(Severity.CRITICAL, "PreArm: GPS not ready", wire.now());
+        exchange.textReceived(Severity.CRITICAL, "PreArm: GPS not ready", wire.now());
 
         assertThat(wire.run(exchange, 1))
                 .isEqualTo(new Outcome.Refused("vehicle", "PreArm: GPS not ready", OutcomeCode.VEHICLE_FAILED));
@@ -160,10 +160,10 @@ class CommandExchangeTest {
     void tellsTheSentenceThatCameJustBeforeARefusalButNoOlderOne() {
         CommandExchange exchange = exchange(MavCommandRequest.CompletionCheck.ACKNOWLEDGED);
         exchange.start(wire.now());
-        exchange.said(Severity.CRITICAL, "an old story", wire.now());
+        exchange.textReceived(Severity.CRITICAL, "an old story", wire.now());
         wire.run(exchange, 0.7);
-        exchange.said(Severity.CRITICAL, "Arm: compass not healthy", wire.now());
-        exchange.heard(wire.frame(ack(4)), wire.now());
+        exchange.textReceived(Severity.CRITICAL, "Arm: compass not healthy", wire.now());
+        exchange.received(wire.frame(ack(4)), wire.now());
 
         assertThat(wire.run(exchange, 2))
                 .isEqualTo(new Outcome.Refused("vehicle", "Arm: compass not healthy", OutcomeCode.VEHICLE_FAILED));
@@ -185,9 +185,9 @@ class CommandExchangeTest {
         exchange.start(wire.now());
         for (int second = 0; second < 60; second++) {
             wire.run(exchange, 1);
-            exchange.heard(wire.frame(ack(5)), wire.now());
+            exchange.received(wire.frame(ack(5)), wire.now());
         }
-        exchange.heard(wire.frame(ack(0)), wire.now());
+        exchange.received(wire.frame(ack(0)), wire.now());
 
         assertThat(wire.run(exchange, 1)).isEqualTo(DONE);
         assertThat(wire.sent()).hasSize(1);
@@ -299,7 +299,7 @@ class CommandExchangeTest {
         takeOff.start(wire.now());
         for (int i = 0; i < 8; i++) {
             wire.run(takeOff, 0.25);
-            takeOff.heard(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
+            takeOff.received(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
         }
         assertThat(wire.sent()).hasSize(2);
         climbing.set(true);

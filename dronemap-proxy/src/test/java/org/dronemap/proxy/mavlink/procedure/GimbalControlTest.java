@@ -35,7 +35,7 @@ class GimbalControlTest {
     private void heard(Message message) {
         List<Frame> frames = new ArrayList<>();
         new FrameReader().read(ByteBuffer.wrap(new FrameWriter(7, 1, 2).frame(message)), frames::add);
-        frames.forEach(gimbal::heard);
+        frames.forEach(gimbal::received);
     }
 
     private void hasOne() {
@@ -51,7 +51,7 @@ class GimbalControlTest {
     void saysNothingToVehiclesWithoutOne() {
         heard(new Heartbeat(0, 2, 3, 0, 4, 3));
         gimbal.steered(MANDATE, track(-30.0), 0);
-        gimbal.tick(60_000 * MILLI);
+        gimbal.advance(60_000 * MILLI);
         assertThat(told).isEmpty();
     }
 
@@ -60,7 +60,7 @@ class GimbalControlTest {
         hasOne();
         for (long milli = 0; milli < 10_000; milli += 100) {
             gimbal.steered(MANDATE, track(-45.0), milli * MILLI);
-            gimbal.tick(milli * MILLI);
+            gimbal.advance(milli * MILLI);
         }
         assertThat(told).hasSize(20);
         gimbal.steered(MANDATE, track(-90.0), 10_000 * MILLI);
@@ -76,10 +76,10 @@ class GimbalControlTest {
         hasOne();
         gimbal.steered(MANDATE, track(-45.0), 0);
         gimbal.steered(MANDATE, track(null), 2_000 * MILLI);
-        gimbal.tick(2_900 * MILLI);
+        gimbal.advance(2_900 * MILLI);
         assertThat(told).hasSize(1);
         for (long milli = 3_000; milli < 20_000; milli += 100) {
-            gimbal.tick(milli * MILLI);
+            gimbal.advance(milli * MILLI);
         }
         assertThat(told.subList(1, told.size()))
                 .hasSize(3)

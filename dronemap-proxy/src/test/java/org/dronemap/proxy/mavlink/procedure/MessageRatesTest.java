@@ -29,10 +29,10 @@ class MessageRatesTest {
         for (int tick = 0; now < end; tick++, now += 20_000_000L) {
             if (tick % 12 == 0) {
                 for (Message message : flowing) {
-                    rates.heard(wire.frame(message), now);
+                    rates.received(wire.frame(message), now);
                 }
             }
-            rates.tick(now);
+            rates.advance(now);
         }
     }
 
@@ -71,7 +71,7 @@ class MessageRatesTest {
     @Test
     void asksInTheOldWayWhereTheNewOneIsNotKnown() {
         run(1);
-        rates.heard(wire.frame(new CommandAck(SET_MESSAGE_INTERVAL, UNSUPPORTED, 0, 0, 255, 190)), now);
+        rates.received(wire.frame(new CommandAck(SET_MESSAGE_INTERVAL, UNSUPPORTED, 0, 0, 255, 190)), now);
         run(1);
 
         assertThat(wire.sent(RequestDataStream.class)).hasSize(5).allMatch(stream -> stream.startStop() == 1);

@@ -15,7 +15,7 @@ class RoundTripProbeTest {
 
     private void run(long nanos) {
         for (long end = now + nanos; now < end; now += TestWire.TICK_NANOS) {
-            probe.tick(now);
+            probe.advance(now);
         }
     }
 
@@ -25,12 +25,12 @@ class RoundTripProbeTest {
     }
 
     private void hear(Timesync answer) {
-        probe.heard(wire.frame(answer), now);
+        probe.received(wire.frame(answer), now);
     }
 
     @Test
     void measuresWhatAnAnswerTook() {
-        probe.tick(now);
+        probe.advance(now);
         now += 35_000_000L;
         hear(new Timesync(5, lastQuestion().ts1(), 255, 190));
 
@@ -39,7 +39,7 @@ class RoundTripProbeTest {
 
     @Test
     void countsNoAnswerTwiceAndNoneToSomebodyElse() {
-        probe.tick(now);
+        probe.advance(now);
         long asked = lastQuestion().ts1();
         hear(new Timesync(5, asked, 254, 1));
         hear(new Timesync(5, asked + 1, 255, 190));
@@ -61,10 +61,10 @@ class RoundTripProbeTest {
 
     @Test
     void takesItsOwnStallForNoRoundTrip() {
-        probe.tick(now);
+        probe.advance(now);
         long asked = lastQuestion().ts1();
         now += 10 * SECOND;
-        probe.tick(now);
+        probe.advance(now);
         hear(new Timesync(5, asked, 255, 190));
 
         assertThat(probe.roundTrip().smoothedMillis()).isNull();

@@ -161,8 +161,8 @@ public final class TestWire {
             letDelayedArrive();
             List<Message> now = List.copyOf(arriving);
             arriving.clear();
-            now.forEach(message -> exchange.heard(frame(message), nowNanos));
-            exchange.tick(nowNanos);
+            now.forEach(message -> exchange.received(frame(message), nowNanos));
+            exchange.advance(nowNanos);
         }
         return exchange.outcome();
     }

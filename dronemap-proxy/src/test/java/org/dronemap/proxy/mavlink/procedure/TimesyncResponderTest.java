@@ -13,7 +13,7 @@ class TimesyncResponderTest {
     private long now = 1_000 * SECOND;
 
     private void hear(Timesync message) {
-        answers.heard(wire.frame(message), now);
+        answers.received(wire.frame(message), now);
     }
 
     @Test

@@ -56,7 +56,7 @@ final class AutopilotTestBench {
 
     @Nullable
     Outcome perform(Command command, double seconds) {
-        Exchange exchange = autopilot.plan(command, cockpit);
+        Exchange exchange = autopilot.exchangeFor(command, cockpit);
         exchange.start(wire.now());
         return wire.run(exchange, seconds);
     }

@@ -67,7 +67,7 @@ abstract class CloudLossTestBench {
         }
 
         @Override
-        public void leftAlone(List<ParameterValue> shown) {
+        public void skipped(List<ParameterValue> shown) {
             left.addAll(shown);
         }
 

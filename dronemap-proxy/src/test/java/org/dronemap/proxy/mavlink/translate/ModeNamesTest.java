@@ -69,7 +69,7 @@ class ModeNamesTest {
         ParameterTable parameters = new ParameterTable(autopilot, event -> {});
         CommandContext cockpit = new CommandContext(
                 status, parameters, wire.target(), ExchangeObserver.NONE, event -> {}, items -> {}, warning -> {});
-        Exchange exchange = autopilot.plan(new Command.SetMode(known.name()), cockpit);
+        Exchange exchange = autopilot.exchangeFor(new Command.SetMode(known.name()), cockpit);
         assertThat(wire.runWhole(exchange)).isEqualTo(new Outcome.Succeeded());
     }
 

@@ -23,13 +23,13 @@ class SetpointEncoderTest {
 
     @Test
     void speedsAreLocalTargetsOfWhichNothingElseCounts() {
-        assertThat(copter.say(new Setpoint.Velocity(Frame.EARTH, 3, -2, 1, Facing.ANY)))
+        assertThat(copter.encode(new Setpoint.Velocity(Frame.EARTH, 3, -2, 1, Facing.ANY)))
                 .contains(new SetPositionTargetLocalNed(0, 7, 1, 1, 0xDC7, 0, 0, 0, 3, -2, 1, 0, 0, 0, 0, 0));
     }
 
     @Test
     void speedsOfItsOwnAreCountedFromItsNoseWithATurn() {
-        assertThat(copter.say(new Setpoint.Velocity(Frame.VEHICLE, 3, 0, 0, new Facing.Turning(90))))
+        assertThat(copter.encode(new Setpoint.Velocity(Frame.VEHICLE, 3, 0, 0, new Facing.Turning(90))))
                 .contains(new SetPositionTargetLocalNed(
                         0, 7, 1, 8, 0x5C7, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, (float) (Math.PI / 2)));
     }
@@ -37,11 +37,11 @@ class SetpointEncoderTest {
     @Test
     void aPlaceThatMovesIsAGlobalTargetWithItsSpeedAndHeading() {
         Setpoint.Velocity moving = new Setpoint.Velocity(Frame.EARTH, 1.5, 0.5, 0, Facing.ANY);
-        assertThat(copter.say(new Setpoint.Track(
+        assertThat(copter.encode(new Setpoint.Track(
                         new Geodetic(47.3977, 8.5456), Altitude.aboveHome(20), moving, new Facing.Heading(180))))
                 .contains(new SetPositionTargetGlobalInt(
                         0, 7, 1, 6, 0x9C0, 473977000, 85456000, 20, 1.5f, 0.5f, 0, 0, 0, 0, (float) Math.PI, 0));
-        assertThat(copter.say(new Setpoint.Track(
+        assertThat(copter.encode(new Setpoint.Track(
                         new Geodetic(47.3977, 8.5456), new Altitude(430, Altitude.Reference.AMSL), null, Facing.ANY)))
                 .contains(new SetPositionTargetGlobalInt(
                         0, 7, 1, 5, 0xDF8, 473977000, 85456000, 430, 0, 0, 0, 0, 0, 0, 0, 0));
@@ -49,15 +49,15 @@ class SetpointEncoderTest {
 
     @Test
     void sticksAreManualControlWithTheThrottlesMiddleAtHalf() {
-        assertThat(copter.say(new Setpoint.Sticks(0.5, -1, 0, 0.25)))
+        assertThat(copter.encode(new Setpoint.Sticks(0.5, -1, 0, 0.25)))
                 .contains(new ManualControl(7, 500, -1000, 500, 250, 0, 0, 0, 0, 0));
-        assertThat(copter.say(new Setpoint.Sticks(0, 0, -1, 0)))
+        assertThat(copter.encode(new Setpoint.Sticks(0, 0, -1, 0)))
                 .contains(new ManualControl(7, 0, 0, 0, 0, 0, 0, 0, 0, 0));
     }
 
     @Test
     void aRoverTakesItsThrottleFromZAndItsSteeringFromY() {
-        assertThat(rover.say(new Setpoint.Sticks(0.5, 0, 0, -1)))
+        assertThat(rover.encode(new Setpoint.Sticks(0.5, 0, 0, -1)))
                 .contains(new ManualControl(7, 0, -1000, 500, 0, 0, 0, 0, 0, 0));
     }
 

@@ -43,7 +43,7 @@ final class CopterCommands {
         this.out = out;
     }
 
-    CommandResult obey(MavCommand order) {
+    CommandResult execute(MavCommand order) {
         return switch (order.command()) {
             case MavCmd.ARM_DISARM -> armOrDisarm(order);
             case MavCmd.SET_MODE -> copter.setMode((int) order.param1(), (long) order.param2());
@@ -162,7 +162,7 @@ final class CopterCommands {
         if (pause ? flight.pause() : flight.resume()) {
             return CommandResult.ACCEPTED;
         }
-        copter.say(TextSeverity.INFO, pause ? "Failed to pause" : "Failed to resume");
+        copter.sendText(TextSeverity.INFO, pause ? "Failed to pause" : "Failed to resume");
         return CommandResult.FAILED;
     }
 
@@ -199,7 +199,7 @@ final class CopterCommands {
         if (craft.armed()) {
             return CommandResult.TEMPORARILY_REJECTED;
         }
-        copter.tellComplaintsNow();
+        copter.reportComplaintsNow();
         return CommandResult.ACCEPTED;
     }
 

@@ -13,12 +13,12 @@ final class CopterFailsafes {
     private final SimulatedArduCopter copter;
     private final SimulatedCraft craft;
     private final BatteryFailsafe battery;
-    private long groundStationHeardAt = -1;
+    private long lastHeartbeatAt = -1;
     private boolean groundStationLost;
     private boolean positionLost;
     private boolean hadPosition;
     private long motorFailedAt = -1;
-    private boolean thrustLossTold;
+    private boolean thrustLossReported;
 
     CopterFailsafes(SimulatedArduCopter copter, BatteryFailsafe battery) {
         this.copter = copter;
@@ -30,8 +30,8 @@ final class CopterFailsafes {
         return battery.tripped() || groundStationLost || positionLost;
     }
 
-    void groundStationHeard(long nowMillis) {
-        groundStationHeardAt = nowMillis;
+    void heartbeatReceived(long nowMillis) {
+        lastHeartbeatAt = nowMillis;
     }
 
     void check(long nowMillis) {
@@ -51,11 +51,11 @@ final class CopterFailsafes {
         if (trip == null) {
             return;
         }
-        copter.say(TextSeverity.WARNING, trip.text());
+        copter.sendText(TextSeverity.WARNING, trip.text());
         if (!craft.armed()) {
             return;
         }
-        copter.say(TextSeverity.WARNING, "Battery Failsafe");
+        copter.sendText(TextSeverity.WARNING, "Battery Failsafe");
         act(trip.action());
     }
 
@@ -75,18 +75,18 @@ final class CopterFailsafes {
 
     private void checkGroundStation(long nowMillis) {
         int action = (int) copter.parameters().value("FS_GCS_ENABLE");
-        if (action == 0 || groundStationHeardAt < 0) {
+        if (action == 0 || lastHeartbeatAt < 0) {
             groundStationLost = false;
             return;
         }
         long timeout = (long) (copter.parameters().value("FS_GCS_TIMEOUT") * 1000);
-        boolean lost = nowMillis - groundStationHeardAt >= timeout;
+        boolean lost = nowMillis - lastHeartbeatAt >= timeout;
         if (lost && !groundStationLost) {
             groundStationLost = true;
             groundStationFailed(action);
         } else if (!lost && groundStationLost) {
             groundStationLost = false;
-            copter.say(TextSeverity.WARNING, "GCS Failsafe Cleared");
+            copter.sendText(TextSeverity.WARNING, "GCS Failsafe Cleared");
         }
     }
 
@@ -97,13 +97,13 @@ final class CopterFailsafes {
         int options = (int) copter.parameters().value("FS_OPTIONS");
         CopterMode mode = copter.flight().mode();
         if (mode == CopterMode.AUTO && (options & CONTINUE_AUTO_WITHOUT_GCS) != 0) {
-            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Auto Mode");
+            copter.sendText(TextSeverity.WARNING, "GCS Failsafe - Continuing Auto Mode");
         } else if (mode == CopterMode.LAND && (options & CONTINUE_LANDING) != 0) {
-            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Landing");
+            copter.sendText(TextSeverity.WARNING, "GCS Failsafe - Continuing Landing");
         } else if (mode.followsStick() && (options & CONTINUE_PILOTED_WITHOUT_GCS) != 0) {
-            copter.say(TextSeverity.WARNING, "GCS Failsafe - Continuing Pilot Control");
+            copter.sendText(TextSeverity.WARNING, "GCS Failsafe - Continuing Pilot Control");
         } else {
-            copter.say(TextSeverity.WARNING, "GCS Failsafe");
+            copter.sendText(TextSeverity.WARNING, "GCS Failsafe");
             act(action == 5 ? 1 : 2);
         }
     }
@@ -114,28 +114,28 @@ final class CopterFailsafes {
         if (hadPosition && !has && !positionLost) {
             positionLost = true;
             if (craft.armed() && copter.flight().mode().needsPosition) {
-                copter.say(TextSeverity.CRITICAL, "EKF variance");
+                copter.sendText(TextSeverity.CRITICAL, "EKF variance");
                 copter.change(CopterMode.LAND);
-                copter.say(TextSeverity.CRITICAL, "EKF Failsafe: changed to LAND Mode");
+                copter.sendText(TextSeverity.CRITICAL, "EKF Failsafe: changed to LAND Mode");
             }
         } else if (has && positionLost) {
             positionLost = false;
-            copter.say(TextSeverity.CRITICAL, "EKF Failsafe Cleared");
+            copter.sendText(TextSeverity.CRITICAL, "EKF Failsafe Cleared");
         }
     }
 
     private void checkMotors(long nowMillis) {
         if (!craft.motorFailed() || !craft.armed()) {
             motorFailedAt = -1;
-            thrustLossTold = false;
+            thrustLossReported = false;
             return;
         }
         if (motorFailedAt < 0) {
             motorFailedAt = nowMillis;
         }
-        if (!thrustLossTold && nowMillis - motorFailedAt >= THRUST_LOSS_MILLIS) {
-            thrustLossTold = true;
-            copter.say(TextSeverity.EMERGENCY, "Potential Thrust Loss (1)");
+        if (!thrustLossReported && nowMillis - motorFailedAt >= THRUST_LOSS_MILLIS) {
+            thrustLossReported = true;
+            copter.sendText(TextSeverity.EMERGENCY, "Potential Thrust Loss (1)");
         }
     }
 }

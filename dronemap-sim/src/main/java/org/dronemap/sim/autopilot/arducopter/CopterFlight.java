@@ -41,7 +41,7 @@ final class CopterFlight {
     private boolean autoStarted;
     private int stick = STICK_MID;
     private final ManualControlInput joystick;
-    private boolean byHand;
+    private boolean manualSetpoint;
 
     CopterFlight(SimulatedCraft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
         this.craft = craft;
@@ -64,8 +64,8 @@ final class CopterFlight {
         if (mode == CopterMode.AUTO && craft.landed() && !autoStarted) {
             return new MotionSetpoint.Still();
         }
-        if (isFlownByHand(nowMillis)) {
-            return byHand(nowMillis);
+        if (isFlownManually(nowMillis)) {
+            return manualSetpoint(nowMillis);
         }
         if (!isHeldDown()) {
             return manoeuvre.fly(craft, nowMillis);
@@ -78,17 +78,17 @@ final class CopterFlight {
         return craft.landed() ? manoeuvre.fly(craft, nowMillis) : sink();
     }
 
-    private boolean isFlownByHand(long nowMillis) {
+    private boolean isFlownManually(long nowMillis) {
         boolean held = mode.followsStick() && !craft.landed() && joystick.isHeld(nowMillis);
-        if (byHand && !held && mode.followsStick()) {
+        if (manualSetpoint && !held && mode.followsStick()) {
             // It stays where the hands left it.
             manoeuvre = new Hover(craft, cruise);
         }
-        byHand = held;
+        manualSetpoint = held;
         return held;
     }
 
-    private MotionSetpoint byHand(long nowMillis) {
+    private MotionSetpoint manualSetpoint(long nowMillis) {
         VelocityManoeuvre.Wanted wanted = joystick.wanted(nowMillis);
         return new VelocityManoeuvre(wanted == null ? STANDING : wanted, cruise).fly(craft, nowMillis);
     }
@@ -128,11 +128,11 @@ final class CopterFlight {
             return new Grounded();
         }
         completed = false;
-        mission = new MissionFlight(plan, cruise, returnHeight(), Math.max(1, resumeItem), this::hear);
+        mission = new MissionFlight(plan, cruise, returnHeight(), Math.max(1, resumeItem), this::handle);
         return mission;
     }
 
-    private void hear(FlightEvent event) {
+    private void handle(FlightEvent event) {
         if (event instanceof FlightEvent.MissionEnded) {
             completed = true;
         }

@@ -13,25 +13,25 @@ final class ManualControlInput {
     private static final double DEAD_ZONE = 0.05;
 
     private final Parameters parameters;
-    private @Nullable ManualControl said;
-    private long saidAt;
+    private @Nullable ManualControl latest;
+    private long receivedAt;
 
     ManualControlInput(Parameters parameters) {
         this.parameters = parameters;
     }
 
-    void say(ManualControl sticks, long nowMillis) {
-        said = sticks;
-        saidAt = nowMillis;
+    void set(ManualControl sticks, long nowMillis) {
+        latest = sticks;
+        receivedAt = nowMillis;
     }
 
     boolean isHeld(long nowMillis) {
-        return said != null && nowMillis - saidAt < FRESH_MILLIS;
+        return latest != null && nowMillis - receivedAt < FRESH_MILLIS;
     }
 
     /** Speeds that LOITER makes of the sticks; null when nobody holds them. */
     VelocityManoeuvre.@Nullable Wanted wanted(long nowMillis) {
-        ManualControl sticks = said;
+        ManualControl sticks = latest;
         if (sticks == null || !isHeld(nowMillis)) {
             return null;
         }

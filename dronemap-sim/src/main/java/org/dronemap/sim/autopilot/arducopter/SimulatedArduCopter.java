@@ -42,8 +42,8 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     private long now;
     private long idleSince;
     private long landedSince;
-    private long toldComplaintsAt;
-    private boolean originTold;
+    private long complaintsReportedAt;
+    private boolean originReported;
 
     /** {@code modeAnnouncer} is called when the mode has changed: the heartbeat does not wait for its second */
     public SimulatedArduCopter(
@@ -69,15 +69,15 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
         craft.step(flight.fly(nowMillis), nowMillis, seconds);
         failsafes.check(nowMillis);
         payload.step(parameters.value("MNT1_TYPE") > 0, seconds);
-        tellOrigin();
+        reportOrigin();
         disarmWhenIdle();
-        tellComplaints();
+        reportComplaints();
     }
 
     /** Home is told once the origin stands, long before it would arm. */
-    private void tellOrigin() {
-        if (!originTold && craft.navigation().hasOrigin()) {
-            originTold = true;
+    private void reportOrigin() {
+        if (!originReported && craft.navigation().hasOrigin()) {
+            originReported = true;
             orders.sendHome();
         }
     }
@@ -101,16 +101,16 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
         }
     }
 
-    private void tellComplaints() {
-        if (craft.armed() || now - toldComplaintsAt < PREARM_TEXT_MILLIS) {
+    private void reportComplaints() {
+        if (craft.armed() || now - complaintsReportedAt < PREARM_TEXT_MILLIS) {
             return;
         }
-        tellComplaintsNow();
+        reportComplaintsNow();
     }
 
-    void tellComplaintsNow() {
-        toldComplaintsAt = now;
-        checks.complaints(flight.mode()).forEach(text -> say(TextSeverity.CRITICAL, "PreArm: " + text));
+    void reportComplaintsNow() {
+        complaintsReportedAt = now;
+        checks.complaints(flight.mode()).forEach(text -> sendText(TextSeverity.CRITICAL, "PreArm: " + text));
     }
 
     CommandResult arm(boolean force) {
@@ -119,9 +119,9 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
         }
         if (!force) {
             List<String> complaints = checks.complaints(flight.mode());
-            complaints.forEach(text -> say(TextSeverity.CRITICAL, "Arm: " + text));
+            complaints.forEach(text -> sendText(TextSeverity.CRITICAL, "Arm: " + text));
             if (complaints.isEmpty() && !flight.mode().armable) {
-                say(TextSeverity.CRITICAL, "Arm: " + flight.mode() + " mode not armable");
+                sendText(TextSeverity.CRITICAL, "Arm: " + flight.mode() + " mode not armable");
                 return CommandResult.FAILED;
             }
             if (!complaints.isEmpty()) {
@@ -133,13 +133,13 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
             orders.sendHome();
         }
         if (parameters.value("ARMING_CHECK") == 0) {
-            say(TextSeverity.WARNING, "Warning: Arming Checks Disabled");
+            sendText(TextSeverity.WARNING, "Warning: Arming Checks Disabled");
         }
         craft.setArmed(true);
         flight.armed();
         idleSince = now;
         landedSince = now;
-        say(TextSeverity.INFO, "Arming motors");
+        sendText(TextSeverity.INFO, "Arming motors");
         return CommandResult.ACCEPTED;
     }
 
@@ -156,7 +156,7 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     private void disarmNow() {
         craft.setArmed(false);
         flight.disarmed();
-        say(TextSeverity.INFO, "Disarming motors");
+        sendText(TextSeverity.INFO, "Disarming motors");
     }
 
     /** Changes the mode, or says why not. */
@@ -172,7 +172,7 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
                 return refuse(mode, "init failed");
             }
             if (craft.landed() && !flight.startsWithTakeOff()) {
-                say(TextSeverity.CRITICAL, "Auto: Missing Takeoff Cmd");
+                sendText(TextSeverity.CRITICAL, "Auto: Missing Takeoff Cmd");
                 return refuse(mode, "init failed");
             }
         }
@@ -182,11 +182,11 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     }
 
     private boolean refuse(CopterMode mode, String why) {
-        say(TextSeverity.WARNING, "Mode change to " + mode + " failed: " + why);
+        sendText(TextSeverity.WARNING, "Mode change to " + mode + " failed: " + why);
         return false;
     }
 
-    void say(TextSeverity severity, String text) {
+    void sendText(TextSeverity severity, String text) {
         events.accept(new FlightEvent.Text(severity, text));
     }
 
@@ -195,8 +195,8 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     }
 
     @Override
-    public CommandResult obey(MavCommand order) {
-        return orders.obey(order);
+    public CommandResult execute(MavCommand order) {
+        return orders.execute(order);
     }
 
     @Override
@@ -206,7 +206,7 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
         }
         CopterMode mode = CopterMode.of(customMode);
         if (mode == null) {
-            say(TextSeverity.WARNING, "No such mode " + customMode);
+            sendText(TextSeverity.WARNING, "No such mode " + customMode);
             return CommandResult.FAILED;
         }
         return CommandResult.acceptedIf(change(mode));
@@ -230,7 +230,7 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     @Override
     public void manual(ManualControl sticks, int fromSystem) {
         if (fromSystem == (int) parameters.value("SYSID_MYGCS")) {
-            flight.joystick().say(sticks, now);
+            flight.joystick().set(sticks, now);
         }
     }
 
@@ -240,9 +240,9 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     }
 
     @Override
-    public void groundStationHeard(int systemId) {
+    public void heartbeatReceived(int systemId) {
         if (systemId == (int) parameters.value("SYSID_MYGCS")) {
-            failsafes.groundStationHeard(now);
+            failsafes.heartbeatReceived(now);
         }
     }
 
@@ -301,7 +301,7 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     }
 
     @Override
-    public boolean takesKeysWhenArmed() {
+    public boolean acceptsKeysWhenArmed() {
         return false;
     }
 
@@ -331,7 +331,7 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
 
     @Override
     public CommandResult refuseInterval(int messageId) {
-        say(TextSeverity.INFO, "No ap_message for mavlink id (" + messageId + ")");
+        sendText(TextSeverity.INFO, "No ap_message for mavlink id (" + messageId + ")");
         return CommandResult.DENIED;
     }
 

@@ -25,7 +25,7 @@ final class Px4Commands {
         this.out = out;
     }
 
-    CommandResult obey(MavCommand order) {
+    CommandResult execute(MavCommand order) {
         return switch (order.command()) {
             case MavCmd.ARM_DISARM -> armOrDisarm(order);
             case MavCmd.SET_MODE -> px4.setMode((int) order.param1(), (int) order.param2(), (int) order.param3());
@@ -55,7 +55,7 @@ final class Px4Commands {
     private CommandResult takeOff(MavCommand order) {
         double above = order.altitude() - craft.home().altitudeAmsl();
         if (!Double.isNaN(above) && above <= craft.aboveHome()) {
-            px4.say(TextSeverity.CRITICAL, "Already higher than takeoff altitude");
+            px4.sendText(TextSeverity.CRITICAL, "Already higher than takeoff altitude");
             return CommandResult.DENIED;
         }
         flight.setTakeOffHeight(above);
@@ -101,7 +101,7 @@ final class Px4Commands {
 
     private CommandResult startMission(MavCommand order) {
         if (px4.plan().size() == 0) {
-            px4.say(TextSeverity.CRITICAL, "Mission start denied! No valid mission");
+            px4.sendText(TextSeverity.CRITICAL, "Mission start denied! No valid mission");
             return CommandResult.DENIED;
         }
         if (order.param1() > 0) {

@@ -11,7 +11,7 @@ final class Px4Failsafes {
 
     private final SimulatedPx4 px4;
     private final SimulatedCraft craft;
-    private long groundStationHeardAt = -1;
+    private long lastHeartbeatAt = -1;
     private boolean linkLost;
     private boolean acted;
     private boolean positionLost;
@@ -27,8 +27,8 @@ final class Px4Failsafes {
         return linkLost || positionLost || batteryLevel > 1;
     }
 
-    void groundStationHeard(long nowMillis) {
-        groundStationHeardAt = nowMillis;
+    void heartbeatReceived(long nowMillis) {
+        lastHeartbeatAt = nowMillis;
     }
 
     void check(long nowMillis) {
@@ -40,14 +40,14 @@ final class Px4Failsafes {
     private void checkLink(long nowMillis) {
         int action = (int) px4.parameters().value("NAV_DLL_ACT");
         long timeout = (long) (px4.parameters().value("COM_DL_LOSS_T") * 1000);
-        boolean lost = groundStationHeardAt >= 0 && nowMillis - groundStationHeardAt >= timeout;
+        boolean lost = lastHeartbeatAt >= 0 && nowMillis - lastHeartbeatAt >= timeout;
         boolean acts = lost && action > 0 && craft.armed() && !craft.landed() && !goesOn();
         if (acts && !acted) {
             acted = true;
-            px4.say(TextSeverity.WARNING, "Failsafe activated: Datalink lost");
+            px4.sendText(TextSeverity.WARNING, "Failsafe activated: Datalink lost");
             act(action);
         } else if (!lost && linkLost) {
-            px4.say(TextSeverity.INFO, "Data link regained");
+            px4.sendText(TextSeverity.INFO, "Data link regained");
         }
         linkLost = lost;
         acted &= lost;
@@ -74,7 +74,7 @@ final class Px4Failsafes {
         hadPosition |= has;
         boolean lost = hadPosition && !has;
         if (lost && !positionLost && craft.armed() && px4.flight().mode().needsPosition) {
-            px4.say(TextSeverity.CRITICAL, "Failsafe activated: position estimate lost");
+            px4.sendText(TextSeverity.CRITICAL, "Failsafe activated: position estimate lost");
             px4.change(Px4Mode.LAND);
         }
         positionLost = lost;
@@ -94,7 +94,7 @@ final class Px4Failsafes {
 
     private void batteryFell(int level) {
         String[] words = {"", "Low battery", "Critical battery", "Emergency battery level"};
-        px4.say(level == 1 ? TextSeverity.WARNING : TextSeverity.CRITICAL, words[level]);
+        px4.sendText(level == 1 ? TextSeverity.WARNING : TextSeverity.CRITICAL, words[level]);
         int action = (int) px4.parameters().value("COM_LOW_BAT_ACT");
         if (level < 2 || !craft.armed() || craft.landed()) {
             return;

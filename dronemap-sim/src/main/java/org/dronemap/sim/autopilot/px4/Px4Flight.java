@@ -65,7 +65,7 @@ final class Px4Flight {
         holdDue = true;
     }
 
-    boolean takeHold() {
+    boolean pollHold() {
         boolean due = holdDue;
         holdDue = false;
         return due;
@@ -99,11 +99,11 @@ final class Px4Flight {
     private Manoeuvre startMission() {
         completed = false;
         int first = nextItem < plan.size() ? nextItem : 0;
-        mission = new MissionFlight(plan, cruise, parameters.value("RTL_RETURN_ALT"), first, this::hear);
+        mission = new MissionFlight(plan, cruise, parameters.value("RTL_RETURN_ALT"), first, this::handle);
         return mission;
     }
 
-    private void hear(FlightEvent event) {
+    private void handle(FlightEvent event) {
         completed |= event instanceof FlightEvent.MissionEnded;
         events.accept(event);
     }

@@ -55,12 +55,12 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
         this.events = events;
         this.modeAnnouncer = modeAnnouncer;
         this.parameters = Px4Parameters.defaults(systemId);
-        this.flight = new Px4Flight(craft, plan, parameters, this::hear);
+        this.flight = new Px4Flight(craft, plan, parameters, this::handle);
         this.failsafes = new Px4Failsafes(this);
         this.orders = new Px4Commands(this, flight, out);
     }
 
-    private void hear(FlightEvent event) {
+    private void handle(FlightEvent event) {
         events.accept(event);
         if (event instanceof FlightEvent.MissionEnded && !craft.landed()) {
             flight.holdNext();
@@ -71,7 +71,7 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     public void step(long nowMillis, double seconds) {
         now = nowMillis;
         craft.step(flight.fly(nowMillis), nowMillis, seconds);
-        if (flight.takeHold()) {
+        if (flight.pollHold()) {
             change(Px4Mode.HOLD);
         }
         failsafes.check(nowMillis);
@@ -95,8 +95,8 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
             return CommandResult.ACCEPTED;
         }
         if (!force && !readyToArm()) {
-            say(TextSeverity.CRITICAL, "Preflight Fail: " + complaint());
-            say(TextSeverity.CRITICAL, "Arming denied: Resolve system health failures first");
+            sendText(TextSeverity.CRITICAL, "Preflight Fail: " + complaint());
+            sendText(TextSeverity.CRITICAL, "Arming denied: Resolve system health failures first");
             return CommandResult.TEMPORARILY_REJECTED;
         }
         if (craft.navigation().hasEstimate()) {
@@ -106,7 +106,7 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
         craft.setArmed(true);
         flight.armed();
         flightlessSince = now;
-        say(TextSeverity.INFO, "Armed by external command");
+        sendText(TextSeverity.INFO, "Armed by external command");
         return CommandResult.ACCEPTED;
     }
 
@@ -126,7 +126,7 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     CommandResult disarm(boolean force) {
         if (craft.armed()) {
             if (!force && !craft.landed()) {
-                say(TextSeverity.CRITICAL, "Disarming denied: not landed");
+                sendText(TextSeverity.CRITICAL, "Disarming denied: not landed");
                 return CommandResult.TEMPORARILY_REJECTED;
             }
             disarmNow("Disarmed by external command");
@@ -137,7 +137,7 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     private void disarmNow(String text) {
         craft.setArmed(false);
         flight.disarmed();
-        say(TextSeverity.INFO, text);
+        sendText(TextSeverity.INFO, text);
     }
 
     /** Changes the mode, or says why not. */
@@ -156,11 +156,11 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     }
 
     private boolean refuse(Px4Mode mode) {
-        say(TextSeverity.CRITICAL, "Switching to mode '" + mode.label + "' is currently not possible");
+        sendText(TextSeverity.CRITICAL, "Switching to mode '" + mode.label + "' is currently not possible");
         return false;
     }
 
-    void say(TextSeverity severity, String text) {
+    void sendText(TextSeverity severity, String text) {
         events.accept(new FlightEvent.Text(severity, text));
     }
 
@@ -169,8 +169,8 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     }
 
     @Override
-    public CommandResult obey(MavCommand order) {
-        return orders.obey(order);
+    public CommandResult execute(MavCommand order) {
+        return orders.execute(order);
     }
 
     @Override
@@ -206,8 +206,8 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     }
 
     @Override
-    public void groundStationHeard(int systemId) {
-        failsafes.groundStationHeard(now);
+    public void heartbeatReceived(int systemId) {
+        failsafes.heartbeatReceived(now);
     }
 
     @Override
@@ -263,7 +263,7 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     }
 
     @Override
-    public boolean takesKeysWhenArmed() {
+    public boolean acceptsKeysWhenArmed() {
         return true;
     }
 

@@ -66,7 +66,7 @@ public final class BundledPostgres implements AutoCloseable {
     /** Starts it, or takes over one that still runs; throws {@link StoreException} with a sentence when it cannot. */
     public static BundledPostgres start(Path directory) {
         Path home = prepare(directory);
-        DirectoryLock lock = DirectoryLock.take(home);
+        DirectoryLock lock = DirectoryLock.acquire(home);
         try {
             String password = DatabasePasswordFile.readOrCreate(home.resolve("password"));
             DatabaseCluster cluster = new DatabaseCluster(home, PostgresBinaries.unpack(home), ProcessAccount.of(home));
@@ -86,7 +86,7 @@ public final class BundledPostgres implements AutoCloseable {
             return false;
         }
         Path home = prepare(directory);
-        DirectoryLock lock = DirectoryLock.take(home);
+        DirectoryLock lock = DirectoryLock.acquire(home);
         try {
             DatabaseCluster cluster = new DatabaseCluster(home, PostgresBinaries.unpack(home), ProcessAccount.of(home));
             boolean runs = cluster.runs();

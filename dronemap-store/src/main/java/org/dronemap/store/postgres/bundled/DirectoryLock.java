@@ -22,7 +22,7 @@ final class DirectoryLock implements AutoCloseable {
         this.channel = channel;
     }
 
-    static DirectoryLock take(Path directory) {
+    static DirectoryLock acquire(Path directory) {
         Path file = directory.resolve("lock");
         FileChannel channel = null;
         try {

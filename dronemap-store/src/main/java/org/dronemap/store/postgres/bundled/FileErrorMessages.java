@@ -11,10 +11,10 @@ final class FileErrorMessages {
     private FileErrorMessages() {}
 
     static StoreException exception(String what, Exception error) {
-        return new StoreException(what + ": " + why(error), error);
+        return new StoreException(what + ": " + describe(error), error);
     }
 
-    private static String why(Exception error) {
+    private static String describe(Exception error) {
         String said = Objects.requireNonNullElse(error.getMessage(), error.toString());
         if (error instanceof AccessDeniedException denied) {
             return "no right to write " + denied.getFile() + "; give the user \"" + System.getProperty("user.name")
@@ -23,7 +23,7 @@ final class FileErrorMessages {
         if (error instanceof FileAlreadyExistsException exists) {
             return exists.getFile() + " is a file, not a directory; name another directory.";
         }
-        return advice(error instanceof FileSystemException file ? said(file) : said);
+        return advice(error instanceof FileSystemException file ? message(file) : said);
     }
 
     /** Adds what to do to what the system or PostgreSQL said. */
@@ -40,7 +40,7 @@ final class FileErrorMessages {
         return said;
     }
 
-    private static String said(FileSystemException error) {
+    private static String message(FileSystemException error) {
         return error.getFile() + ": " + Objects.requireNonNullElse(error.getReason(), error.toString());
     }
 }

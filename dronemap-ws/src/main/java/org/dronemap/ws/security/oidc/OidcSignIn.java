@@ -103,7 +103,7 @@ public final class OidcSignIn {
      */
     public Authentication.NewSession finish(SignInCallback back) {
         try {
-            PendingSignIn start = take(back);
+            PendingSignIn start = redeem(back);
             String code = back.code();
             if (code == null) {
                 throw new OidcSignInException("the provider sent no code");
@@ -123,7 +123,7 @@ public final class OidcSignIn {
         }
     }
 
-    private synchronized PendingSignIn take(SignInCallback back) throws OidcSignInException {
+    private synchronized PendingSignIn redeem(SignInCallback back) throws OidcSignInException {
         PendingSignIn start = back.state() == null ? null : begun.remove(back.state());
         if (start == null || !start.until().isAfter(clock.instant())) {
             throw new OidcSignInException("it was not begun here, took too long, or was ended already");

@@ -51,7 +51,7 @@ public final class PublishSchedule<P> {
     }
 
     /** Hands out all whose turn has come; in how many ns the next one's does, at most a gap. */
-    public long take(long nowNanos, Consumer<P> due) {
+    public long publishDue(long nowNanos, Consumer<P> due) {
         long gap = gapNanos();
         long next = gap;
         for (Iterator<Map.Entry<MessageSubject, P>> pictures =

@@ -16,11 +16,11 @@ public interface TopicSink<T> {
     void removed(String id);
 
     /** Something that must arrive. */
-    void tell(T now);
+    void publish(T now);
 
     /**
      * The same, of a thing that had another form before or is none any more: whoever saw that and does not see this is told
      * that it is gone, where the topic says something of that.
      */
-    void tell(@Nullable T former, @Nullable T now);
+    void publish(@Nullable T former, @Nullable T now);
 }

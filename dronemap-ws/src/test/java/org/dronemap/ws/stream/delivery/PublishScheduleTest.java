@@ -17,7 +17,7 @@ class PublishScheduleTest {
         PublishSchedule<String> turns = new PublishSchedule<>(50);
         for (int number = 0; number < 5; number++) {
             turns.changed(new MessageSubject("drone", "a"), "" + number);
-            turns.take(number * 41 * MILLI, sent::add);
+            turns.publishDue(number * 41 * MILLI, sent::add);
         }
         assertThat(sent).containsExactly("0", "1", "2", "3", "4");
     }
@@ -26,13 +26,13 @@ class PublishScheduleTest {
     void sendsTheNewestAtItsTurnOfWhatComesFast() {
         PublishSchedule<String> turns = new PublishSchedule<>(50);
         turns.changed(new MessageSubject("drone", "a"), "" + 1);
-        turns.take(0, sent::add);
+        turns.publishDue(0, sent::add);
         turns.changed(new MessageSubject("drone", "a"), "" + 2);
-        assertThat(turns.take(5 * MILLI, sent::add)).isEqualTo(15 * MILLI);
+        assertThat(turns.publishDue(5 * MILLI, sent::add)).isEqualTo(15 * MILLI);
         turns.changed(new MessageSubject("drone", "a"), "" + 3);
-        turns.take(19 * MILLI, sent::add);
+        turns.publishDue(19 * MILLI, sent::add);
         assertThat(sent).containsExactly("1");
-        turns.take(20 * MILLI, sent::add);
+        turns.publishDue(20 * MILLI, sent::add);
         assertThat(sent).containsExactly("1", "3");
     }
 
@@ -42,7 +42,7 @@ class PublishScheduleTest {
         for (int number = 0; number < 2_000; number++) {
             turns.changed(new MessageSubject("drone", "d" + number), "x");
         }
-        turns.take(0, sent::add);
+        turns.publishDue(0, sent::add);
         assertThat(sent).hasSize(2_000);
         assertThat(turns.gapNanos()).isEqualTo(200 * MILLI);
     }
@@ -59,7 +59,7 @@ class PublishScheduleTest {
         PublishSchedule<String> turns = new PublishSchedule<>(50);
         turns.changed(new MessageSubject("drone", "a"), "" + 1);
         turns.removed(new MessageSubject("drone", "a"));
-        turns.take(0, sent::add);
+        turns.publishDue(0, sent::add);
         assertThat(sent).isEmpty();
     }
 
@@ -69,7 +69,7 @@ class PublishScheduleTest {
         for (int number = 0; number < 100; number++) {
             turns.changed(new MessageSubject("drone", "d" + number), "x");
         }
-        turns.take(0, sent::add);
+        turns.publishDue(0, sent::add);
         assertThat(turns.gapNanos()).isEqualTo(80 * MILLI);
         turns.forget(61_000 * MILLI);
         assertThat(turns.gapNanos()).isEqualTo(20 * MILLI);

@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
                 + "progress payload transfer")
 public record DroneObservation(
         DroneId drone,
-        @Nullable String takenBy,
+        @Nullable String holder,
         LinkState link,
         Duration silence,
         Duration still,
@@ -69,15 +69,15 @@ public record DroneObservation(
      */
     @Stored(names = "carries carriesNext told passed complete")
     public record Progress(
-            @Nullable Boolean carries, @Nullable Boolean carriesNext, boolean told, int passed, boolean complete) {}
+            @Nullable Boolean carries, @Nullable Boolean carriesNext, boolean known, int passed, boolean complete) {}
 
     public boolean isLive() {
         return link == LinkState.LIVE;
     }
 
     /** All is known that its part in the run is judged by. */
-    public boolean tells() {
-        return isLive() && ready && mode != null && armed != null && place != null && progress.told();
+    public boolean isFullyReported() {
+        return isLive() && ready && mode != null && armed != null && place != null && progress.known();
     }
 
     /** It has flown what it was given. */
@@ -94,7 +94,7 @@ public record DroneObservation(
     }
 
     /** It was told to stand, and does not yet. */
-    public boolean rolls() {
+    public boolean isStillMoving() {
         return waits() && speed != null && speed > STANDS_SPEED;
     }
 
@@ -107,7 +107,7 @@ public record DroneObservation(
     }
 
     public boolean waits() {
-        return steering != null && steering.takesOrders();
+        return steering != null && steering.acceptsCommands();
     }
 
     public boolean comesDown() {

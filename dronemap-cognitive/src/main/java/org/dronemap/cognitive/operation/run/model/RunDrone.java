@@ -26,17 +26,17 @@ import org.jspecify.annotations.Nullable;
  */
 @Stored(names = "kin stage since orders sortie passed next errand tries note signs")
 public record RunDrone(
-        Profile kin,
+        Profile profile,
         RunDroneStage stage,
         Instant since,
         List<String> orders,
         @Nullable Sortie sortie,
         int passed,
         @Nullable Sortie next,
-        @Nullable IssuedCommand errand,
-        Attempts tries,
+        @Nullable IssuedCommand issuedCommand,
+        Attempts attempts,
         @Nullable String note,
-        Flags signs) {
+        Flags flags) {
     /**
      * The profile of a drone, which does not change during the run.
      *
@@ -105,53 +105,94 @@ public record RunDrone(
     public record Flags(
             boolean held,
             boolean begun,
-            @Nullable Instant falling,
-            @Nullable Instant astray,
-            @Nullable LinkLoss silence,
-            @Nullable DroneId yields,
-            List<RunTrigger> told,
+            @Nullable Instant fallingSince,
+            @Nullable Instant deviatingSince,
+            @Nullable LinkLoss linkLoss,
+            @Nullable DroneId waitsFor,
+            List<RunTrigger> triggers,
             @Nullable Double joulesPerPercent,
-            @Nullable ReturnHeight homeward) {
+            @Nullable ReturnHeight returnHeight) {
         public static final Flags NONE = new Flags(false, false, null, null, null, null, List.of(), null, null);
 
         public Flags {
-            told = List.copyOf(told);
+            triggers = List.copyOf(triggers);
         }
 
         public Flags held(boolean now) {
-            return new Flags(now, begun, falling, astray, silence, yields, told, joulesPerPercent, homeward);
+            return new Flags(
+                    now,
+                    begun,
+                    fallingSince,
+                    deviatingSince,
+                    linkLoss,
+                    waitsFor,
+                    triggers,
+                    joulesPerPercent,
+                    returnHeight);
         }
 
         public Flags begun(boolean now) {
-            return new Flags(held, now, falling, astray, silence, yields, told, joulesPerPercent, homeward);
+            return new Flags(
+                    held,
+                    now,
+                    fallingSince,
+                    deviatingSince,
+                    linkLoss,
+                    waitsFor,
+                    triggers,
+                    joulesPerPercent,
+                    returnHeight);
         }
 
-        public Flags falling(@Nullable Instant from) {
-            return new Flags(held, begun, from, astray, silence, yields, told, joulesPerPercent, homeward);
+        public Flags fallingSince(@Nullable Instant from) {
+            return new Flags(
+                    held, begun, from, deviatingSince, linkLoss, waitsFor, triggers, joulesPerPercent, returnHeight);
         }
 
-        public Flags astray(@Nullable Instant from) {
-            return new Flags(held, begun, falling, from, silence, yields, told, joulesPerPercent, homeward);
+        public Flags deviatingSince(@Nullable Instant from) {
+            return new Flags(
+                    held, begun, fallingSince, from, linkLoss, waitsFor, triggers, joulesPerPercent, returnHeight);
         }
 
-        public Flags silent(@Nullable LinkLoss what) {
-            return new Flags(held, begun, falling, astray, what, yields, told, joulesPerPercent, homeward);
+        public Flags withLinkLoss(@Nullable LinkLoss what) {
+            return new Flags(
+                    held,
+                    begun,
+                    fallingSince,
+                    deviatingSince,
+                    what,
+                    waitsFor,
+                    triggers,
+                    joulesPerPercent,
+                    returnHeight);
         }
 
-        public Flags yields(@Nullable DroneId other) {
-            return new Flags(held, begun, falling, astray, silence, other, told, joulesPerPercent, homeward);
+        public Flags waitsFor(@Nullable DroneId other) {
+            return new Flags(
+                    held,
+                    begun,
+                    fallingSince,
+                    deviatingSince,
+                    linkLoss,
+                    other,
+                    triggers,
+                    joulesPerPercent,
+                    returnHeight);
         }
 
-        public Flags told(List<RunTrigger> all) {
-            return new Flags(held, begun, falling, astray, silence, yields, all, joulesPerPercent, homeward);
+        public Flags triggers(List<RunTrigger> all) {
+            return new Flags(
+                    held, begun, fallingSince, deviatingSince, linkLoss, waitsFor, all, joulesPerPercent, returnHeight);
         }
 
         public Flags joulesPerPercent(double joules) {
-            return new Flags(held, begun, falling, astray, silence, yields, told, joules, homeward);
+            return new Flags(
+                    held, begun, fallingSince, deviatingSince, linkLoss, waitsFor, triggers, joules, returnHeight);
         }
 
-        public Flags homeward(@Nullable ReturnHeight now) {
-            return new Flags(held, begun, falling, astray, silence, yields, told, joulesPerPercent, now);
+        public Flags returnHeight(@Nullable ReturnHeight now) {
+            return new Flags(
+                    held, begun, fallingSince, deviatingSince, linkLoss, waitsFor, triggers, joulesPerPercent, now);
         }
     }
 
@@ -166,7 +207,7 @@ public record RunDrone(
      */
     @Stored(names = "heard place flew reservedUntil flyingUntil")
     public record LinkLoss(
-            Instant heard, @Nullable Place place, boolean flew, Instant reservedUntil, Instant flyingUntil) {}
+            Instant lastContact, @Nullable Place place, boolean flew, Instant reservedUntil, Instant flyingUntil) {}
 
     public RunDrone {
         orders = List.copyOf(orders);
@@ -178,15 +219,15 @@ public record RunDrone(
     }
 
     public DroneId id() {
-        return kin.craft().id();
+        return profile.craft().id();
     }
 
     public String name() {
-        return kin.name();
+        return profile.name();
     }
 
     public Craft craft() {
-        return kin.craft();
+        return profile.craft();
     }
 
     /** What it will have been given last. */
@@ -197,55 +238,56 @@ public record RunDrone(
 
     /** A new step begins. */
     public RunDrone to(RunDroneStage step, Instant now) {
-        Flags seen = step == RunDroneStage.FLYING ? signs.begun(true) : signs;
-        return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Attempts.NONE, note, seen);
+        Flags seen = step == RunDroneStage.FLYING ? flags.begun(true) : flags;
+        return new RunDrone(profile, step, now, orders, sortie, passed, next, null, Attempts.NONE, note, seen);
     }
 
     public RunDrone with(Profile other) {
-        return new RunDrone(other, stage, since, orders, sortie, passed, next, errand, tries, note, signs);
+        return new RunDrone(other, stage, since, orders, sortie, passed, next, issuedCommand, attempts, note, flags);
     }
 
     public RunDrone noted(@Nullable String why) {
-        return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, why, signs);
+        return new RunDrone(profile, stage, since, orders, sortie, passed, next, issuedCommand, attempts, why, flags);
     }
 
-    public RunDrone ordered(List<String> waypoints) {
-        return new RunDrone(kin, stage, since, waypoints, sortie, passed, next, errand, tries, note, signs);
+    public RunDrone withOrders(List<String> waypoints) {
+        return new RunDrone(
+                profile, stage, since, waypoints, sortie, passed, next, issuedCommand, attempts, note, flags);
     }
 
-    public RunDrone flying(@Nullable Sortie what, int behind) {
-        return new RunDrone(kin, stage, since, orders, what, behind, next, errand, tries, note, signs);
+    public RunDrone withSortie(@Nullable Sortie what, int behind) {
+        return new RunDrone(profile, stage, since, orders, what, behind, next, issuedCommand, attempts, note, flags);
     }
 
-    public RunDrone getting(@Nullable Sortie later) {
-        return new RunDrone(kin, stage, since, orders, sortie, passed, later, errand, tries, note, signs);
+    public RunDrone withNext(@Nullable Sortie later) {
+        return new RunDrone(profile, stage, since, orders, sortie, passed, later, issuedCommand, attempts, note, flags);
     }
 
-    public RunDrone on(@Nullable IssuedCommand what) {
-        return new RunDrone(kin, stage, since, orders, sortie, passed, next, what, tries, note, signs);
+    public RunDrone withIssuedCommand(@Nullable IssuedCommand what) {
+        return new RunDrone(profile, stage, since, orders, sortie, passed, next, what, attempts, note, flags);
     }
 
     public RunDrone tried(Attempts now) {
-        return new RunDrone(kin, stage, since, orders, sortie, passed, next, null, now, note, signs);
+        return new RunDrone(profile, stage, since, orders, sortie, passed, next, null, now, note, flags);
     }
 
     /** It does nothing else until then. */
     public RunDrone busy(Instant until) {
         return new RunDrone(
-                kin,
+                profile,
                 stage,
                 since,
                 orders,
                 sortie,
                 passed,
                 next,
-                errand,
-                new Attempts(tries.failed(), until),
+                issuedCommand,
+                new Attempts(attempts.failed(), until),
                 note,
-                signs);
+                flags);
     }
 
     public RunDrone with(Flags other) {
-        return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, note, other);
+        return new RunDrone(profile, stage, since, orders, sortie, passed, next, issuedCommand, attempts, note, other);
     }
 }

@@ -36,7 +36,7 @@ public enum RunDroneStage {
     LEFT;
 
     /** New orders can be given to it. */
-    public boolean takesOrders() {
+    public boolean acceptsCommands() {
         return compareTo(CONTINUING) <= 0;
     }
 
