@@ -60,7 +60,7 @@ public final class TestCloud implements AutoCloseable {
     private final StoreWriter journal;
     private final Commands commands = new Commands();
     private final CloudManager cloud;
-    private final MavlinkProxy proxy;
+    private final MavlinkConnector proxy;
 
     public TestCloud(int udpPort) {
         this(udpPort, componentId -> FrameTap.NONE);
@@ -90,11 +90,11 @@ public final class TestCloud implements AutoCloseable {
                 time,
                 new CloudManager.Persistence(new Drones(), commands, new Leases(), new Owners(), journal),
                 () -> new DroneId(UUID.randomUUID().toString()));
-        proxy = new MavlinkProxy(
+        proxy = new MavlinkConnector(
                 cloud,
                 lanes,
                 urls,
-                new MavlinkProxy.Policy(
+                new MavlinkConnector.Policy(
                         TestKeyrings.of(cloud, journal),
                         taps,
                         EndpointSecurity.of(DtlsKeys.none()),
@@ -108,7 +108,7 @@ public final class TestCloud implements AutoCloseable {
         }
     }
 
-    public MavlinkProxy proxy() {
+    public MavlinkConnector proxy() {
         return proxy;
     }
 

@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.util.List;
-import org.dronemap.sim.control.ControlPort;
+import org.dronemap.sim.control.SimulatorControlPort;
 import org.dronemap.sim.link.SimulatedFleet;
-import org.dronemap.sim.robot.RobotFleet;
 import org.dronemap.sim.robot.RobotOptions;
+import org.dronemap.sim.robot.SimulatedRobotFleet;
 
 /** The entry point of the vehicle simulator: starts simulated vehicles or robots that connect to a server. */
 public final class SimulatorMain {
@@ -45,15 +45,15 @@ public final class SimulatorMain {
     }
 
     private static void startRobots(RobotOptions options, PrintStream out) throws IOException {
-        new RobotFleet(options).start();
+        new SimulatedRobotFleet(options).start();
         out.println(options.count() + (options.count() == 1 ? " robot reports to udp://" : " robots report to udp://")
                 + options.server().host() + ":" + options.server().port());
     }
 
     private static void start(SimulatorOptions options, PrintStream out) throws IOException {
-        SimulatedFleet fleet = new FleetBuilder(options, System.currentTimeMillis() * 1000).build();
+        SimulatedFleet fleet = new SimulatedFleetBuilder(options, System.currentTimeMillis() * 1000).build();
         if (options.controlPort() != 0) {
-            ControlPort control = new ControlPort(fleet, options.controlPort());
+            SimulatorControlPort control = new SimulatorControlPort(fleet, options.controlPort());
             out.println("Faults are taken at 127.0.0.1:" + control.port());
         }
         fleet.start();

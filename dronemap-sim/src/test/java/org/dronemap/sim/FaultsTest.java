@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.sim.control.ControlPortCommands;
+import org.dronemap.sim.control.SimulatorControlCommands;
 import org.junit.jupiter.api.Test;
 
 class FaultsTest {
     private static void fault(VehicleTestBench bench, String what) {
-        assertThat(ControlPortCommands.run("fault 1 " + what, List.of(bench.vehicle)))
+        assertThat(SimulatorControlCommands.run("fault 1 " + what, List.of(bench.vehicle)))
                 .startsWith("ok");
     }
 
@@ -31,11 +31,13 @@ class FaultsTest {
         fault(bench, "silent 10000s");
         bench.run(100);
         assertThat(bench.heard).isEmpty();
-        assertThat(ControlPortCommands.run("wake 1", List.of(bench.vehicle))).isEqualTo("ok 1 vehicles");
+        assertThat(SimulatorControlCommands.run("wake 1", List.of(bench.vehicle)))
+                .isEqualTo("ok 1 vehicles");
         bench.run(2);
         assertThat(bench.heard.stream().filter(heard -> heard.frame().messageId() == Heartbeat.ID))
                 .hasSizeBetween(1, 3);
-        assertThat(ControlPortCommands.run("wake 2", List.of(bench.vehicle))).startsWith("err");
+        assertThat(SimulatorControlCommands.run("wake 2", List.of(bench.vehicle)))
+                .startsWith("err");
     }
 
     @Test

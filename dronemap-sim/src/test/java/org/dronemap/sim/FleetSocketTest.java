@@ -25,7 +25,7 @@ import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.sim.control.ControlPort;
+import org.dronemap.sim.control.SimulatorControlPort;
 import org.dronemap.sim.link.SimulatedFleet;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -52,7 +52,7 @@ class FleetSocketTest {
     }
 
     private SimulatedFleet fleet(int count) {
-        return new FleetBuilder(
+        return new SimulatedFleetBuilder(
                         SimulatorOptions.parse(List.of(
                                 "--count", "" + count,
                                 "--connect", "udp://127.0.0.1:" + server.getLocalPort(),
@@ -139,7 +139,7 @@ class FleetSocketTest {
     }
 
     private String order(String line) throws IOException {
-        try (ControlPort control = new ControlPort(fleet, 0);
+        try (SimulatorControlPort control = new SimulatorControlPort(fleet, 0);
                 Socket socket = new Socket(InetAddress.getLoopbackAddress(), control.port())) {
             new PrintWriter(socket.getOutputStream(), true, StandardCharsets.UTF_8).println(line);
             return new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))

@@ -15,7 +15,7 @@ import org.dronemap.mavlink.message.MissionItemReached;
 import org.dronemap.mavlink.message.MissionWritePartialList;
 import org.dronemap.mavlink.message.NamedValueFloat;
 import org.dronemap.mavlink.message.ServoOutputRaw;
-import org.dronemap.sim.control.ControlPortCommands;
+import org.dronemap.sim.control.SimulatorControlCommands;
 import org.junit.jupiter.api.Test;
 
 class SimulatedPayloadTest {
@@ -27,7 +27,7 @@ class SimulatedPayloadTest {
     }
 
     private static String payload(VehicleTestBench bench) {
-        return ControlPortCommands.run("payload", List.of(bench.vehicle));
+        return SimulatorControlCommands.run("payload", List.of(bench.vehicle));
     }
 
     @Test
@@ -69,10 +69,10 @@ class SimulatedPayloadTest {
     @Test
     void tellsWhereItTrulyIsWhateverItSaysOfItself() {
         VehicleTestBench bench = VehicleTestBench.flying(20);
-        ControlPortCommands.run("fault all gps off", List.of(bench.vehicle));
+        SimulatorControlCommands.run("fault all gps off", List.of(bench.vehicle));
         bench.run(1);
 
-        assertThat(ControlPortCommands.run("where", List.of(bench.vehicle)))
+        assertThat(SimulatorControlCommands.run("where", List.of(bench.vehicle)))
                 .matches("(?s)1 47\\.397\\d{4} 8\\.545\\d{4} (19|20)\\.\\d\\d\\Rok 1 vehicles");
     }
 
@@ -214,7 +214,7 @@ class SimulatedPayloadTest {
     @Test
     void tellsWhatItsSensorsMeasure() {
         VehicleTestBench bench = VehicleTestBench.ready();
-        assertThat(ControlPortCommands.run("sensor 1 Temp 21.5", List.of(bench.vehicle)))
+        assertThat(SimulatorControlCommands.run("sensor 1 Temp 21.5", List.of(bench.vehicle)))
                 .startsWith("ok");
         bench.run(2);
         assertThat(bench.heard.stream()
@@ -222,12 +222,12 @@ class SimulatedPayloadTest {
                         .map(heard -> NamedValueFloat.decode(heard.frame())))
                 .hasSizeBetween(3, 5)
                 .allMatch(told -> told.name().equals("Temp") && told.value() == 21.5f);
-        assertThat(ControlPortCommands.run("sensor 1 off", List.of(bench.vehicle)))
+        assertThat(SimulatorControlCommands.run("sensor 1 off", List.of(bench.vehicle)))
                 .startsWith("ok");
         bench.heard.clear();
         bench.run(2);
         assertThat(bench.count(NamedValueFloat.ID)).isZero();
-        assertThat(ControlPortCommands.run("sensor 1 Temp", List.of(bench.vehicle)))
+        assertThat(SimulatorControlCommands.run("sensor 1 Temp", List.of(bench.vehicle)))
                 .startsWith("err");
     }
 

@@ -31,7 +31,7 @@ final class VehicleTestBench {
 
     VehicleTestBench(String... options) {
         SimulatorOptions parsed = SimulatorOptions.parse(List.of(options));
-        this.vehicle = new FleetBuilder(parsed, 0).vehicle(0, this::take);
+        this.vehicle = new SimulatedFleetBuilder(parsed, 0).vehicle(0, this::take);
     }
 
     static VehicleTestBench ready(String... options) {

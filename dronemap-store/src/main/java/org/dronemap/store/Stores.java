@@ -14,7 +14,7 @@ import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
-import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.EndpointStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.recording.RecordingStore;
@@ -38,7 +38,7 @@ public interface Stores extends AutoCloseable {
 
     RecordingStore recordings();
 
-    LinkStore links();
+    EndpointStore links();
 
     LeaseStore leases();
 

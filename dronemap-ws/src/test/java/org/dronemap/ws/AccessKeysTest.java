@@ -20,7 +20,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Bounds;
+import org.dronemap.core.zone.FlightBounds;
 import org.dronemap.ws.testserver.ConditionWait;
 import org.dronemap.ws.testserver.RecordingStreamClient;
 import org.dronemap.ws.testserver.ScriptedVehicle;
@@ -282,7 +282,7 @@ class AccessKeysTest {
     @Test
     void doNothingBeyondLookingWhereTheirAreaDoesNotCount() {
         KeyScope scope =
-                KeyScope.ALL.boundedBy(new Bounds(null, new AltitudeBand(null, 60.0, Altitude.Reference.HOME)));
+                KeyScope.ALL.boundedBy(new FlightBounds(null, new AltitudeBand(null, 60.0, Altitude.Reference.HOME)));
         // Of those who run the server, to whom metrics are open.
         TestHttpClient http = new TestHttpClient(house, house.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
 

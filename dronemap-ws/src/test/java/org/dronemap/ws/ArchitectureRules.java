@@ -31,7 +31,7 @@ import org.dronemap.ws.access.Access;
 import org.dronemap.ws.account.PasswordHashing;
 import org.dronemap.ws.problem.ObjectionProblem;
 import org.dronemap.ws.problem.ProblemCode;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.java_websocket.client.WebSocketClient;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.drafts.Draft_6455;
@@ -249,7 +249,7 @@ final class ArchitectureRules {
 
     static final ArchRule PASSWORDS_ARE_COMPARED_IN_ONE_PLACE = noClasses()
             .that()
-            .areNotAssignableTo(Authentication.class)
+            .areNotAssignableTo(CallerAuthenticator.class)
             .should()
             .callMethod(PasswordHashing.class, "matches", String.class, String.class)
             .as("passwords are compared in one place, which slows down who guesses");

@@ -10,7 +10,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
@@ -62,7 +62,7 @@ class CommandsTest {
         assertThat(answer.json().path("outcome").path("result").asString()).isEqualTo("succeeded");
         assertThat(operator.get("/api/v1/commands/" + answer.text("id")).json()).isEqualTo(answer.json());
         assertThat(vehicle.performed()).endsWith(new Command.Arm());
-        assertThat(vehicle.performed()).first().isInstanceOf(SetCloudLoss.class);
+        assertThat(vehicle.performed()).first().isInstanceOf(SetCloudLossAction.class);
         assertThat(vehicle.performed()).hasSize(2);
     }
 

@@ -22,7 +22,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.DeferredEffect;
-import org.dronemap.core.command.Movement;
+import org.dronemap.core.command.ImmediateEffect;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capability;
@@ -58,7 +58,7 @@ final class ExhaustiveCaseRules {
     private static final Map<Class<? extends Enum<?>>, String> SWITCHED = Map.ofEntries(
             Map.entry(CommandKind.class, "Command"),
             Map.entry(CommandKind.Purpose.class, "Command"),
-            Map.entry(Movement.class, "Command"),
+            Map.entry(ImmediateEffect.class, "Command"),
             Map.entry(DeferredEffect.class, "Command"),
             Map.entry(Contention.class, "ontention"),
             Map.entry(DroneEvent.Kind.class, "DroneEvent"),
@@ -83,9 +83,9 @@ final class ExhaustiveCaseRules {
 
     /** Literals that are called like modes, and why they stand where they do. */
     static final SortedMap<String, String> NAMING_MODES = new TreeMap<>(Map.of(
-            "org/dronemap/ws/journal/FollowCodec.java: GUIDED",
+            "org/dronemap/ws/journal/FollowJournalCodec.java: GUIDED",
             "What journals say that were written before looks told of modes.",
-            "org/dronemap/ws/journal/FollowCodec.java: RTL",
+            "org/dronemap/ws/journal/FollowJournalCodec.java: RTL",
             "What journals say that were written before looks told of modes."));
 
     /** Translators of their own family: what speaks MAVLink, and the modes that a bridge to mavros sets. */

@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ReadLogs;
+import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.core.drone.AreaMap;
 import org.dronemap.core.drone.Picture;
 import org.dronemap.core.drone.VehicleLog;
@@ -54,7 +54,7 @@ class OnBoardFacesTest {
         } else if (command instanceof ReadLogs) {
             vehicle.says(new DroneEvent.LogsRead(List.of(new VehicleLog(2, null, LOG.length()))));
         } else if (command instanceof Command.DownloadLog download) {
-            LogSink sink = download.sink();
+            VehicleLogSink sink = download.sink();
             assertThat(sink.put(0, LOG.getBytes(StandardCharsets.US_ASCII))).isTrue();
             assertThat(sink.complete(LOG.length())).isTrue();
         }

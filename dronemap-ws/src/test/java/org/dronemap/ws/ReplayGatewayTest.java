@@ -17,7 +17,7 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.proxy.record.LineTap;
+import org.dronemap.proxy.record.TextMessageTap;
 import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.ws.testserver.ConditionWait;
 import org.dronemap.ws.testserver.SharedServer;
@@ -124,7 +124,7 @@ class ReplayGatewayTest {
 
     @Test
     void aDriveIsDownloadedInLinesByItsOwnersAloneAndNotPlayed() {
-        LineTap tap = house.recorder().openLines();
+        TextMessageTap tap = house.recorder().openLines();
         tap.bound(new DroneId("rover"));
         tap.received("{\"vx\":0}", 8);
         tap.working(true);

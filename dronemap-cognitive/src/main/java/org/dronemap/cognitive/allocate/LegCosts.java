@@ -6,8 +6,8 @@ import java.util.List;
 import org.dronemap.cognitive.cost.AllocationDrone;
 import org.dronemap.cognitive.cost.AllocationObjective.Measure;
 import org.dronemap.cognitive.cost.AllocationProblem;
+import org.dronemap.cognitive.cost.AllocationWaypoint;
 import org.dronemap.cognitive.cost.Legs;
-import org.dronemap.cognitive.cost.Visit;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -42,7 +42,7 @@ final class LegCosts {
         legs = instance.legs();
         places = legs.places();
         measure = instance.aim().measure();
-        List<Visit> visits = instance.visits();
+        List<AllocationWaypoint> visits = instance.visits();
         List<AllocationDrone> carriers = instance.carriers();
         types = carriers.stream().mapToInt(AllocationDrone::type).toArray();
         ready = carriers.stream().mapToDouble(AllocationDrone::readySeconds).toArray();
@@ -53,7 +53,7 @@ final class LegCosts {
             mustFly[r] = carriers.get(r).mustFly();
             busy[r] = carriers.get(r).busy();
         }
-        allowed = visits.stream().map(Visit::drones).toArray(BitSet[]::new);
+        allowed = visits.stream().map(AllocationWaypoint::drones).toArray(BitSet[]::new);
         service = new double[places];
         watts = new double[places];
         opens = new double[places];

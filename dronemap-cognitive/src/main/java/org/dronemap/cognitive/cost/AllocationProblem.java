@@ -6,7 +6,7 @@ import java.util.List;
  * A planning problem as the search sees it: waypoint i is {@code visits.get(i)}, drone r is {@code carriers.get(r)}.
  */
 public record AllocationProblem(
-        Legs legs, List<Visit> visits, List<AllocationDrone> carriers, AllocationObjective aim) {
+        Legs legs, List<AllocationWaypoint> visits, List<AllocationDrone> carriers, AllocationObjective aim) {
     public AllocationProblem {
         visits = List.copyOf(visits);
         carriers = List.copyOf(carriers);

@@ -9,7 +9,7 @@ import org.dronemap.cognitive.problem.PlanningRules;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -56,10 +56,10 @@ final class BarrierMap {
         double doubt = barrier.isKeepIn() ? -HEIGHT_DOUBT_METERS : HEIGHT_DOUBT_METERS;
         double low = zero + barrier.band().lowMeters() - doubt;
         double high = zero + barrier.band().highMeters() + doubt;
-        if (barrier.shape() instanceof FenceZone.Circle circle) {
+        if (barrier.shape() instanceof FenceArea.Circle circle) {
             return new CircleBarrier(place(circle, chart), low, high, barrier.isKeepIn());
         }
-        List<Geodetic> corners = ((FenceZone.Polygon) barrier.shape()).corners();
+        List<Geodetic> corners = ((FenceArea.Polygon) barrier.shape()).corners();
         double[][] ring = new double[corners.size()][];
         double first = chart.x(corners.get(0));
         for (int i = 0; i < ring.length; i++) {
@@ -69,7 +69,7 @@ final class BarrierMap {
         return new PolygonBarrier(ring, bend, low, high, barrier.isKeepIn());
     }
 
-    private static CircleBarrier.Disc place(FenceZone.Circle circle, EquirectangularPlane chart) {
+    private static CircleBarrier.Disc place(FenceArea.Circle circle, EquirectangularPlane chart) {
         double latitude = circle.center().latitudeDegrees();
         double doubt = 1e-5 * circle.radiusMeters()
                 + circle.radiusMeters()

@@ -25,10 +25,11 @@ public final class CostModel {
 
     private final PlanningProblem problem;
     private final AllocationProblem instance;
-    private final Feasibility feasibility;
+    private final WaypointFeasibility feasibility;
     private final PlanWriter writer;
 
-    private CostModel(PlanningProblem problem, AllocationProblem instance, Feasibility feasibility, PlanWriter writer) {
+    private CostModel(
+            PlanningProblem problem, AllocationProblem instance, WaypointFeasibility feasibility, PlanWriter writer) {
         this.problem = problem;
         this.instance = instance;
         this.feasibility = feasibility;
@@ -44,7 +45,7 @@ public final class CostModel {
         Detours detours = fenced == null ? Detours.NONE : fenced;
         boolean small = (long) problem.waypoints().size() * problem.crafts().size() <= MOST_LOOKED_AT;
         double[] ranges = ranges(problem);
-        Feasibility feasibility = new Feasibility(problem, fleet, small ? legs : open, detours, ranges);
+        WaypointFeasibility feasibility = new WaypointFeasibility(problem, fleet, small ? legs : open, detours, ranges);
         AllocationProblem instance = new AllocationProblem(
                 legs, visits(problem, fleet, feasibility), carriers(problem, fleet, ranges), aim(problem.objective()));
         TourLegWriter ways = new TourLegWriter(problem, track, fleet, detours);
@@ -92,16 +93,17 @@ public final class CostModel {
                 .toArray();
     }
 
-    private static List<Visit> visits(PlanningProblem problem, DroneTypes fleet, Feasibility feasibility) {
+    private static List<AllocationWaypoint> visits(
+            PlanningProblem problem, DroneTypes fleet, WaypointFeasibility feasibility) {
         double hoverWatts = 0;
         for (FlightModel pace : fleet.paces()) {
             hoverWatts = Math.max(hoverWatts, pace.hoverWatts());
         }
-        List<Visit> visits = new ArrayList<>(problem.waypoints().size());
+        List<AllocationWaypoint> visits = new ArrayList<>(problem.waypoints().size());
         for (int i = 0; i < problem.waypoints().size(); i++) {
             Waypoint waypoint = problem.waypoints().get(i);
             BitSet drones = feasibility.drones(i);
-            visits.add(new Visit(
+            visits.add(new AllocationWaypoint(
                     waypoint.task().serviceSeconds(),
                     hoverWatts,
                     waypoint.priority(),

@@ -5,9 +5,9 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.dronemap.cognitive.plan.Plan;
-import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.plan.TourLeg;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.plan.UnservedWaypoint;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.PlanningProblem;
@@ -55,7 +55,7 @@ final class PlanWriter {
         double hoverWatts = fleet.paceOf(drone).hoverWatts();
         double seconds = craft.start().readySeconds();
         double joules = craft.start().airborne() ? seconds * hoverWatts : 0;
-        List<Stop> stops = new ArrayList<>(order.length);
+        List<TourStop> stops = new ArrayList<>(order.length);
         int at = problem.waypoints().size() + 2 * drone;
         int end = at + 1;
         for (int next : order) {
@@ -64,7 +64,7 @@ final class PlanWriter {
             double begins = Math.max(way.arrivesSeconds(), waypoint.window().opensSeconds());
             seconds = begins + waypoint.task().serviceSeconds();
             joules += way.joules() + (seconds - way.arrivesSeconds()) * hoverWatts;
-            stops.add(new Stop(waypoint.id(), way, begins, seconds, joules));
+            stops.add(new TourStop(waypoint.id(), way, begins, seconds, joules));
             at = next;
         }
         TourLeg last = ways.write(drone, at, end, seconds);

@@ -54,7 +54,8 @@ public final class RemainingProblem {
             }
         }
         open = Arrays.copyOf(open, count);
-        List<Visit> visits = Arrays.stream(open).mapToObj(whole.visits()::get).toList();
+        List<AllocationWaypoint> visits =
+                Arrays.stream(open).mapToObj(whole.visits()::get).toList();
         int[] places = Arrays.copyOf(open, count + 2 * drones);
         System.arraycopy(ends, 0, places, count, ends.length);
         Legs legs = count == waypoints ? whole.legs() : new SomeLegs(whole.legs(), places);

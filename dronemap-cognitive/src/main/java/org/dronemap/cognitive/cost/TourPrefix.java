@@ -34,7 +34,7 @@ final class TourPrefix {
     /** Stays where it is when it cannot serve that, or not come to its end from there. */
     private boolean goesOnTo(int waypoint) {
         Legs legs = instance.legs();
-        Visit visit = instance.visits().get(waypoint);
+        AllocationWaypoint visit = instance.visits().get(waypoint);
         double arrives = seconds + legs.seconds(carrier.type(), place, waypoint);
         double begins = Math.max(arrives, visit.opensSeconds());
         double leaves = begins + visit.serviceSeconds();

@@ -2,7 +2,7 @@ package org.dronemap.cognitive.follow;
 
 /**
  * Extended Kalman filter for one motion model of a followed target: position, velocity and lateral acceleration. Owned
- * by its {@link NoiseHypothesis}.
+ * by its {@link InteractingModelFilter}.
  */
 final class MotionKalmanFilter {
     static final int SIZE = 5;

@@ -92,7 +92,7 @@ public final class StandOffGuidance {
         Instant there = now.plusNanos((long) (limits.downlinkSeconds() * NANOS));
         PlanePoint expected = expected(drone, there);
         ReferencePoint loose = carrot == null ? begun(drone) : carrot;
-        ReferenceLimit leash = referenceLimit(loose, drone, there);
+        FollowPointLimit leash = referenceLimit(loose, drone, there);
         ReferencePoint from = limited(loose, leash, expected);
         StandOffPosition.Wanted wanted = stance.at(there, standOff, seconds);
         Cycle step = new Cycle(seconds, limits, Math.min(limits.speed(), leash.speed()), around, expected);
@@ -156,15 +156,15 @@ public final class StandOffGuidance {
                 plane.spot(drone.point()), drone.eastward(), drone.northward(), drone.altitudeAmslMeters(), 0);
     }
 
-    private ReferenceLimit referenceLimit(ReferencePoint from, DroneFix drone, Instant there) {
-        return ReferenceLimit.of(
+    private FollowPointLimit referenceLimit(ReferencePoint from, DroneFix drone, Instant there) {
+        return FollowPointLimit.of(
                 expected(drone, there).distanceMeters(from.spot()),
                 Math.hypot(drone.eastward(), drone.northward()),
                 late(drone, there));
     }
 
     /** The drone may be blown away, or be slower than it should: then the carrot waits for it. */
-    private static ReferencePoint limited(ReferencePoint from, ReferenceLimit leash, PlanePoint expected) {
+    private static ReferencePoint limited(ReferencePoint from, FollowPointLimit leash, PlanePoint expected) {
         double apart = expected.distanceMeters(from.spot());
         double speed = Math.hypot(from.eastward(), from.northward());
         double slower = speed > leash.speed() ? leash.speed() / speed : 1;

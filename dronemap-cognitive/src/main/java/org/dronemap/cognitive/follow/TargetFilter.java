@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Estimates from a followed phone's position fixes where it is, how it moves and where it will be. What a phone says of
- * its accuracy tells little of how its error changes: each {@link NoiseHypothesis} of that counts as much as it
+ * its accuracy tells little of how its error changes: each {@link InteractingModelFilter} of that counts as much as it
  * foretold the fixes. Owned by one thread.
  */
 public final class TargetFilter implements TrackedTarget {
@@ -39,14 +39,14 @@ public final class TargetFilter implements TrackedTarget {
 
     private static final double NANOS = 1e9;
 
-    private static final List<NoiseHypothesis.NoiseModel> PHONES = List.of(
-            new NoiseHypothesis.NoiseModel(0.02, 0.01),
-            new NoiseHypothesis.NoiseModel(0.05, 0.04),
-            new NoiseHypothesis.NoiseModel(0.12, 0.1),
-            new NoiseHypothesis.NoiseModel(0.3, 0.25));
+    private static final List<InteractingModelFilter.NoiseModel> PHONES = List.of(
+            new InteractingModelFilter.NoiseModel(0.02, 0.01),
+            new InteractingModelFilter.NoiseModel(0.05, 0.04),
+            new InteractingModelFilter.NoiseModel(0.12, 0.1),
+            new InteractingModelFilter.NoiseModel(0.3, 0.25));
 
-    private final List<NoiseHypothesis> hypotheses =
-            PHONES.stream().map(NoiseHypothesis::new).toList();
+    private final List<InteractingModelFilter> hypotheses =
+            PHONES.stream().map(InteractingModelFilter::new).toList();
     private final LocalPlane plane;
     private @Nullable Instant last;
     private int outliers;
@@ -115,12 +115,12 @@ public final class TargetFilter implements TrackedTarget {
         }
         double seconds = Math.max(0, Math.min(LONGEST_SECONDS, seconds(from, time)));
         double best = hypotheses.stream()
-                .mapToDouble(NoiseHypothesis::logLikelihood)
+                .mapToDouble(InteractingModelFilter::logLikelihood)
                 .max()
                 .orElseThrow();
         double all = 0;
         PlanarMotion sum = PlanarMotion.NONE;
-        for (NoiseHypothesis hypothesis : hypotheses) {
+        for (InteractingModelFilter hypothesis : hypotheses) {
             double likelihood = Math.exp(hypothesis.logLikelihood() - best);
             sum = sum.plus(hypothesis.after(seconds), likelihood);
             all += likelihood;

@@ -10,7 +10,7 @@ import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.geo.PlanePolygon;
 import org.dronemap.core.geo.PlaneSegment;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 
 /** Checks whether straight pieces of a drone's path enter a forbidden area or leave a required one. */
 public final class BarrierCheck {
@@ -76,33 +76,33 @@ public final class BarrierCheck {
         return barrier.band().reference() == Altitude.Reference.HOME ? amsl - homeAmslMeters : amsl;
     }
 
-    private boolean touches(FenceZone shape, Geodetic from, Geodetic to) {
-        if (shape instanceof FenceZone.Circle circle) {
+    private boolean touches(FenceArea shape, Geodetic from, Geodetic to) {
+        if (shape instanceof FenceArea.Circle circle) {
             return around(circle, from, to).distanceMeters(CENTER) <= circle.radiusMeters() + room;
         }
         LocalPlane plane = new LocalPlane(from);
         PlaneSegment way = new PlaneSegment(plane.spot(from), plane.spot(to));
-        PlanePolygon outline = plane.outline(((FenceZone.Polygon) shape).corners());
+        PlanePolygon outline = plane.outline(((FenceArea.Polygon) shape).corners());
         return outline.contains(way.from())
                 || outline.contains(way.to())
                 || outline.edges().stream().anyMatch(edge -> edge.distanceMeters(way) <= room);
     }
 
-    private boolean isWithin(FenceZone shape, Geodetic from, Geodetic to) {
-        if (shape instanceof FenceZone.Circle circle) {
+    private boolean isWithin(FenceArea shape, Geodetic from, Geodetic to) {
+        if (shape instanceof FenceArea.Circle circle) {
             PlaneSegment way = around(circle, from, to);
             return Math.max(way.from().distanceMeters(CENTER), way.to().distanceMeters(CENTER))
                     <= circle.radiusMeters() - room;
         }
         LocalPlane plane = new LocalPlane(from);
         PlaneSegment way = new PlaneSegment(plane.spot(from), plane.spot(to));
-        PlanePolygon outline = plane.outline(((FenceZone.Polygon) shape).corners());
+        PlanePolygon outline = plane.outline(((FenceArea.Polygon) shape).corners());
         return outline.contains(way.from())
                 && outline.contains(way.to())
                 && outline.edges().stream().noneMatch(edge -> edge.distanceMeters(way) <= room);
     }
 
-    private static PlaneSegment around(FenceZone.Circle circle, Geodetic from, Geodetic to) {
+    private static PlaneSegment around(FenceArea.Circle circle, Geodetic from, Geodetic to) {
         return new PlaneSegment(LocalPlane.offset(circle.center(), from), LocalPlane.offset(circle.center(), to));
     }
 }

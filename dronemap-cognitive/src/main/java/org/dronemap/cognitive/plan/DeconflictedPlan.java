@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param conflicts what is left
  */
-public record DeconflictedPlan(Plan plan, List<Conflict> conflicts) {
+public record DeconflictedPlan(Plan plan, List<SeparationConflict> conflicts) {
     public DeconflictedPlan {
         conflicts = List.copyOf(conflicts);
     }

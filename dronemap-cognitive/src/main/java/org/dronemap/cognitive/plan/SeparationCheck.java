@@ -27,7 +27,7 @@ public final class SeparationCheck {
     }
 
     /** The first of each two drones. */
-    public static List<Conflict> conflicts(PlanningProblem problem, Plan plan) {
+    public static List<SeparationConflict> conflicts(PlanningProblem problem, Plan plan) {
         LocalPlane plane =
                 new LocalPlane(problem.crafts().get(0).start().place().point());
         Map<DroneId, Craft> crafts =
@@ -40,7 +40,7 @@ public final class SeparationCheck {
             }
         }
         SeparationCheck check = new SeparationCheck(problem.rules().separation());
-        List<Conflict> conflicts = new ArrayList<>();
+        List<SeparationConflict> conflicts = new ArrayList<>();
         for (int i = 0; i < traces.size(); i++) {
             for (int j = i + 1; j < traces.size(); j++) {
                 check.first(traces.get(i), traces.get(j)).ifPresent(conflicts::add);
@@ -49,7 +49,7 @@ public final class SeparationCheck {
         return conflicts;
     }
 
-    Optional<Conflict> first(TourTrajectory one, TourTrajectory other) {
+    Optional<SeparationConflict> first(TourTrajectory one, TourTrajectory other) {
         double from = Math.max(one.fromSeconds(), other.fromSeconds());
         double till = Math.min(one.tillSeconds(), other.tillSeconds());
         int i = one.pieceAt(from);
@@ -59,7 +59,7 @@ public final class SeparationCheck {
             TourTrajectory.Piece yours = other.pieces().get(j);
             double both = Math.min(mine.tillSeconds(), yours.tillSeconds());
             if (both > from && !mine.isBeyond(yours, separation.horizontalMeters()) && !isStacked(mine, yours)) {
-                Optional<Conflict> conflict = meet(new PiecePair(one, mine, other, yours), from, both);
+                Optional<SeparationConflict> conflict = meet(new PiecePair(one, mine, other, yours), from, both);
                 if (conflict.isPresent()) {
                     return conflict;
                 }
@@ -93,13 +93,13 @@ public final class SeparationCheck {
                 || yours.low() - mine.high() >= separation.verticalMeters();
     }
 
-    private Optional<Conflict> meet(PiecePair pair, double from, double till) {
+    private Optional<SeparationConflict> meet(PiecePair pair, double from, double till) {
         double fastest = pair.mine().peak() + pair.yours().peak();
         double seconds = from;
         while (true) {
             double meters = pair.meters(seconds);
             if (meters < separation.horizontalMeters()) {
-                return Optional.of(new Conflict(
+                return Optional.of(new SeparationConflict(
                         pair.one().craft().id(), pair.other().craft().id(), seconds, meters));
             }
             if (fastest == 0 || seconds >= till) {

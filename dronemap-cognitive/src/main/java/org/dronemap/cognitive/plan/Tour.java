@@ -12,7 +12,7 @@ import org.dronemap.core.stored.Stored;
  * @param usedJoules drawn in all
  */
 @Stored(names = "drone stops last usedJoules")
-public record Tour(DroneId drone, List<Stop> stops, TourLeg last, double usedJoules) {
+public record Tour(DroneId drone, List<TourStop> stops, TourLeg last, double usedJoules) {
     public Tour {
         stops = List.copyOf(stops);
     }

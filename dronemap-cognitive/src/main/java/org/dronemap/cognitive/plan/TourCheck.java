@@ -51,7 +51,7 @@ final class TourCheck {
             fault("has a link that is too bad to be given waypoints");
         }
         for (int i = 0; i < tour.stops().size(); i++) {
-            Stop stop = tour.stops().get(i);
+            TourStop stop = tour.stops().get(i);
             String words = "waypoint " + stop.waypoint();
             fly(stop.way(), at, free, "to " + words);
             Waypoint waypoint = waypoints.get(stop.waypoint());
@@ -69,7 +69,7 @@ final class TourCheck {
         ends();
     }
 
-    private void visit(Stop stop, Waypoint waypoint) {
+    private void visit(TourStop stop, Waypoint waypoint) {
         String words = "waypoint " + waypoint.id();
         expect(isSame(stop.way().to(), waypoint.place()), "does not come to " + words);
         expect(craft.can(waypoint.task()), "cannot do the task of " + words);

@@ -30,7 +30,7 @@ final class TourScheduler {
     private final List<TourTrajectory> settled;
     private final SeparationCheck check;
     private final Map<String, Waypoint> waypoints;
-    private final AltitudeLayers layers;
+    private final RaisedTourLegs layers;
     private final double layerMeters;
     private final List<Option> tries;
     private final SearchNode[] legs;
@@ -68,7 +68,7 @@ final class TourScheduler {
         this.settled = settled;
         this.check = new SeparationCheck(problem.rules().separation());
         this.waypoints = problem.waypoints().stream().collect(Collectors.toMap(Waypoint::id, Function.identity()));
-        this.layers = new AltitudeLayers(problem, craft, tour);
+        this.layers = new RaisedTourLegs(problem, craft, tour);
         this.layerMeters = problem.rules().separation().verticalMeters() + LAYER_ROOM_METERS;
         this.tries = tries();
         this.legs = new SearchNode[tour.stops().size() + 1];
@@ -159,7 +159,7 @@ final class TourScheduler {
         double since = onGround ? way.departsSeconds() : at == 0 ? 0 : leg.free;
         TourTrajectory trace = TourTrajectory.of(craft, since, way, leg.leaves, plane);
         for (TourTrajectory other : settled) {
-            Optional<Conflict> conflict = check.first(trace, other);
+            Optional<SeparationConflict> conflict = check.first(trace, other);
             if (conflict.isPresent()) {
                 if (conflict.get().seconds() < way.departsSeconds()) {
                     leg.longestDelay = conflict.get().seconds() - leg.free;
@@ -171,7 +171,7 @@ final class TourScheduler {
     }
 
     /** Whether it is there in time. */
-    private boolean visit(SearchNode leg, Stop stop) {
+    private boolean visit(SearchNode leg, TourStop stop) {
         Waypoint waypoint = waypoints.get(stop.waypoint());
         if (waypoint == null) {
             throw new IllegalArgumentException("the waypoint " + stop.waypoint() + " is not part of the problem");
@@ -183,12 +183,12 @@ final class TourScheduler {
 
     private Tour write() {
         double joules = craft.start().airborne() ? way(0).departsSeconds() * layers.hoverWatts() : 0;
-        List<Stop> stops = new ArrayList<>(tour.stops().size());
+        List<TourStop> stops = new ArrayList<>(tour.stops().size());
         for (int i = 0; i < tour.stops().size(); i++) {
             TourLeg way = way(i);
             double arrives = way.arrivesSeconds();
             joules += way.joules() + (legs[i].leaves - arrives) * layers.hoverWatts();
-            stops.add(new Stop(tour.stops().get(i).waypoint(), way, legs[i].begins, legs[i].leaves, joules));
+            stops.add(new TourStop(tour.stops().get(i).waypoint(), way, legs[i].begins, legs[i].leaves, joules));
             joules += (way(i + 1).departsSeconds() - legs[i].leaves) * layers.hoverWatts();
         }
         TourLeg last = way(legs.length - 1);

@@ -2,7 +2,7 @@ package org.dronemap.cognitive.problem;
 
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.stored.Stored;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.ShapeValidator;
@@ -15,7 +15,7 @@ import org.dronemap.core.zone.Zone;
  * @param drones whom it binds; nobody named: everybody
  */
 @Stored(names = "words shape band drones")
-public record Barrier(String words, FenceZone shape, AltitudeBand band, Set<DroneId> drones) {
+public record Barrier(String words, FenceArea shape, AltitudeBand band, Set<DroneId> drones) {
     /** A circle is gone round in so many straight pieces. */
     public static final int CIRCLE_TURNS = 16;
 
@@ -44,7 +44,7 @@ public record Barrier(String words, FenceZone shape, AltitudeBand band, Set<Dron
 
     /** At how many spots ways round it may turn. */
     public int turns() {
-        return shape instanceof FenceZone.Polygon polygon ? polygon.corners().size() : CIRCLE_TURNS;
+        return shape instanceof FenceArea.Polygon polygon ? polygon.corners().size() : CIRCLE_TURNS;
     }
 
     public boolean binds(DroneId drone) {

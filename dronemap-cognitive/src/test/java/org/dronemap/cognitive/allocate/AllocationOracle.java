@@ -6,7 +6,7 @@ import java.util.List;
 import org.dronemap.cognitive.cost.AllocationDrone;
 import org.dronemap.cognitive.cost.AllocationObjective;
 import org.dronemap.cognitive.cost.AllocationProblem;
-import org.dronemap.cognitive.cost.Visit;
+import org.dronemap.cognitive.cost.AllocationWaypoint;
 
 /** Says of orders whether they can be flown and what they are worth, by arithmetic of its own. */
 final class AllocationOracle {
@@ -57,7 +57,9 @@ final class AllocationOracle {
         double longest = 0;
         double sum = 0;
         int idle = 0;
-        double leftOut = instance.visits().stream().mapToDouble(Visit::priority).sum();
+        double leftOut = instance.visits().stream()
+                .mapToDouble(AllocationWaypoint::priority)
+                .sum();
         for (int r = 0; r < orders.length; r++) {
             double[] flown = fly(r, orders[r]);
             if (orders[r].length > 0 || instance.carriers().get(r).mustFly()) {
@@ -86,7 +88,7 @@ final class AllocationOracle {
             meters += instance.legs().meters(carrier.type(), at, to);
             joules += instance.legs().joules(carrier.type(), at, to);
             if (i < order.length) {
-                Visit visit = instance.visits().get(to);
+                AllocationWaypoint visit = instance.visits().get(to);
                 double waits = Math.max(0, visit.opensSeconds() - clock);
                 late |= clock + waits > visit.closesSeconds() + ROUNDING;
                 clock += waits + visit.serviceSeconds();

@@ -11,12 +11,13 @@ import java.util.stream.IntStream;
 import org.dronemap.cognitive.cost.AllocationDrone;
 import org.dronemap.cognitive.cost.AllocationObjective;
 import org.dronemap.cognitive.cost.AllocationProblem;
-import org.dronemap.cognitive.cost.Visit;
+import org.dronemap.cognitive.cost.AllocationWaypoint;
 import org.junit.jupiter.api.Test;
 
 /** What the search is compared with: plain, but true to what a plan must keep to. */
 class BaselineTest {
-    private static final List<Baseline> ALL = List.of(new GivenOrder(), new NearestNeighbour(), new MoveAndImprove());
+    private static final List<Baseline> ALL =
+            List.of(new GivenOrderBaseline(), new NearestNeighbourBaseline(), new MoveAndImproveBaseline());
 
     private final RandomAllocationProblems instances = new RandomAllocationProblems(7);
 
@@ -30,7 +31,7 @@ class BaselineTest {
         }
         BitSet all = new BitSet();
         all.set(0, starts.length);
-        Visit visit = new Visit(0, 0, 1, 0, Double.POSITIVE_INFINITY, all);
+        AllocationWaypoint visit = new AllocationWaypoint(0, 0, 1, 0, Double.POSITIVE_INFINITY, all);
         return new AllocationProblem(
                 new PlanarLegs(east, new double[places], new double[] {1}, 0),
                 Collections.nCopies(waypoints.length, visit),
@@ -84,7 +85,7 @@ class BaselineTest {
 
     @Test
     void theGivenOrderIsCutIntoEqualStretches() {
-        Allocation found = new GivenOrder().allocate(instances.plain(10, 3, AllocationObjective.minMax()));
+        Allocation found = new GivenOrderBaseline().allocate(instances.plain(10, 3, AllocationObjective.minMax()));
 
         assertThat(found.orders()).isDeepEqualTo(new int[][] {{0, 1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
     }
@@ -94,7 +95,7 @@ class BaselineTest {
         AllocationProblem instance =
                 line(new double[] {9, -2, 1, -5}, new double[] {0, 0}, AllocationObjective.minMax());
 
-        Allocation found = new NearestNeighbour().allocate(instance);
+        Allocation found = new NearestNeighbourBaseline().allocate(instance);
 
         // 2 is nearest for drone 0; drone 1, still at home, takes 1; drone 0 is at 1 with a tour of 2, and goes on to
         // 3.
@@ -108,7 +109,7 @@ class BaselineTest {
         AllocationProblem instance =
                 line(new double[] {1, 2, -1, -2}, new double[] {0, 0}, AllocationObjective.minMax());
 
-        Allocation found = new MoveAndImprove().allocate(instance);
+        Allocation found = new MoveAndImproveBaseline().allocate(instance);
 
         assertThat(found.orders()[0]).containsExactlyInAnyOrder(0, 1);
         assertThat(found.orders()[1]).containsExactlyInAnyOrder(2, 3);
@@ -121,7 +122,7 @@ class BaselineTest {
         // it.
         AllocationProblem instance = line(new double[] {1, 2, 25, 30, 31, 32}, new double[] {0, 31}, minSum());
 
-        Allocation found = new MoveAndImprove().allocate(instance);
+        Allocation found = new MoveAndImproveBaseline().allocate(instance);
 
         assertThat(found.orders()[0]).containsExactlyInAnyOrder(0, 1);
         assertThat(found.sum()).isEqualTo(18);
@@ -132,8 +133,8 @@ class BaselineTest {
         List<Double> market = new ArrayList<>();
         for (int problem = 0; problem < 20; problem++) {
             AllocationProblem instance = instances.plain(60, 4, AllocationObjective.minMax());
-            double neighbour = new NearestNeighbour().allocate(instance).longestSeconds();
-            double traded = new MoveAndImprove().allocate(instance).longestSeconds();
+            double neighbour = new NearestNeighbourBaseline().allocate(instance).longestSeconds();
+            double traded = new MoveAndImproveBaseline().allocate(instance).longestSeconds();
             double searched = new Allocator(instance)
                     .search(1, SearchBudget.iterations(5_000), better -> {})
                     .longestSeconds();
@@ -148,7 +149,7 @@ class BaselineTest {
     void noDroneStaysIdleWhereAllShallFly() {
         AllocationProblem instance = line(new double[] {1, 2, 3, 4}, new double[] {0, 50}, minSum().withEveryDrone());
 
-        assertThat(List.of(new MoveAndImprove().allocate(instance).orders()))
+        assertThat(List.of(new MoveAndImproveBaseline().allocate(instance).orders()))
                 .allSatisfy(order -> assertThat(order).isNotEmpty());
     }
 }

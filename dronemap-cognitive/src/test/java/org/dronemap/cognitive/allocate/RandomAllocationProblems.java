@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 import org.dronemap.cognitive.cost.AllocationDrone;
 import org.dronemap.cognitive.cost.AllocationObjective;
 import org.dronemap.cognitive.cost.AllocationProblem;
-import org.dronemap.cognitive.cost.Visit;
+import org.dronemap.cognitive.cost.AllocationWaypoint;
 
 /** Problems drawn by a seed: two kinds of drones, windows, batteries, skills, priorities, depots that may differ. */
 final class RandomAllocationProblems {
@@ -23,7 +23,7 @@ final class RandomAllocationProblems {
     }
 
     private AllocationProblem any(int waypoints, int drones, boolean windows, boolean batteries, boolean skills) {
-        List<Visit> visits = new ArrayList<>();
+        List<AllocationWaypoint> visits = new ArrayList<>();
         for (int i = 0; i < waypoints; i++) {
             BitSet able = new BitSet();
             for (int r = 0; r < drones; r++) {
@@ -31,8 +31,8 @@ final class RandomAllocationProblems {
             }
             double opens = windows && random.nextBoolean() ? random.nextDouble(200) : 0;
             double closes = windows && random.nextBoolean() ? opens + random.nextDouble(150) : Double.POSITIVE_INFINITY;
-            visits.add(
-                    new Visit(random.nextInt(10), 1 + random.nextInt(3), 1 + random.nextInt(3), opens, closes, able));
+            visits.add(new AllocationWaypoint(
+                    random.nextInt(10), 1 + random.nextInt(3), 1 + random.nextInt(3), opens, closes, able));
         }
         List<AllocationDrone> carriers = new ArrayList<>();
         for (int r = 0; r < drones; r++) {
@@ -46,7 +46,7 @@ final class RandomAllocationProblems {
     AllocationProblem plain(int waypoints, int drones, AllocationObjective aim) {
         BitSet all = new BitSet();
         all.set(0, drones);
-        Visit visit = new Visit(0, 0, 1, 0, Double.POSITIVE_INFINITY, all);
+        AllocationWaypoint visit = new AllocationWaypoint(0, 0, 1, 0, Double.POSITIVE_INFINITY, all);
         AllocationDrone carrier = new AllocationDrone(0, 0, Double.POSITIVE_INFINITY);
         return new AllocationProblem(
                 legs(waypoints, drones),

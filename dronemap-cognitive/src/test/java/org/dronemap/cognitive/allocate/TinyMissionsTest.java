@@ -20,7 +20,7 @@ import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.problem.TimeWindow;
 import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.cognitive.problem.Waypoint;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -76,7 +76,7 @@ class TinyMissionsTest {
         for (int i = random.nextInt(3); i > 0; i--) {
             barriers.add(new Barrier(
                     "zone " + i,
-                    new FenceZone.Circle(
+                    new FenceArea.Circle(
                             false, PlanningFixtures.point(anywhere(), anywhere()), random.nextDouble(50, 300)),
                     AltitudeBand.ALL,
                     Set.of()));

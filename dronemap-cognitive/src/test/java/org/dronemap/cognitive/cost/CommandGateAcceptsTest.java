@@ -30,21 +30,21 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBinding;
 import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.core.zone.ZoneRules;
+import org.dronemap.core.zone.ZoneValidity;
 import org.junit.jupiter.api.Test;
 
 /** What is planned passes the check that the command gate makes of the mission. */
@@ -94,12 +94,12 @@ class CommandGateAcceptsTest {
         return true;
     }
 
-    private static FenceZone shape(SplittableRandom random, double scale) {
+    private static FenceArea shape(SplittableRandom random, double scale) {
         double x = scale * random.nextDouble(-300, 300);
         double y = scale * random.nextDouble(-300, 300);
         double radius = scale * random.nextDouble(10, 120);
         if (random.nextInt(3) == 0) {
-            return new FenceZone.Circle(false, PlanningFixtures.point(x, y), radius);
+            return new FenceArea.Circle(false, PlanningFixtures.point(x, y), radius);
         }
         List<Geodetic> corners = new ArrayList<>();
         int count = random.nextInt(3, 8);
@@ -108,7 +108,7 @@ class CommandGateAcceptsTest {
             double away = radius * random.nextDouble(0.4, 1);
             corners.add(PlanningFixtures.point(x + away * Math.cos(angle), y + away * Math.sin(angle)));
         }
-        return new FenceZone.Polygon(false, corners);
+        return new FenceArea.Polygon(false, corners);
     }
 
     private static AltitudeBand band(SplittableRandom random) {
@@ -119,8 +119,8 @@ class CommandGateAcceptsTest {
         };
     }
 
-    private static Zone zone(String id, FenceZone shape, AltitudeBand band) {
-        return new Zone(id, id, shape, band, ZoneBinding.EVERYBODY, Validity.ALWAYS, BreachAction.HOLD, "ann", NOW);
+    private static Zone zone(String id, FenceArea shape, AltitudeBand band) {
+        return new Zone(id, id, shape, band, ZoneBinding.EVERYBODY, ZoneValidity.ALWAYS, BreachAction.HOLD, "ann", NOW);
     }
 
     private static Mission mission(Tour tour) {
@@ -168,7 +168,7 @@ class CommandGateAcceptsTest {
                 null,
                 new Home(home, GROUND),
                 null,
-                Payload.UNKNOWN,
+                PayloadState.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),
                 NOW,

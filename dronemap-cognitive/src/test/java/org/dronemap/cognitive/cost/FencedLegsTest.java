@@ -22,7 +22,7 @@ import org.dronemap.cognitive.problem.Start;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 import org.locationtech.jts.geom.Coordinate;
@@ -105,7 +105,7 @@ class FencedLegsTest {
 
     @Test
     void passesOverAndUnderAZoneThatEndsThere() {
-        FenceZone wall = new FenceZone.Polygon(
+        FenceArea wall = new FenceArea.Polygon(
                 false,
                 List.of(
                         PlanningFixtures.point(-20, -200),
@@ -128,7 +128,7 @@ class FencedLegsTest {
                 .isZero();
     }
 
-    private static int turns(FenceZone shape, AltitudeBand band) {
+    private static int turns(FenceArea shape, AltitudeBand band) {
         CostModel model = between(
                 List.of(new Barrier("the wall", shape, band, Set.of())), new double[] {-200, 0}, new double[] {200, 0});
         return way(model).via().size();
@@ -136,7 +136,7 @@ class FencedLegsTest {
 
     @Test
     void bindsOnlyTheDronesThatAreNamed() {
-        FenceZone wall = new FenceZone.Circle(false, PlanningFixtures.point(500, 0), 100);
+        FenceArea wall = new FenceArea.Circle(false, PlanningFixtures.point(500, 0), 100);
         List<Waypoint> waypoints = List.of(
                 Waypoint.at("a", PlanningFixtures.place(0, 0, 450)),
                 Waypoint.at("b", PlanningFixtures.place(1000, 0, 450)));
@@ -152,7 +152,7 @@ class FencedLegsTest {
 
     @Test
     void neitherTakesOffNorLandsThroughAZone() {
-        FenceZone over = new FenceZone.Circle(false, PlanningFixtures.point(0, 0), 30);
+        FenceArea over = new FenceArea.Circle(false, PlanningFixtures.point(0, 0), 30);
         AltitudeBand above = new AltitudeBand(430.0, null, Altitude.Reference.AMSL);
         List<Waypoint> waypoints = List.of(
                 Waypoint.at("high", PlanningFixtures.place(300, 0, 450)),

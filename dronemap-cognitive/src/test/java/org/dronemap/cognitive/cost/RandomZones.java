@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
 import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
@@ -52,7 +52,7 @@ final class RandomZones {
     }
 
     void circle(double x, double y, double radius) {
-        barrier(new FenceZone.Circle(false, PlanningFixtures.point(x, y), radius));
+        barrier(new FenceArea.Circle(false, PlanningFixtures.point(x, y), radius));
         outs.add(SHAPES.createPoint(new Coordinate(x, y)).buffer(radius, 64));
     }
 
@@ -64,11 +64,11 @@ final class RandomZones {
             ring[i] = new Coordinate(corners[i][0], corners[i][1]);
         }
         ring[corners.length] = ring[0];
-        barrier(new FenceZone.Polygon(inside, points));
+        barrier(new FenceArea.Polygon(inside, points));
         (inside ? stays : outs).add(SHAPES.createPolygon(ring));
     }
 
-    private void barrier(FenceZone shape) {
+    private void barrier(FenceArea shape) {
         barriers.add(new Barrier("zone " + barriers.size(), shape, AltitudeBand.ALL, Set.of()));
     }
 

@@ -11,7 +11,7 @@ import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.sim.autopilot.AutopilotKind;
 import org.dronemap.sim.autopilot.SimulatedVehicle;
-import org.dronemap.sim.autopilot.VehicleSettings;
+import org.dronemap.sim.autopilot.SimulatedVehicleSettings;
 import org.dronemap.sim.autopilot.arducopter.SimulatedArduCopter;
 import org.dronemap.sim.flight.NavigationEstimator;
 import org.dronemap.sim.flight.SimulatedCraft;
@@ -64,7 +64,7 @@ final class SimDrone implements TestCopter {
                 new WindModel(wind, seed % 7, seed),
                 new NavigationEstimator(3_000));
         vehicle = new SimulatedVehicle(
-                new VehicleSettings(1, 1, 2, -1, 1500, 0, true, 0, Map.of("WPNAV_SPEED", 1_500.0)),
+                new SimulatedVehicleSettings(1, 1, 2, -1, 1500, 0, true, 0, Map.of("WPNAV_SPEED", 1_500.0)),
                 new AutopilotKind("arducopter", "", SimulatedArduCopter::new),
                 craft,
                 bytes -> {});

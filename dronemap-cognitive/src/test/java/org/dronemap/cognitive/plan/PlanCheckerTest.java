@@ -26,7 +26,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -97,9 +97,9 @@ class PlanCheckerTest {
                 List.of(change.apply(right.tours().get(0)), right.tours().get(1)), right.unserved());
     }
 
-    private Plan changedStop(int index, UnaryOperator<Stop> change) {
+    private Plan changedStop(int index, UnaryOperator<TourStop> change) {
         return changed(tour -> {
-            List<Stop> stops = new ArrayList<>(tour.stops());
+            List<TourStop> stops = new ArrayList<>(tour.stops());
             stops.set(index, change.apply(stops.get(index)));
             return new Tour(tour.drone(), stops, tour.last(), tour.usedJoules());
         });
@@ -150,8 +150,8 @@ class PlanCheckerTest {
         finds("before it is free to", problem, changedStop(0, stop -> times(stop, 200, 230)));
     }
 
-    private static Stop times(Stop stop, double begins, double leaves) {
-        return new Stop(stop.waypoint(), stop.way(), begins, leaves, stop.usedJoules());
+    private static TourStop times(TourStop stop, double begins, double leaves) {
+        return new TourStop(stop.waypoint(), stop.way(), begins, leaves, stop.usedJoules());
     }
 
     @Test
@@ -161,7 +161,7 @@ class PlanCheckerTest {
                 problem,
                 changedStop(
                         1,
-                        stop -> new Stop(
+                        stop -> new TourStop(
                                 stop.waypoint(),
                                 sooner(stop.way(), 5),
                                 stop.beginsSeconds(),
@@ -176,7 +176,7 @@ class PlanCheckerTest {
                 problem,
                 changedStop(
                         1,
-                        stop -> new Stop(
+                        stop -> new TourStop(
                                 stop.waypoint(),
                                 stop.way(),
                                 stop.beginsSeconds(),
@@ -211,7 +211,7 @@ class PlanCheckerTest {
                 problem,
                 changedStop(
                         1,
-                        stop -> new Stop(
+                        stop -> new TourStop(
                                 stop.waypoint(),
                                 elsewhere,
                                 stop.beginsSeconds(),
@@ -222,7 +222,7 @@ class PlanCheckerTest {
                 problem,
                 changedStop(
                         0,
-                        stop -> new Stop(
+                        stop -> new TourStop(
                                 stop.waypoint(),
                                 new TourLeg(
                                         List.of(
@@ -245,18 +245,18 @@ class PlanCheckerTest {
 
     @Test
     void findsWaysThroughZones() {
-        FenceZone box = box(false, 400, 900, 600, 1100);
+        FenceArea box = box(false, 400, 900, 600, 1100);
         finds("leads through the moor", fenced(box, AltitudeBand.ALL), right);
         finds(
                 "leads through the moor",
-                fenced(new FenceZone.Circle(false, PlanningFixtures.point(500, 1040), 50), AltitudeBand.ALL),
+                fenced(new FenceArea.Circle(false, PlanningFixtures.point(500, 1040), 50), AltitudeBand.ALL),
                 right);
         finds("leads through the moor", fenced(box, amsl(440, 460)), right);
         finds("leads through the moor", fenced(box(false, -50, -50, 50, 50), amsl(440, 460)), right);
         finds("leaves the moor", fenced(box(true, -2000, -2000, 900, 2000), AltitudeBand.ALL), right);
         finds(
                 "leaves the moor",
-                fenced(new FenceZone.Circle(true, PlanningFixtures.point(0, 0), 1200), AltitudeBand.ALL),
+                fenced(new FenceArea.Circle(true, PlanningFixtures.point(0, 0), 1200), AltitudeBand.ALL),
                 right);
         finds("over the ceiling", fenced(box(true, -2000, -2000, 2000, 2000), amsl(null, 449)), right);
         assertThat(PlanChecker.faults(fenced(box, amsl(451, null)), right)).isEmpty();
@@ -271,7 +271,7 @@ class PlanCheckerTest {
                 .isEmpty();
     }
 
-    private PlanningProblem fenced(FenceZone shape, AltitudeBand band) {
+    private PlanningProblem fenced(FenceArea shape, AltitudeBand band) {
         return problem.withBarriers(List.of(new Barrier("the moor", shape, band, Set.of())));
     }
 
@@ -282,8 +282,8 @@ class PlanCheckerTest {
                 Altitude.Reference.AMSL);
     }
 
-    private static FenceZone box(boolean inside, double west, double south, double east, double north) {
-        return new FenceZone.Polygon(
+    private static FenceArea box(boolean inside, double west, double south, double east, double north) {
+        return new FenceArea.Polygon(
                 inside,
                 List.of(
                         PlanningFixtures.point(west, south),

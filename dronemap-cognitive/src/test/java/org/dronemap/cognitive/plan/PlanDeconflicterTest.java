@@ -21,7 +21,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -142,7 +142,7 @@ class PlanDeconflicterTest {
                 .with(Finish.hovering(PlanningFixtures.place(-300, 0, 450)));
         Barrier lid = new Barrier(
                 "the lid",
-                new FenceZone.Circle(false, PlanningFixtures.point(0, 0), 100),
+                new FenceArea.Circle(false, PlanningFixtures.point(0, 0), 100),
                 new AltitudeBand(455.0, null, Altitude.Reference.AMSL),
                 Set.of());
         PlanningProblem free = PlanningProblem.of(List.of(), List.of(one, other));

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Set;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Zone;
 import org.junit.jupiter.api.Test;
@@ -14,7 +14,7 @@ class BarrierTest {
     void isNamedAsItsZoneIs() {
         for (String name : new String[] {"Crane", "", "“Old” mill”"}) {
             for (boolean inside : new boolean[] {true, false}) {
-                FenceZone shape = circle(inside);
+                FenceArea shape = circle(inside);
                 assertThat(barrier(Zone.words(shape, name), shape).name()).isEqualTo(name);
             }
         }
@@ -27,11 +27,11 @@ class BarrierTest {
                 .isEqualTo("Eagle, which stands in the air there,");
     }
 
-    private static FenceZone circle(boolean inside) {
-        return new FenceZone.Circle(inside, new Geodetic(47.4, 8.5), 20);
+    private static FenceArea circle(boolean inside) {
+        return new FenceArea.Circle(inside, new Geodetic(47.4, 8.5), 20);
     }
 
-    private static Barrier barrier(String words, FenceZone shape) {
+    private static Barrier barrier(String words, FenceArea shape) {
         return new Barrier(words, shape, AltitudeBand.ALL, Set.of());
     }
 }

@@ -13,7 +13,7 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -58,7 +58,7 @@ class PlanningProblemTest {
     void refusesProblemsThatAreNone() {
         refuses(() -> PlanningProblem.of(List.of(waypoint), List.of()), "number of drones must be 1 to 1000: 0");
         Barrier circle = new Barrier(
-                "the pond", new FenceZone.Circle(false, PlanningFixtures.point(0, 0), 10), AltitudeBand.ALL, Set.of());
+                "the pond", new FenceArea.Circle(false, PlanningFixtures.point(0, 0), 10), AltitudeBand.ALL, Set.of());
         refuses(
                 () -> PlanningProblem.of(List.of(waypoint), List.of(craft))
                         .withBarriers(Collections.nCopies(251, circle)),
@@ -77,7 +77,7 @@ class PlanningProblemTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Barrier(
                         "the bow",
-                        new FenceZone.Polygon(
+                        new FenceArea.Polygon(
                                 false,
                                 List.of(
                                         PlanningFixtures.point(0, 0),

@@ -7,7 +7,7 @@ import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.allocate.SearchBudget;
 import org.dronemap.cognitive.engine.FleetPlanner;
 import org.dronemap.cognitive.plan.Plan;
-import org.dronemap.cognitive.plan.Stop;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
@@ -31,7 +31,8 @@ record DroneLoss(PlanningProblem problem, Plan plan, ReplanSituation situation) 
     static List<LiveAssignment> live(Plan plan) {
         return plan.tours().stream()
                 .map(tour -> LiveAssignment.of(
-                        tour.drone(), tour.stops().stream().map(Stop::waypoint).toList()))
+                        tour.drone(),
+                        tour.stops().stream().map(TourStop::waypoint).toList()))
                 .toList();
     }
 }

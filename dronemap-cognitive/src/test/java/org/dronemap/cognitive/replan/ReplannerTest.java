@@ -14,8 +14,8 @@ import org.dronemap.cognitive.allocate.SearchBudget;
 import org.dronemap.cognitive.cost.CostModel;
 import org.dronemap.cognitive.engine.FleetPlanner;
 import org.dronemap.cognitive.plan.Plan;
-import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.EnergyBudget;
@@ -26,7 +26,7 @@ import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.problem.TimeWindow;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -46,7 +46,7 @@ class ReplannerTest {
         return plan.tours().stream()
                 .filter(tour -> tour.drone().equals(drone))
                 .flatMap(tour -> tour.stops().stream())
-                .map(Stop::waypoint)
+                .map(TourStop::waypoint)
                 .toList();
     }
 
@@ -223,7 +223,7 @@ class ReplannerTest {
         List<Waypoint> waypoints = PlanningFixtures.waypoints(new double[] {0, 1_000}, new double[] {300, 1_200});
         Barrier fence = new Barrier(
                 "the new fence",
-                new FenceZone.Circle(false, PlanningFixtures.point(0, 500), 200),
+                new FenceArea.Circle(false, PlanningFixtures.point(0, 500), 200),
                 AltitudeBand.ALL,
                 Set.of());
         PlanningProblem problem = PlanningProblem.of(

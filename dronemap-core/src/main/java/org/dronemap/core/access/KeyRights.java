@@ -3,7 +3,7 @@ package org.dronemap.core.access;
 import java.time.Instant;
 import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.zone.Bounds;
+import org.dronemap.core.zone.FlightBounds;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -44,9 +44,9 @@ public record KeyRights(Role role, KeyScope scope, @Nullable Instant expiresAt) 
         if (!outer.scope.permissions().containsAll(scope.permissions())) {
             return Optional.of(Excess.PERMISSIONS);
         }
-        Optional<Bounds.Side> side = scope.boundsBeyond(outer.scope);
+        Optional<FlightBounds.Side> side = scope.boundsBeyond(outer.scope);
         if (side.isPresent()) {
-            return Optional.of(side.get() == Bounds.Side.AREA ? Excess.AREA : Excess.ALTITUDE);
+            return Optional.of(side.get() == FlightBounds.Side.AREA ? Excess.AREA : Excess.ALTITUDE);
         }
         boolean longer = outer.expiresAt != null && (expiresAt == null || expiresAt.isAfter(outer.expiresAt));
         return longer ? Optional.of(Excess.EXPIRY) : Optional.empty();

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.zone.Bounds;
+import org.dronemap.core.zone.FlightBounds;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param permissions looking is always among them
  * @param bounds what flights that it commands stay within: all of them, each within the one before
  */
-public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permissions, List<Bounds> bounds) {
+public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permissions, List<FlightBounds> bounds) {
     /** Takes nothing away. */
     public static final KeyScope ALL = new KeyScope(null, EnumSet.allOf(Permission.class));
 
@@ -48,16 +48,16 @@ public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permission
     }
 
     /** The closest of all bounds; null: there are none. */
-    public @Nullable Bounds innermost() {
+    public @Nullable FlightBounds innermost() {
         return bounds.isEmpty() ? null : bounds.get(bounds.size() - 1);
     }
 
     /** Within these bounds, too. */
-    public KeyScope boundedBy(Bounds closer) {
+    public KeyScope boundedBy(FlightBounds closer) {
         if (closer.equals(innermost())) {
             return this;
         }
-        List<Bounds> all = new ArrayList<>(bounds);
+        List<FlightBounds> all = new ArrayList<>(bounds);
         all.add(closer);
         return new KeyScope(drones, permissions, all);
     }
@@ -75,17 +75,17 @@ public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permission
      * The part in which these bounds go beyond those. All of those must hold here, too: two judgements of one leg may
      * differ by the room that each of them keeps from its own edge.
      */
-    Optional<Bounds.Side> boundsBeyond(KeyScope outer) {
-        Bounds widest = outer.innermost();
-        Bounds own = innermost();
+    Optional<FlightBounds.Side> boundsBeyond(KeyScope outer) {
+        FlightBounds widest = outer.innermost();
+        FlightBounds own = innermost();
         if (widest == null) {
             return Optional.empty();
         }
         if (own == null) {
-            return Optional.of(widest.area() == null ? Bounds.Side.ALTITUDE : Bounds.Side.AREA);
+            return Optional.of(widest.area() == null ? FlightBounds.Side.ALTITUDE : FlightBounds.Side.AREA);
         }
-        Optional<Bounds.Side> side = own.beyond(widest);
+        Optional<FlightBounds.Side> side = own.beyond(widest);
         boolean allHold = bounds.containsAll(outer.bounds);
-        return side.isPresent() || allHold ? side : Optional.of(Bounds.Side.AREA);
+        return side.isPresent() || allHold ? side : Optional.of(FlightBounds.Side.AREA);
     }
 }

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record LinkSecurity(
         DroneId drone,
-        LinkPolicy policy,
+        LinkSigningPolicy policy,
         @Nullable LinkKey key,
         @Nullable LinkKey nextKey,
         boolean proven,
@@ -26,6 +26,6 @@ public record LinkSecurity(
 
     /** What holds for a drone that nobody secured. */
     public static LinkSecurity none(DroneId drone) {
-        return new LinkSecurity(drone, LinkPolicy.OFF, null, null, false, 0);
+        return new LinkSecurity(drone, LinkSigningPolicy.OFF, null, null, false, 0);
     }
 }

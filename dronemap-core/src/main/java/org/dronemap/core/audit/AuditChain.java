@@ -28,12 +28,12 @@ public final class AuditChain {
         return same(record.hash(), hash(head, record.sequence(), record.entry()));
     }
 
-    public SignedHead sign(SignedHead.Kind kind, AuditHead head, Instant at) {
+    public SignedAuditHead sign(SignedAuditHead.Kind kind, AuditHead head, Instant at) {
         Instant kept = at.truncatedTo(ChronoUnit.MILLIS);
-        return new SignedHead(kind, head, kept, signature(kind, head, kept));
+        return new SignedAuditHead(kind, head, kept, signature(kind, head, kept));
     }
 
-    public boolean isSignedHere(SignedHead signed) {
+    public boolean isSignedHere(SignedAuditHead signed) {
         return same(signed.signature(), signature(signed.kind(), signed.head(), signed.at()));
     }
 
@@ -58,7 +58,7 @@ public final class AuditChain {
                 .bytes());
     }
 
-    private String signature(SignedHead.Kind kind, AuditHead head, Instant at) {
+    private String signature(SignedAuditHead.Kind kind, AuditHead head, Instant at) {
         return seal.of(new CanonicalEncoder("head")
                 .add(kind)
                 .add(head.sequence())

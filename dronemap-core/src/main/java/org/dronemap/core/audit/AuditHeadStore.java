@@ -6,7 +6,7 @@ import java.util.Optional;
 /** Stores signed heads of the audit chain in order, outside the database; writes return only once durable. */
 public interface AuditHeadStore {
     /** Of each line in order: the head, or empty for a line that cannot be read. No list at all: nothing was ever kept. */
-    Optional<List<Optional<SignedHead>>> all();
+    Optional<List<Optional<SignedAuditHead>>> all();
 
-    void add(SignedHead head);
+    void add(SignedAuditHead head);
 }

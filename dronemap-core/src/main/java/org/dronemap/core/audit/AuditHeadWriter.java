@@ -35,26 +35,26 @@ public final class AuditHeadWriter implements AutoCloseable {
 
     public void start() {
         if (heads.all().isEmpty()) {
-            add(SignedHead.Kind.BEGUN, store.head());
+            add(SignedAuditHead.Kind.BEGUN, store.head());
         }
         ScheduledTask unused = thread.every(PERIOD, PERIOD, this::keep);
     }
 
     /** The chain of now, vouched for; kept here as well. */
-    public SignedHead receipt() {
-        return add(SignedHead.Kind.ANCHORED, store.head());
+    public SignedAuditHead receipt() {
+        return add(SignedAuditHead.Kind.ANCHORED, store.head());
     }
 
     /** The chain has become another one, on purpose. */
     public void restored() {
-        add(SignedHead.Kind.RESTORED, store.head());
+        add(SignedAuditHead.Kind.RESTORED, store.head());
     }
 
     private void keep() {
         try {
             AuditHead now = store.head();
             if (!now.equals(kept())) {
-                add(SignedHead.Kind.ANCHORED, now);
+                add(SignedAuditHead.Kind.ANCHORED, now);
             }
         } catch (RuntimeException e) {
             LOG.error("The head of the audit chain could not be kept; it is tried again", e);
@@ -65,8 +65,8 @@ public final class AuditHeadWriter implements AutoCloseable {
         return kept;
     }
 
-    private synchronized SignedHead add(SignedHead.Kind kind, AuditHead head) {
-        SignedHead signed = chain.sign(kind, head, clock.instant());
+    private synchronized SignedAuditHead add(SignedAuditHead.Kind kind, AuditHead head) {
+        SignedAuditHead signed = chain.sign(kind, head, clock.instant());
         heads.add(signed);
         kept = head;
         return signed;

@@ -20,7 +20,7 @@ public final class AuditVerifier {
     private final AuditChain chain;
     private final List<Expected> expected = new ArrayList<>();
     private @Nullable String doubt;
-    private @Nullable SignedHead restored;
+    private @Nullable SignedAuditHead restored;
 
     /** A head that the chain must have had, and who says so. */
     private record Expected(AuditHead head, String source) {}
@@ -32,7 +32,7 @@ public final class AuditVerifier {
     }
 
     /** Compares with a receipt too, if there is one. */
-    public AuditVerdict verify(@Nullable SignedHead receipt) {
+    public AuditVerdict verify(@Nullable SignedAuditHead receipt) {
         readHeads();
         if (receipt != null) {
             if (!chain.isSignedHere(receipt)) {
@@ -51,14 +51,14 @@ public final class AuditVerifier {
         }
     }
 
-    private void expect(SignedHead signed, String source) {
+    private void expect(SignedAuditHead signed, String source) {
         if (signed.head().sequence() > 0) {
             expected.add(new Expected(signed.head(), source + signed.at()));
         }
     }
 
     private void readHeads() {
-        Optional<List<Optional<SignedHead>>> lines = heads.all();
+        Optional<List<Optional<SignedAuditHead>>> lines = heads.all();
         if (lines.isEmpty()) {
             if (!store.head().equals(AuditHead.EMPTY)) {
                 doubt("The file of heads is gone.");
@@ -66,9 +66,9 @@ public final class AuditVerifier {
             return;
         }
         int number = 0;
-        for (Optional<SignedHead> line : lines.get()) {
+        for (Optional<SignedAuditHead> line : lines.get()) {
             number++;
-            Optional<SignedHead> good = line.filter(chain::isSignedHere);
+            Optional<SignedAuditHead> good = line.filter(chain::isSignedHere);
             if (good.isEmpty()) {
                 doubt("Line " + number + " of the file of heads was changed, or another key signed it.");
             } else {
@@ -77,12 +77,12 @@ public final class AuditVerifier {
         }
     }
 
-    private void read(SignedHead signed, int number) {
+    private void read(SignedAuditHead signed, int number) {
         long sequence = signed.head().sequence();
-        if (signed.kind() == SignedHead.Kind.RESTORED) {
+        if (signed.kind() == SignedAuditHead.Kind.RESTORED) {
             restored = signed;
             expected.removeIf(one -> one.head().sequence() > sequence);
-        } else if (number == 1 && (signed.kind() != SignedHead.Kind.BEGUN || sequence > 0)) {
+        } else if (number == 1 && (signed.kind() != SignedAuditHead.Kind.BEGUN || sequence > 0)) {
             doubt("The file of heads begins only at record " + sequence + ", of " + signed.at()
                     + "; what was kept before is gone.");
         }

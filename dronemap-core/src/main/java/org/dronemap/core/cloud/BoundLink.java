@@ -71,7 +71,7 @@ final class BoundLink implements DroneLink {
     }
 
     @Override
-    public void proved(Proof proof) {
+    public void proved(IdentityProof proof) {
         if (drone.isAttachedTo(session)) {
             drone.proved(proof);
             registrations.remember(drone);

@@ -1,7 +1,7 @@
 package org.dronemap.core.cloud;
 
-import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityEvidence;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,14 +14,14 @@ import org.jspecify.annotations.Nullable;
 public record Claim(
         LinkSession session,
         Identification identification,
-        @Nullable Proof proof,
+        @Nullable IdentityProof proof,
         boolean trusted,
         long ageNanos) {
     /** The best that it shows. */
-    public Evidence evidence() {
+    public IdentityEvidence evidence() {
         if (proof != null) {
             return proof.evidence();
         }
-        return identification.hardwareUid() == null ? Evidence.ADDRESS : Evidence.HARDWARE;
+        return identification.hardwareUid() == null ? IdentityEvidence.ADDRESS : IdentityEvidence.HARDWARE;
     }
 }

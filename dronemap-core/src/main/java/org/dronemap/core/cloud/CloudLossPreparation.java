@@ -13,7 +13,7 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ParameterOverrideRecorder;
 import org.dronemap.core.command.RestoreParameters;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.CloudLossState;
@@ -157,7 +157,7 @@ final class CloudLossPreparation implements FlightPreparation {
 
     private void prepare(PendingCommand entry, Runnable goOn) {
         CloudLossOverrideRecorder notes = notes();
-        Command command = new SetCloudLoss(desk.afterSeconds(), notes.earlier(), notes);
+        Command command = new SetCloudLossAction(desk.afterSeconds(), notes.earlier(), notes);
         Map<PendingCommand, Runnable> waiting = new LinkedHashMap<>();
         waiting.put(entry, goOn);
         begin(command, entry.passage(), notes, waiting);

@@ -35,7 +35,7 @@ import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.drone.ParameterOverrides;
 import org.dronemap.core.drone.SensorSnapshot;
 import org.dronemap.core.drone.Severity;
-import org.dronemap.core.lease.Epochs;
+import org.dronemap.core.lease.EpochAllocator;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.LeaseStore;
@@ -118,7 +118,8 @@ public final class CloudManager {
         zones.onChange(change -> registry.all().forEach(guard::lookAgain));
         listeners.add(guard);
         this.leases = new DroneControl.Persistence(keeping.leases(), journal);
-        Epochs epochs = new Epochs(keeping.leases(), task -> journal.write("more epochs", task, () -> {}));
+        EpochAllocator epochs =
+                new EpochAllocator(keeping.leases(), task -> journal.write("more epochs", task, () -> {}));
         this.leaseMachine = new LeaseMachine(rules.leases(), epochs::next);
         this.losses = new ParameterOverrideRegistry(
                 keeping.owners(), journal, rules.lossSeconds(), new ReturnHeightAllocator(registry));
@@ -316,7 +317,9 @@ public final class CloudManager {
 
     private ManagedDrone enrol(Claim claim) {
         LinkSession session = claim.session();
-        DroneId id = claim.proof() instanceof Proof.OfLink link && link.drone() != null ? link.drone() : newIds.get();
+        DroneId id = claim.proof() instanceof IdentityProof.OfLink link && link.drone() != null
+                ? link.drone()
+                : newIds.get();
         registrar.accept(id, session);
         DroneRecord record = new DroneRecord(
                 id, session.label(), session.key(), session.transport(), claim.identification(), clock.instant());

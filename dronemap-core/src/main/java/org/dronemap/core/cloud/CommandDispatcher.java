@@ -100,7 +100,7 @@ final class CommandDispatcher {
         if (entry.open().command().kind().contention() == Contention.FLIGHT) {
             entry.drone().setpoints().commanded(entry.open().record().summary());
         }
-        Lane.Ticker guard = guard(entry);
+        Lane.PeriodicTask guard = guard(entry);
         long since = entry.drone().lane().activeNanos();
         if (!entry.drone().preparation().delays(entry, () -> sendPrepared(entry, guard, since))) {
             send(entry, guard, channel);
@@ -116,7 +116,7 @@ final class CommandDispatcher {
     }
 
     /** After what came first: what has changed meanwhile is judged anew, and waiting for that made nothing late. */
-    private void sendPrepared(PendingCommand entry, Lane.Ticker guard, long since) {
+    private void sendPrepared(PendingCommand entry, Lane.PeriodicTask guard, long since) {
         if (entry.open().record().outcome() != null) {
             return;
         }
@@ -148,14 +148,14 @@ final class CommandDispatcher {
         return channel.get();
     }
 
-    private Lane.Ticker guard(PendingCommand entry) {
-        Lane.Ticker guard =
+    private Lane.PeriodicTask guard(PendingCommand entry) {
+        Lane.PeriodicTask guard =
                 new CommandTimeoutWatch(entry.open(), entry.drone().lane(), outcome -> abort(entry, outcome));
         entry.drone().lane().addPeriodicTask(guard);
         return guard;
     }
 
-    private void send(PendingCommand entry, Lane.Ticker guard, VehicleChannel channel) {
+    private void send(PendingCommand entry, Lane.PeriodicTask guard, VehicleChannel channel) {
         Command command = entry.open().command();
         if (command.kind().purpose() != CommandKind.Purpose.READ) {
             entry.drone().commandedFromHere(true);
@@ -213,7 +213,7 @@ final class CommandDispatcher {
         }
         if (entry.isUnderControl()) {
             // Idle counts from here.
-            entry.drone().control().apply(new LeaseEvent.Tick(true, false));
+            entry.drone().control().apply(new LeaseEvent.TimeAdvanced(true, false));
         }
         CommandRecord done = before.ended(outcome, clock.instant());
         entry.open().ended(done, entry.drone().lane().activeNanos());
@@ -229,9 +229,9 @@ final class CommandDispatcher {
     /** What the channel says of one command. */
     private final class Reporter implements VehicleChannel.Report {
         private final PendingCommand entry;
-        private final Lane.Ticker guard;
+        private final Lane.PeriodicTask guard;
 
-        Reporter(PendingCommand entry, Lane.Ticker guard) {
+        Reporter(PendingCommand entry, Lane.PeriodicTask guard) {
             this.entry = entry;
             this.guard = guard;
         }

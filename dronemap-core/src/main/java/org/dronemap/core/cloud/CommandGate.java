@@ -31,7 +31,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.zone.WayObjection;
+import org.dronemap.core.zone.RouteObjection;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 
@@ -189,7 +189,7 @@ public final class CommandGate {
                         .map(CommandGate::byKey));
     }
 
-    private static Refusal byZone(WayObjection why) {
+    private static Refusal byZone(RouteObjection why) {
         OutcomeCode code = switch (why.kind()) {
             case FORBIDDEN -> OutcomeCode.ZONE_FORBIDS;
             case NOT_CHECKABLE -> OutcomeCode.ZONE_NOT_CHECKABLE;
@@ -197,7 +197,7 @@ public final class CommandGate {
         return new Refusal(code, why.sentence());
     }
 
-    private static Refusal byKey(WayObjection why) {
+    private static Refusal byKey(RouteObjection why) {
         OutcomeCode code = switch (why.kind()) {
             case FORBIDDEN -> OutcomeCode.KEY_BOUNDS_FORBID;
             case NOT_CHECKABLE -> OutcomeCode.KEY_BOUNDS_NOT_CHECKABLE;

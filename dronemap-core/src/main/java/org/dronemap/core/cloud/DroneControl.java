@@ -100,7 +100,7 @@ final class DroneControl {
         if (event instanceof LeaseEvent.ByUser sign
                 && control.isHeldBy(sign.user())
                 && machine.isSilent(control, nanoTime.getAsLong())) {
-            Decision unused = apply(new LeaseEvent.Tick(false, false));
+            Decision unused = apply(new LeaseEvent.TimeAdvanced(false, false));
         }
         ControlState before = control;
         LeaseStep step = machine.apply(before, event, now());
@@ -201,7 +201,7 @@ final class DroneControl {
     void advance(BooleanSupplier busy, boolean heard, boolean hurries) {
         LapsedLease lapse = control.lapse();
         if (machine.isDue(control, nanoTime.getAsLong()) || (hurries && lapse != null && !lapse.returned())) {
-            apply(new LeaseEvent.Tick(busy.getAsBoolean(), heard, hurries));
+            apply(new LeaseEvent.TimeAdvanced(busy.getAsBoolean(), heard, hurries));
         }
     }
 

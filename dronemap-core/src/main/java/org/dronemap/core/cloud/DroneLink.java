@@ -28,7 +28,7 @@ public interface DroneLink {
     void linkChanged(LinkReport report);
 
     /** It has shown something of its own only after it was bound. On the lane only. */
-    void proved(Proof proof);
+    void proved(IdentityProof proof);
 
     /** What spoke turned out to be somebody else: a drone that was only made for it goes. Any thread. */
     void withdraw();

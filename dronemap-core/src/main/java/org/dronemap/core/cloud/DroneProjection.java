@@ -28,7 +28,7 @@ import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.OnboardStorage;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.SensorSnapshot;
@@ -76,7 +76,7 @@ final class DroneProjection {
     private @Nullable Gps gps;
     private @Nullable Home home;
     private @Nullable ReturnHeight returnHeight;
-    private Payload payload = Payload.UNKNOWN;
+    private PayloadState payload = PayloadState.UNKNOWN;
     private final GroundElevation ground;
     private long version;
     private volatile DroneState state;
@@ -288,12 +288,12 @@ final class DroneProjection {
         progress = mission.progress();
     }
 
-    private static Payload.Photo photo(DroneEvent.PhotoReported event, Instant at) {
-        return new Payload.Photo(event.number(), at, event.point());
+    private static PayloadState.Photo photo(DroneEvent.PhotoReported event, Instant at) {
+        return new PayloadState.Photo(event.number(), at, event.point());
     }
 
-    private static Payload.Reading reading(DroneEvent.ReadingReported event, Instant at) {
-        return new Payload.Reading(event.name(), event.value(), at);
+    private static PayloadState.Reading reading(DroneEvent.ReadingReported event, Instant at) {
+        return new PayloadState.Reading(event.name(), event.value(), at);
     }
 
     private static Wind wind(DroneEvent.WindReported event, Instant at) {

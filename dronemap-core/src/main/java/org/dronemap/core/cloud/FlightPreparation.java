@@ -7,7 +7,7 @@ import org.dronemap.core.drone.CloudLossState;
 /**
  * Prepares a vehicle before its first flight commanded by this cloud, and reverts that after the last one. On its lane.
  */
-interface FlightPreparation extends Lane.Ticker {
+interface FlightPreparation extends Lane.PeriodicTask {
     /** Nothing. */
     FlightPreparation NONE = new FlightPreparation() {
         @Override

@@ -26,20 +26,20 @@ final class IdentityResolver {
     }
 
     ClaimDecision judge(Claim claim) {
-        if (claim.proof() instanceof Proof.OfSignature signature) {
+        if (claim.proof() instanceof IdentityProof.OfSignature signature) {
             Optional<ManagedDrone> owner = registry.find(signature.drone());
             if (owner.isPresent()) {
                 return proved(owner.get(), claim);
             }
         }
-        if (claim.proof() instanceof Proof.OfLink link && link.drone() != null) {
+        if (claim.proof() instanceof IdentityProof.OfLink link && link.drone() != null) {
             // It is that drone or none: where it speaks from makes it no other one.
             return registry.find(link.drone())
                     .map(owner -> proved(owner, claim))
                     .orElseGet(ClaimDecision.NewVehicle::new);
         }
         ClaimDecision unproved = unproved(claim);
-        if (claim.proof() instanceof Proof.OfLink link) {
+        if (claim.proof() instanceof IdentityProof.OfLink link) {
             return registry.ofLinkIdentity(link.identity())
                     .map(owner -> proved(owner, claim))
                     .orElse(unproved instanceof ClaimDecision.Known ? unproved : new ClaimDecision.NewVehicle());
@@ -102,8 +102,9 @@ final class IdentityResolver {
                     drone.id(),
                     "It says that it is " + name(drone) + ", which has shown proof before; this one shows none."));
         }
-        boolean another =
-                claim.proof() instanceof Proof.OfLink link && identity != null && !identity.equals(link.identity());
+        boolean another = claim.proof() instanceof IdentityProof.OfLink link
+                && identity != null
+                && !identity.equals(link.identity());
         return another ? Optional.of(new ClaimDecision.NewVehicle()) : Optional.empty();
     }
 

@@ -14,7 +14,7 @@ import org.dronemap.core.cloud.rule.RecentModeCommands;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  * The cloud's live object for one drone: its state, link, liveness and control. Owned by its lane, except where a
  * method says otherwise.
  */
-final class ManagedDrone implements Lane.Ticker {
+final class ManagedDrone implements Lane.PeriodicTask {
     private static final long JUST_NANOS = 120_000_000_000L;
 
     private final DroneProjection drone;
@@ -48,7 +48,7 @@ final class ManagedDrone implements Lane.Ticker {
     private volatile @Nullable Outlook outlook;
     private @Nullable LinkSession session;
     private boolean replayEnded;
-    private Lane.Ticker watch = () -> {};
+    private Lane.PeriodicTask watch = () -> {};
     private Runnable modeChanged = () -> {};
     private volatile FlightPreparation preparation = FlightPreparation.NONE;
     private final SetpointForwarder setpoints;
@@ -161,13 +161,13 @@ final class ManagedDrone implements Lane.Ticker {
         listener.droneChanged(drone.state());
     }
 
-    void proved(Proof proof) {
+    void proved(IdentityProof proof) {
         drone.standing(standing(proof.evidence(), proof));
         listener.droneChanged(drone.state());
     }
 
-    private IdentityTrust standing(Evidence evidence, @Nullable Proof proof) {
-        String identity = proof instanceof Proof.OfLink link ? link.identity() : null;
+    private IdentityTrust standing(IdentityEvidence evidence, @Nullable IdentityProof proof) {
+        String identity = proof instanceof IdentityProof.OfLink link ? link.identity() : null;
         return drone.state().standing().with(evidence, identity);
     }
 
@@ -188,9 +188,9 @@ final class ManagedDrone implements Lane.Ticker {
     }
 
     /** Somebody was just found to speak for it, and will be heard on its lane at once. Any thread. */
-    void promise(@Nullable Proof proof) {
+    void promise(@Nullable IdentityProof proof) {
         promisedNanos = lane.activeNanos();
-        if (proof instanceof Proof.OfLink link) {
+        if (proof instanceof IdentityProof.OfLink link) {
             promisedIdentity = link.identity();
         }
     }

@@ -21,7 +21,7 @@ import org.dronemap.core.safety.LandingSite;
 import org.dronemap.core.safety.ReturnOption;
 import org.dronemap.core.safety.ReturnPlanner;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.zone.WayObjection;
+import org.dronemap.core.zone.RouteObjection;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 
@@ -190,7 +190,7 @@ final class ReturnWatch {
 
             @Override
             public Optional<String> against(Command.GoTo way) {
-                return zones.whyNot(user, state, way, clock.instant()).map(WayObjection::sentence);
+                return zones.whyNot(user, state, way, clock.instant()).map(RouteObjection::sentence);
             }
 
             @Override

@@ -7,7 +7,7 @@ import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.CountText;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.ParameterValue;
@@ -310,7 +310,7 @@ public sealed interface Command {
 
     /** Fetch one log, going on where an earlier attempt ended. */
     @Stored(as = "DownloadLog", names = "log sink")
-    record DownloadLog(VehicleLog log, LogSink sink) implements Command {
+    record DownloadLog(VehicleLog log, VehicleLogSink sink) implements Command {
         @Override
         public CommandKind kind() {
             return CommandKind.DOWNLOAD_LOG;
@@ -324,7 +324,7 @@ public sealed interface Command {
 
     /** Replace the fence on board; none at all takes it away. */
     @Stored(as = "SetFence", names = "zones")
-    record SetFence(List<FenceZone> zones) implements Command {
+    record SetFence(List<FenceArea> zones) implements Command {
         public SetFence {
             zones = List.copyOf(zones);
             if (zones.size() > 50) {
@@ -377,7 +377,7 @@ public sealed interface Command {
                     ReadRallyPoints,
                     SetReturnOnCloudLoss,
                     SetReturnHeight,
-                    SetCloudLoss,
+                    SetCloudLossAction,
                     RestoreParameters {}
 
     /** What the vehicle must be able to do for it. */

@@ -52,7 +52,7 @@ public final class CommandDigest {
         text.append(stored == null ? "" : stored.as()).append('(');
         for (RecordComponent component : words.getClass().getRecordComponents()) {
             // Where the bytes of a log go, or who keeps something, is no part of what is asked.
-            if (component.getType() != LogSink.class && component.getType() != ParameterOverrideRecorder.class) {
+            if (component.getType() != VehicleLogSink.class && component.getType() != ParameterOverrideRecorder.class) {
                 write(text, component(words, component));
             }
         }

@@ -9,138 +9,196 @@ import org.dronemap.core.drone.Capability;
  * alone have one: they cannot do what they do not say that they can.
  */
 public enum CommandKind {
-    ARM("Arm", Capability.ARM, Contention.ARMING, Purpose.FLY, Movement.NONE, DeferredEffect.NOTHING),
-    DISARM("Disarm", Capability.DISARM, Contention.ARMING, Purpose.CHANGE, Movement.NONE, DeferredEffect.NOTHING),
+    ARM("Arm", Capability.ARM, Contention.ARMING, Purpose.FLY, ImmediateEffect.NONE, DeferredEffect.NOTHING),
+    DISARM(
+            "Disarm",
+            Capability.DISARM,
+            Contention.ARMING,
+            Purpose.CHANGE,
+            ImmediateEffect.NONE,
+            DeferredEffect.NOTHING),
     SET_MODE(
-            "SetMode", Capability.SET_MODE, Contention.FLIGHT, Purpose.FLY, Movement.CHANGES_MODE, DeferredEffect.MODE),
-    TAKE_OFF("TakeOff", Capability.TAKE_OFF, Contention.FLIGHT, Purpose.FLY, Movement.CLIMBS, DeferredEffect.NOTHING),
-    LAND("Land", Capability.LAND, Contention.FLIGHT, Purpose.SAFETY, Movement.COMES_DOWN, DeferredEffect.NOTHING),
+            "SetMode",
+            Capability.SET_MODE,
+            Contention.FLIGHT,
+            Purpose.FLY,
+            ImmediateEffect.CHANGES_MODE,
+            DeferredEffect.MODE),
+    TAKE_OFF(
+            "TakeOff",
+            Capability.TAKE_OFF,
+            Contention.FLIGHT,
+            Purpose.FLY,
+            ImmediateEffect.CLIMBS,
+            DeferredEffect.NOTHING),
+    LAND(
+            "Land",
+            Capability.LAND,
+            Contention.FLIGHT,
+            Purpose.SAFETY,
+            ImmediateEffect.COMES_DOWN,
+            DeferredEffect.NOTHING),
     RETURN_TO_LAUNCH(
             "ReturnToLaunch",
             Capability.RETURN_TO_LAUNCH,
             Contention.FLIGHT,
             Purpose.SAFETY,
-            Movement.COMES_DOWN,
+            ImmediateEffect.COMES_DOWN,
             DeferredEffect.NOTHING),
-    HOLD("Hold", Capability.HOLD, Contention.FLIGHT, Purpose.SAFETY, Movement.STANDS, DeferredEffect.NOTHING),
+    HOLD("Hold", Capability.HOLD, Contention.FLIGHT, Purpose.SAFETY, ImmediateEffect.STANDS, DeferredEffect.NOTHING),
     EMERGENCY_STOP(
             "EmergencyStop",
             Capability.EMERGENCY_STOP,
             Contention.FLIGHT,
             Purpose.SAFETY,
-            Movement.STANDS,
+            ImmediateEffect.STANDS,
             DeferredEffect.NOTHING),
-    GO_TO("GoTo", Capability.GO_TO, Contention.FLIGHT, Purpose.FLY, Movement.GOES, DeferredEffect.NOTHING),
+    GO_TO("GoTo", Capability.GO_TO, Contention.FLIGHT, Purpose.FLY, ImmediateEffect.GOES, DeferredEffect.NOTHING),
     GO_TO_LOCAL(
             "GoToLocal",
             Capability.GO_TO_LOCAL,
             Contention.FLIGHT,
             Purpose.FLY,
-            Movement.GOES_ON_ITS_MAP,
+            ImmediateEffect.GOES_ON_ITS_MAP,
             DeferredEffect.NOTHING),
-    TURN("Turn", Capability.TURN, Contention.FLIGHT, Purpose.FLY, Movement.TURNS, DeferredEffect.NOTHING),
+    TURN("Turn", Capability.TURN, Contention.FLIGHT, Purpose.FLY, ImmediateEffect.TURNS, DeferredEffect.NOTHING),
     UPLOAD_MISSION(
             "UploadMission",
             Capability.UPLOAD_MISSION,
             Contention.TRANSFER,
             Purpose.CHANGE,
-            Movement.TAKES_MISSION,
+            ImmediateEffect.TAKES_MISSION,
             DeferredEffect.NOTHING),
     START_MISSION(
             "StartMission",
             Capability.START_MISSION,
             Contention.FLIGHT,
             Purpose.FLY,
-            Movement.FLIES_MISSION,
+            ImmediateEffect.FLIES_MISSION,
             DeferredEffect.NOTHING),
     PAUSE_MISSION(
             "PauseMission",
             Capability.PAUSE_MISSION,
             Contention.FLIGHT,
             Purpose.PAUSE,
-            Movement.STANDS,
+            ImmediateEffect.STANDS,
             DeferredEffect.NOTHING),
     CLEAR_MISSION(
             "ClearMission",
             Capability.CLEAR_MISSION,
             Contention.TRANSFER,
             Purpose.CHANGE,
-            Movement.STANDS,
+            ImmediateEffect.STANDS,
             DeferredEffect.NOTHING),
-    SET_HOME("SetHome", Capability.SET_HOME, Contention.HOME, Purpose.CHANGE, Movement.NONE, DeferredEffect.HOME),
-    READ_HOME("ReadHome", Capability.READ_HOME, Contention.HOME, Purpose.READ, Movement.NONE, DeferredEffect.NOTHING),
+    SET_HOME(
+            "SetHome", Capability.SET_HOME, Contention.HOME, Purpose.CHANGE, ImmediateEffect.NONE, DeferredEffect.HOME),
+    READ_HOME(
+            "ReadHome",
+            Capability.READ_HOME,
+            Contention.HOME,
+            Purpose.READ,
+            ImmediateEffect.NONE,
+            DeferredEffect.NOTHING),
     TAKE_PICTURE(
             "TakePicture",
             Capability.TAKE_PICTURE,
             Contention.CAMERA,
             Purpose.CHANGE,
-            Movement.NONE,
+            ImmediateEffect.NONE,
             DeferredEffect.NOTHING),
     SET_RELAY(
-            "SetRelay", Capability.SET_RELAY, Contention.RELAY, Purpose.CHANGE, Movement.NONE, DeferredEffect.NOTHING),
+            "SetRelay",
+            Capability.SET_RELAY,
+            Contention.RELAY,
+            Purpose.CHANGE,
+            ImmediateEffect.NONE,
+            DeferredEffect.NOTHING),
     READ_PARAMETERS(
             "ReadParameters",
             Capability.READ_PARAMETERS,
             Contention.PARAMETERS,
             Purpose.READ,
-            Movement.NONE,
+            ImmediateEffect.NONE,
             DeferredEffect.NOTHING),
     SET_PARAMETERS(
             "SetParameters",
             Capability.SET_PARAMETERS,
             Contention.PARAMETERS,
             Purpose.CHANGE,
-            Movement.NONE,
+            ImmediateEffect.NONE,
             DeferredEffect.PARAMETERS),
     SET_RETURN_HEIGHT(
             "SetReturnHeight",
             Capability.SET_PARAMETERS,
             Contention.PARAMETERS,
             Purpose.CHANGE,
-            Movement.NONE,
+            ImmediateEffect.NONE,
             DeferredEffect.PARAMETERS),
     RETURN_ON_LOSS(
             "ReturnOnLoss",
             Capability.SET_PARAMETERS,
             Contention.PARAMETERS,
             Purpose.CHANGE,
-            Movement.NONE,
+            ImmediateEffect.NONE,
             DeferredEffect.NOTHING),
     SET_CLOUD_LOSS(
             "SetCloudLoss",
             Capability.SET_PARAMETERS,
             Contention.PARAMETERS,
             Purpose.CHANGE,
-            Movement.NONE,
+            ImmediateEffect.NONE,
             DeferredEffect.NOTHING),
     RESTORE_PARAMETERS(
             "PutBack",
             Capability.SET_PARAMETERS,
             Contention.PARAMETERS,
             Purpose.CHANGE,
-            Movement.NONE,
+            ImmediateEffect.NONE,
             DeferredEffect.NOTHING),
-    READ_LOGS("ReadLogs", Capability.READ_LOGS, Contention.LOGS, Purpose.READ, Movement.NONE, DeferredEffect.NOTHING),
+    READ_LOGS(
+            "ReadLogs",
+            Capability.READ_LOGS,
+            Contention.LOGS,
+            Purpose.READ,
+            ImmediateEffect.NONE,
+            DeferredEffect.NOTHING),
     DOWNLOAD_LOG(
-            "DownloadLog", Capability.READ_LOGS, Contention.LOGS, Purpose.READ, Movement.NONE, DeferredEffect.NOTHING),
-    READ_FENCE("ReadFence", Capability.FENCE, Contention.TRANSFER, Purpose.READ, Movement.NONE, DeferredEffect.NOTHING),
+            "DownloadLog",
+            Capability.READ_LOGS,
+            Contention.LOGS,
+            Purpose.READ,
+            ImmediateEffect.NONE,
+            DeferredEffect.NOTHING),
+    READ_FENCE(
+            "ReadFence",
+            Capability.FENCE,
+            Contention.TRANSFER,
+            Purpose.READ,
+            ImmediateEffect.NONE,
+            DeferredEffect.NOTHING),
     SET_FENCE(
-            "SetFence", Capability.FENCE, Contention.TRANSFER, Purpose.CHANGE, Movement.STANDS, DeferredEffect.NOTHING),
+            "SetFence",
+            Capability.FENCE,
+            Contention.TRANSFER,
+            Purpose.CHANGE,
+            ImmediateEffect.STANDS,
+            DeferredEffect.NOTHING),
     READ_RALLY_POINTS(
             "ReadRallyPoints",
             Capability.RALLY_POINTS,
             Contention.TRANSFER,
             Purpose.READ,
-            Movement.NONE,
+            ImmediateEffect.NONE,
             DeferredEffect.NOTHING),
     SET_RALLY_POINTS(
             "SetRallyPoints",
             Capability.RALLY_POINTS,
             Contention.TRANSFER,
             Purpose.CHANGE,
-            Movement.STANDS,
+            ImmediateEffect.STANDS,
             DeferredEffect.RALLY_POINTS),
-    READ_MAP("ReadMap", Capability.READ_MAP, Contention.MAP, Purpose.READ, Movement.NONE, DeferredEffect.NOTHING);
+    READ_MAP(
+            "ReadMap", Capability.READ_MAP, Contention.MAP, Purpose.READ, ImmediateEffect.NONE, DeferredEffect.NOTHING);
 
     /** What a command is for, which decides who may give it without control and who pays for it. */
     public enum Purpose {
@@ -165,7 +223,7 @@ public enum CommandKind {
     private final Capability needs;
     private final Contention contention;
     private final Purpose purpose;
-    private final Movement movement;
+    private final ImmediateEffect movement;
     private final DeferredEffect laterChange;
 
     CommandKind(
@@ -173,7 +231,7 @@ public enum CommandKind {
             Capability needs,
             Contention contention,
             Purpose purpose,
-            Movement movement,
+            ImmediateEffect movement,
             DeferredEffect laterChange) {
         this.word = word;
         this.needs = needs;
@@ -206,7 +264,7 @@ public enum CommandKind {
         return purpose;
     }
 
-    public Movement movement() {
+    public ImmediateEffect movement() {
         return movement;
     }
 

@@ -8,10 +8,10 @@ import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunAssignment;
 import org.dronemap.core.virtual.VirtualRunStage;
 import org.jspecify.annotations.Nullable;
 
@@ -57,7 +57,7 @@ public final class BindingAuditListener implements VirtualDroneListener {
         }
         if (now != null) {
             serving.put(drone.id(), now);
-            Assignment assignment = run.assignment();
+            VirtualRunAssignment assignment = run.assignment();
             append(
                     drone,
                     now,

@@ -24,7 +24,7 @@ final class LostDroneRecall {
     void recall(VirtualDrone drone) {
         for (DroneId id : drone.recalled()) {
             Optional<DroneState> state = cloud.drone(id);
-            if (state.isEmpty() || wayHome.commandReturn(VirtualLeaseHolder.of(drone), state.get())) {
+            if (state.isEmpty() || wayHome.commandReturn(VirtualLeaseHolders.of(drone), state.get())) {
                 book.find(drone.id()).ifPresent(now -> book.put(now.home(id)));
             }
         }

@@ -1,7 +1,7 @@
 package org.dronemap.core.conduct;
 
 import java.util.Optional;
-import org.dronemap.core.virtual.Against;
+import org.dronemap.core.virtual.UnfitReason;
 import org.dronemap.core.virtual.VirtualDrone;
 
 /**
@@ -9,4 +9,4 @@ import org.dronemap.core.virtual.VirtualDrone;
  *
  * @param whyNot why it could not; empty: it would be sent to fly it
  */
-public record VirtualDroneMatch(VirtualDrone waiting, Optional<Against> whyNot) {}
+public record VirtualDroneMatch(VirtualDrone waiting, Optional<UnfitReason> whyNot) {}

@@ -21,8 +21,8 @@ import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.DroneSelection;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.virtual.VirtualDroneObjection;
 import org.dronemap.core.virtual.VirtualDroneStore;
-import org.dronemap.core.virtual.VirtualObjection;
 import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.core.virtual.VirtualRunMachine;
 import org.slf4j.Logger;
@@ -60,7 +60,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         @SuppressWarnings("serial") // refusals stay within the process
         private final Objection objection;
 
-        private Refused(VirtualObjection why, String sentence) {
+        private Refused(VirtualDroneObjection why, String sentence) {
             super(sentence, null, false, false);
             this.objection = Objection.of(why, sentence);
         }
@@ -162,10 +162,10 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             VirtualDrone drone = known(id);
             Mission mission = drone.mission();
             if (mission == null) {
-                throw new Refused(VirtualObjection.NO_MISSION, "Plan its mission first.");
+                throw new Refused(VirtualDroneObjection.NO_MISSION, "Plan its mission first.");
             }
             if (drone.isUnderWay()) {
-                throw new Refused(VirtualObjection.UNDER_WAY, "Its mission is under way already.");
+                throw new Refused(VirtualDroneObjection.UNDER_WAY, "Its mission is under way already.");
             }
             return put(drone.with(VirtualRun.asked(book.nextTicket(), mission, onCloudLoss, clock.instant())));
         });
@@ -176,7 +176,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             VirtualDrone drone = known(id);
             VirtualRun run = drone.run();
             if (run == null || run.stage().isOver()) {
-                throw new Refused(VirtualObjection.NOT_UNDER_WAY, "Its mission is not under way.");
+                throw new Refused(VirtualDroneObjection.NOT_UNDER_WAY, "Its mission is not under way.");
             }
             return put(drone.with(machine.stop(run, clock.instant())));
         });
@@ -190,7 +190,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             VirtualRun resumed =
                     run == null ? null : machine.resume(run, clock.instant()).orElse(null);
             if (resumed == null) {
-                throw new Refused(VirtualObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
+                throw new Refused(VirtualDroneObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
             }
             return put(drone.with(resumed));
         });
@@ -200,10 +200,10 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         thread.ask(() -> {
             VirtualDrone drone = known(id);
             if (drone.isUnderWay()) {
-                throw new Refused(VirtualObjection.UNDER_WAY, "Its mission is under way; stop it first.");
+                throw new Refused(VirtualDroneObjection.UNDER_WAY, "Its mission is under way; stop it first.");
             }
             if (!drone.recalled().isEmpty()) {
-                throw new Refused(VirtualObjection.DRONE_AWAY, "A drone that served it is not back yet.");
+                throw new Refused(VirtualDroneObjection.DRONE_AWAY, "A drone that served it is not back yet.");
             }
             book.remove(drone);
             return drone;
@@ -267,7 +267,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     private VirtualDrone known(VirtualDroneId id) {
         return book.find(id)
-                .orElseThrow(() -> new Refused(VirtualObjection.GONE, "There is no virtual drone " + id + "."));
+                .orElseThrow(() -> new Refused(VirtualDroneObjection.GONE, "There is no virtual drone " + id + "."));
     }
 
     private VirtualDrone put(VirtualDrone drone) {

@@ -16,16 +16,16 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Wind;
 import org.dronemap.core.time.Time;
-import org.dronemap.core.virtual.Against;
-import org.dronemap.core.virtual.Assignment;
-import org.dronemap.core.virtual.Candidate;
+import org.dronemap.core.virtual.DroneCandidate;
 import org.dronemap.core.virtual.DroneChoice;
 import org.dronemap.core.virtual.DroneSelection;
 import org.dronemap.core.virtual.ServiceDemand;
 import org.dronemap.core.virtual.UnfitCode;
+import org.dronemap.core.virtual.UnfitReason;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunAssignment;
 import org.dronemap.core.virtual.VirtualRunMachine;
 import org.dronemap.core.virtual.VirtualRunObservation;
 import org.dronemap.core.virtual.VirtualRunStep;
@@ -84,7 +84,7 @@ final class VirtualRunExecutor {
                 .toList();
     }
 
-    private Optional<Against> whyNot(VirtualDrone waiting, VirtualRun run, DroneState drone) {
+    private Optional<UnfitReason> whyNot(VirtualDrone waiting, VirtualRun run, DroneState drone) {
         List<DroneState> alone = List.of(drone);
         return DroneSelection.of(
                         new ServiceDemand(waiting.needs(), run.tour(), run.flown(), wind(run, alone)),
@@ -101,9 +101,9 @@ final class VirtualRunExecutor {
         for (VirtualDrone drone : book.all()) {
             DroneId bound = drone.boundTo();
             if (bound != null) {
-                crew.engage(VirtualLeaseHolder.of(drone), bound);
+                crew.engage(VirtualLeaseHolders.of(drone), bound);
             }
-            drone.recalled().forEach(recalled -> crew.engage(VirtualLeaseHolder.of(drone), recalled));
+            drone.recalled().forEach(recalled -> crew.engage(VirtualLeaseHolders.of(drone), recalled));
         }
     }
 
@@ -134,7 +134,7 @@ final class VirtualRunExecutor {
     /** Empty when there is nothing more to do at present. */
     private Optional<VirtualDrone> step(VirtualDrone now) {
         VirtualRun run = now.run();
-        Assignment assignment = run == null ? null : run.assignment();
+        VirtualRunAssignment assignment = run == null ? null : run.assignment();
         if (run == null || assignment == null) {
             return Optional.empty();
         }
@@ -143,7 +143,7 @@ final class VirtualRunExecutor {
         if (command != null) {
             CommandId id = new CommandId(time.newId());
             book.put(now.with(step.run().given(id, clock.instant())));
-            crew.command(VirtualLeaseHolder.of(now), assignment.drone(), id, command);
+            crew.command(VirtualLeaseHolders.of(now), assignment.drone(), id, command);
             return Optional.empty();
         }
         if (step.run().equals(run)) {
@@ -157,17 +157,17 @@ final class VirtualRunExecutor {
         return book.find(now.id());
     }
 
-    private void leave(VirtualDrone next, Assignment assignment, VirtualRunStep step) {
+    private void leave(VirtualDrone next, VirtualRunAssignment assignment, VirtualRunStep step) {
         book.put(next);
         if (step.release() == VirtualRunStep.Release.FREE) {
-            crew.release(VirtualLeaseHolder.of(next), assignment.drone());
+            crew.release(VirtualLeaseHolders.of(next), assignment.drone());
         }
     }
 
     /** Somebody who goes first commands the drone that serves this one. */
     void interrupt(VirtualDrone drone, String why) {
         VirtualRun run = drone.run();
-        Assignment assignment = run == null ? null : run.assignment();
+        VirtualRunAssignment assignment = run == null ? null : run.assignment();
         if (run == null || assignment == null) {
             return;
         }
@@ -175,14 +175,14 @@ final class VirtualRunExecutor {
         leave(drone.with(step.run()), assignment, step);
     }
 
-    private VirtualRunObservation sight(VirtualDrone by, Assignment assignment) {
+    private VirtualRunObservation sight(VirtualDrone by, VirtualRunAssignment assignment) {
         DroneState drone = cloud.drone(assignment.drone()).orElse(null);
         CommandId command = assignment.command();
         Optional<CommandRecord> record = command == null ? Optional.empty() : crew.record(command);
         Outcome outcome = record.map(CommandRecord::outcome).orElse(null);
         return new VirtualRunObservation(
                 drone,
-                crew.whyNotHeld(VirtualLeaseHolder.of(by), assignment.drone()),
+                crew.whyNotHeld(VirtualLeaseHolders.of(by), assignment.drone()),
                 outcome,
                 record.isPresent() && outcome == null,
                 drone == null ? Duration.ZERO : silence.of(drone),
@@ -227,36 +227,37 @@ final class VirtualRunExecutor {
                 .orElse(null);
     }
 
-    private Optional<Against> objection(
+    private Optional<UnfitReason> objection(
             VirtualDrone drone, VirtualRun run, DroneState state, VirtualTourSection share) {
         return crew.whyBusy(state.id())
-                .map(held -> Against.of(new Refusal(OutcomeCode.CONTROL_HELD, held)))
+                .map(held -> UnfitReason.of(new Refusal(OutcomeCode.CONTROL_HELD, held)))
                 .or(() -> hindrance(drone, run, state, share));
     }
 
     /** What speaks against it though nobody has control of it. */
-    private Optional<Against> hindrance(
+    private Optional<UnfitReason> hindrance(
             VirtualDrone drone, VirtualRun run, DroneState state, VirtualTourSection share) {
         return VirtualRunMachine.avoids(run, state, clock.instant())
-                ? Optional.of(Against.of(UnfitCode.FAILED_BEFORE, "It could not go on with this mission a while ago."))
-                : crew.refusal(VirtualLeaseHolder.of(drone), state, new Command.UploadMission(share.mission()))
-                        .map(Against::of);
+                ? Optional.of(
+                        UnfitReason.of(UnfitCode.FAILED_BEFORE, "It could not go on with this mission a while ago."))
+                : crew.refusal(VirtualLeaseHolders.of(drone), state, new Command.UploadMission(share.mission()))
+                        .map(UnfitReason::of);
     }
 
     private void bind(VirtualDrone drone, VirtualRun run, DroneChoice choice, DroneSelection selection) {
-        if (crew.engage(VirtualLeaseHolder.of(drone), choice.chosen()).isPresent()) {
+        if (crew.engage(VirtualLeaseHolders.of(drone), choice.chosen()).isPresent()) {
             // Somebody was quicker.
             return;
         }
         Double takeOff = selection.candidates().stream()
                 .filter(candidate -> candidate.drone().equals(choice.chosen()))
                 .findFirst()
-                .map(Candidate::takeOffMeters)
+                .map(DroneCandidate::takeOffMeters)
                 .orElse(null);
         try {
             book.put(drone.with(run.bound(choice, takeOff, clock.instant())));
         } catch (RuntimeException e) {
-            crew.release(VirtualLeaseHolder.of(drone), choice.chosen());
+            crew.release(VirtualLeaseHolders.of(drone), choice.chosen());
             throw e;
         }
         waitingFor.remove(drone.id());

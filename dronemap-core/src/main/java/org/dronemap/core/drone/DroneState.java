@@ -35,7 +35,7 @@ public record DroneState(
         @Nullable Gps gps,
         @Nullable Home home,
         @Nullable ReturnHeight returnHeight,
-        Payload payload,
+        PayloadState payload,
         MissionProgress mission,
         List<TextMessage> messages,
         Instant lastUpdate,

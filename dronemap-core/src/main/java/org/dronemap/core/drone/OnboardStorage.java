@@ -1,7 +1,7 @@
 package org.dronemap.core.drone;
 
 import java.util.List;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 public record OnboardStorage(
         ParameterSet parameters,
         @Nullable List<VehicleLog> logs,
-        @Nullable List<FenceZone> fence,
+        @Nullable List<FenceArea> fence,
         @Nullable List<RallyPoint> rallyPoints) {
     public static final OnboardStorage UNKNOWN = new OnboardStorage(ParameterSet.NONE, null, null, null);
 
@@ -25,7 +25,7 @@ public record OnboardStorage(
         return new OnboardStorage(parameters, newer, fence, rallyPoints);
     }
 
-    public OnboardStorage withFence(List<FenceZone> newer) {
+    public OnboardStorage withFence(List<FenceArea> newer) {
         return new OnboardStorage(parameters, logs, newer, rallyPoints);
     }
 

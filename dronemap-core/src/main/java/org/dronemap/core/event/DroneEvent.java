@@ -19,7 +19,7 @@ import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.Parameter;
@@ -283,7 +283,7 @@ public sealed interface DroneEvent {
     }
 
     /** The fence on board was read. */
-    record FenceRead(List<FenceZone> zones) implements DroneEvent {
+    record FenceRead(List<FenceArea> zones) implements DroneEvent {
         public FenceRead {
             zones = List.copyOf(zones);
         }

@@ -42,7 +42,7 @@ final class DroneHistoryRecorder {
     }
 
     synchronized void commanded(CommandRecord command) {
-        HistoryEvent event = CommandEvents.of(command);
+        HistoryEvent event = CommandHistoryEvents.of(command);
         if (event != null) {
             sink.event(event);
         }
@@ -52,7 +52,7 @@ final class DroneHistoryRecorder {
     synchronized void controlled(ControlState now, ControlChange change, Instant at) {
         DroneState state = before;
         if (state != null) {
-            sink.event(ControlEvents.of(state.id(), at, change));
+            sink.event(ControlHistoryEvents.of(state.id(), at, change));
         }
         flight.controlled(now);
     }

@@ -13,7 +13,7 @@ public sealed interface LeaseEvent {
     record Command(String user, @Nullable Long epoch) implements ByUser {}
 
     /** Wants control, if it is free. */
-    record Take(String user) implements ByUser {}
+    record TakeControl(String user) implements ByUser {}
 
     /** Wants control, and asks its holder for it. */
     record Request(String user, @Nullable String reason) implements ByUser {}
@@ -64,8 +64,8 @@ public sealed interface LeaseEvent {
      *     a call back would be spent on nothing
      * @param hurries its battery lasts only just for the way home
      */
-    record Tick(boolean busy, boolean linkLive, boolean returnNow) implements LeaseEvent {
-        public Tick(boolean busy, boolean heard) {
+    record TimeAdvanced(boolean busy, boolean linkLive, boolean returnNow) implements LeaseEvent {
+        public TimeAdvanced(boolean busy, boolean heard) {
             this(busy, heard, false);
         }
     }

@@ -46,13 +46,13 @@ public final class LeaseMachine {
         if (event instanceof LeaseEvent.Command command) {
             return command(control, command, now);
         }
-        if (event instanceof LeaseEvent.Tick tick) {
+        if (event instanceof LeaseEvent.TimeAdvanced tick) {
             return advance(control, tick, now);
         }
         if (event instanceof LeaseEvent.Heartbeat heartbeat) {
             return heartbeat(control, heartbeat, now);
         }
-        if (event instanceof LeaseEvent.Take take) {
+        if (event instanceof LeaseEvent.TakeControl take) {
             return takeControl(control, take.user(), now);
         }
         if (event instanceof LeaseEvent.Request request) {
@@ -322,7 +322,7 @@ public final class LeaseMachine {
                         || nowNanos - lapse.sinceNanos() >= rules.untilReturn().toNanos());
     }
 
-    private LeaseStep advance(ControlState control, LeaseEvent.Tick tick, ClockReading now) {
+    private LeaseStep advance(ControlState control, LeaseEvent.TimeAdvanced tick, ClockReading now) {
         ControlState rest = control.withRequests(control.requests().stream()
                 .filter(request -> !isOld(request, now.nanos()))
                 .toList());

@@ -33,17 +33,17 @@ public record DroneChoice(
     }
 
     /** Empty when nobody can serve. */
-    public static Optional<DroneChoice> among(Collection<Candidate> candidates, List<Unfit> unfit) {
-        List<Candidate> best =
-                candidates.stream().sorted(Candidate.BEST_FIRST).limit(2).toList();
+    public static Optional<DroneChoice> among(Collection<DroneCandidate> candidates, List<Unfit> unfit) {
+        List<DroneCandidate> best =
+                candidates.stream().sorted(DroneCandidate.BEST_FIRST).limit(2).toList();
         if (best.isEmpty()) {
             return Optional.empty();
         }
-        Candidate first = best.get(0);
+        DroneCandidate first = best.get(0);
         if (best.size() == 1) {
             return Optional.of(new DroneChoice(first.drone(), null, null, 0, 0, first.energy(), unfit));
         }
-        Candidate second = best.get(1);
+        DroneCandidate second = best.get(1);
         SelectionCriterion deciding = first.decidingAgainst(second);
         return Optional.of(new DroneChoice(
                 first.drone(),

@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * @param candidates those that can
  * @param choice empty when there are none
  */
-public record DroneSelection(List<Candidate> candidates, Optional<DroneChoice> choice, List<Unfit> unfit) {
+public record DroneSelection(List<DroneCandidate> candidates, Optional<DroneChoice> choice, List<Unfit> unfit) {
     /** That much is to be in the battery when the mission is over. */
     public static final int RESERVE_PERCENT = 20;
 
@@ -45,28 +45,28 @@ public record DroneSelection(List<Candidate> candidates, Optional<DroneChoice> c
     }
 
     /** A drone that cannot serve, and why. */
-    public record Unfit(DroneId drone, Against why) {}
+    public record Unfit(DroneId drone, UnfitReason why) {}
 
     /** What else speaks against a drone: who has control of it, zones, rights. */
     public interface ExternalCheck {
-        Optional<Against> to(DroneState drone, VirtualTourSection share);
+        Optional<UnfitReason> to(DroneState drone, VirtualTourSection share);
     }
 
     /** A drone and what became of it: exactly one of the two is there. */
     private record Judged(
-            @Nullable Candidate candidate, @Nullable Against unfit) {
+            @Nullable DroneCandidate candidate, @Nullable UnfitReason unfit) {
         static Judged unfit(UnfitCode code, String sentence) {
-            return unfit(Against.of(code, sentence));
+            return unfit(UnfitReason.of(code, sentence));
         }
 
-        static Judged unfit(Against why) {
+        static Judged unfit(UnfitReason why) {
             return new Judged(null, why);
         }
     }
 
     /** Recordings are no drones. */
     public static DroneSelection of(ServiceDemand demand, Collection<DroneState> drones, ExternalCheck objection) {
-        List<Candidate> candidates = new ArrayList<>();
+        List<DroneCandidate> candidates = new ArrayList<>();
         List<Unfit> unfit = new ArrayList<>();
         for (DroneState drone : drones) {
             if (drone.replay()) {
@@ -89,7 +89,7 @@ public record DroneSelection(List<Candidate> candidates, Optional<DroneChoice> c
     }
 
     private static Judged judge(ServiceDemand demand, DroneState drone, ExternalCheck objection) {
-        Optional<Against> why = notReady(drone).or(() -> notWanted(demand.needs(), drone));
+        Optional<UnfitReason> why = notReady(drone).or(() -> notWanted(demand.needs(), drone));
         if (why.isPresent()) {
             return Judged.unfit(why.get());
         }
@@ -117,7 +117,7 @@ public record DroneSelection(List<Candidate> candidates, Optional<DroneChoice> c
 
     private static Judged energetic(ServiceDemand demand, DroneState drone, Charge charge, ExternalCheck objection) {
         VehicleKind kind = drone.identification().kind();
-        Optional<Against> tooShort = lastsTooShort(demand.needs().enduranceMinutes(), charge, kind);
+        Optional<UnfitReason> tooShort = lastsTooShort(demand.needs().enduranceMinutes(), charge, kind);
         if (tooShort.isPresent()) {
             return Judged.unfit(tooShort.get());
         }
@@ -139,14 +139,14 @@ public record DroneSelection(List<Candidate> candidates, Optional<DroneChoice> c
             return Judged.unfit(UnfitCode.TAKE_OFF_UNKNOWN, "How high it has to take off is not known.");
         }
         Double height = takeOff.get().meters();
-        Optional<Against> against = objection.to(drone, demand.tour().share(demand.first(), height));
+        Optional<UnfitReason> against = objection.to(drone, demand.tour().share(demand.first(), height));
         if (against.isPresent()) {
             return Judged.unfit(against.get());
         }
         double away = Geodesy.distanceMeters(
                 charge.stand(), demand.tour().waypoints().get(demand.first()).point());
         return new Judged(
-                new Candidate(
+                new DroneCandidate(
                         drone.id(),
                         step(away, DISTANCE_STEP_METERS),
                         step(left, BATTERY_STEP_PERCENT),
@@ -156,11 +156,11 @@ public record DroneSelection(List<Candidate> candidates, Optional<DroneChoice> c
                 null);
     }
 
-    private static Optional<Against> lastsTooShort(@Nullable Integer minutes, Charge charge, VehicleKind kind) {
+    private static Optional<UnfitReason> lastsTooShort(@Nullable Integer minutes, Charge charge, VehicleKind kind) {
         double lasts = TourEnergyEstimate.minutesOf(charge.percent(), kind);
         return minutes == null || lasts >= minutes
                 ? Optional.empty()
-                : Optional.of(Against.of(
+                : Optional.of(UnfitReason.of(
                         UnfitCode.ENDURANCE_TOO_SHORT,
                         String.format(
                                 Locale.ROOT, "Its battery lasts for some %.0f min, not for %d.", lasts, minutes)));
@@ -175,34 +175,35 @@ public record DroneSelection(List<Candidate> candidates, Optional<DroneChoice> c
         return share == null ? 100 : (int) Math.round(share * 100);
     }
 
-    private static Optional<Against> notReady(DroneState drone) {
+    private static Optional<UnfitReason> notReady(DroneState drone) {
         if (drone.link().state() != LinkState.LIVE) {
-            return Optional.of(Against.of(UnfitCode.CONTACT_NOT_GOOD, "There is no good contact with it."));
+            return Optional.of(UnfitReason.of(UnfitCode.CONTACT_NOT_GOOD, "There is no good contact with it."));
         }
         if (!Boolean.FALSE.equals(drone.armed()) || drone.airborne()) {
-            return Optional.of(Against.of(UnfitCode.NOT_AT_REST, "It is armed or in the air."));
+            return Optional.of(UnfitReason.of(UnfitCode.NOT_AT_REST, "It is armed or in the air."));
         }
         if (Boolean.FALSE.equals(drone.readyToArm())) {
-            return Optional.of(Against.of(UnfitCode.NOT_READY, "Its own checks do not let it arm."));
+            return Optional.of(UnfitReason.of(UnfitCode.NOT_READY, "Its own checks do not let it arm."));
         }
         Double lost = drone.link().quality().lossShort();
         return lost != null && lost * 100 > WORST_LOSS_PERCENT
-                ? Optional.of(Against.of(
+                ? Optional.of(UnfitReason.of(
                         UnfitCode.LINK_TOO_LOSSY, "Its link loses " + Math.round(lost * 100) + " % of its messages."))
                 : Optional.empty();
     }
 
-    private static Optional<Against> notWanted(DroneRequirements needs, DroneState drone) {
+    private static Optional<UnfitReason> notWanted(DroneRequirements needs, DroneState drone) {
         VehicleKind kind = drone.identification().kind();
         if (needs.kind() != null && needs.kind() != kind) {
-            return Optional.of(Against.of(
+            return Optional.of(UnfitReason.of(
                     UnfitCode.OTHER_KIND, "It is a " + words(kind) + ", not a " + words(needs.kind()) + "."));
         }
         EnumSet<Capability> wanted = EnumSet.copyOf(FLYING);
         wanted.addAll(needs.capabilities());
         return wanted.stream()
                 .filter(capability -> !drone.capabilities().commands().contains(capability))
-                .map(capability -> Against.of(UnfitCode.CAPABILITY_MISSING, "It cannot " + capability.phrase() + "."))
+                .map(capability ->
+                        UnfitReason.of(UnfitCode.CAPABILITY_MISSING, "It cannot " + capability.phrase() + "."))
                 .findFirst();
     }
 

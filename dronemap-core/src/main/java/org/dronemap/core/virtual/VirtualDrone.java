@@ -56,7 +56,7 @@ public record VirtualDrone(
 
     /** The drone that serves it; null: none. */
     public @Nullable DroneId boundTo() {
-        Assignment assignment = run == null ? null : run.assignment();
+        VirtualRunAssignment assignment = run == null ? null : run.assignment();
         return assignment == null ? null : assignment.drone();
     }
 

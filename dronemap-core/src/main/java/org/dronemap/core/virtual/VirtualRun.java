@@ -28,7 +28,7 @@ public record VirtualRun(
         MissionCloudLossPolicy onCloudLoss,
         int flown,
         VirtualRunStage stage,
-        @Nullable Assignment assignment,
+        @Nullable VirtualRunAssignment assignment,
         Map<DroneId, Instant> avoided,
         int failures,
         String note,
@@ -68,7 +68,7 @@ public record VirtualRun(
 
     /** Bound to that drone, which is given nothing yet. */
     public VirtualRun bound(DroneChoice choice, @Nullable Double takeOffMeters, Instant now) {
-        Assignment next = new Assignment(choice, flown, takeOffMeters, null, 0, now);
+        VirtualRunAssignment next = new VirtualRunAssignment(choice, flown, takeOffMeters, null, 0, now);
         return with(VirtualRunStage.UPLOADING, next, "A drone is bound and gets the mission.", null, now);
     }
 
@@ -79,7 +79,7 @@ public record VirtualRun(
 
     /** The same drone in another stage, where that many tries count as failed already. */
     VirtualRun to(VirtualRunStage next, int failed, String words, Instant now) {
-        Assignment served = assignment == null ? null : assignment.fresh(failed, now);
+        VirtualRunAssignment served = assignment == null ? null : assignment.fresh(failed, now);
         return with(next, served, words, null, now);
     }
 
@@ -133,7 +133,7 @@ public record VirtualRun(
     }
 
     VirtualRun failedTry(String why, Instant now) {
-        Assignment again = assignment == null ? null : assignment.fresh(assignment.tries() + 1, now);
+        VirtualRunAssignment again = assignment == null ? null : assignment.fresh(assignment.tries() + 1, now);
         return with(stage, again, note, why, changedAt);
     }
 
@@ -160,7 +160,11 @@ public record VirtualRun(
     }
 
     private VirtualRun with(
-            VirtualRunStage next, @Nullable Assignment served, String words, @Nullable String why, Instant now) {
+            VirtualRunStage next,
+            @Nullable VirtualRunAssignment served,
+            String words,
+            @Nullable String why,
+            Instant now) {
         return new VirtualRun(ticket, mission, onCloudLoss, flown, next, served, avoided, failures, words, why, now);
     }
 }

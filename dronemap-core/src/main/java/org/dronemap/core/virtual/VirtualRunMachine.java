@@ -48,15 +48,15 @@ public final class VirtualRunMachine {
     /** Before it is called home once more. */
     private static final Duration BETWEEN_CALLS = Duration.ofSeconds(5);
 
-    private final SilentVirtualRun silent;
+    private final SilentVirtualRunRules silent;
 
     /** {@code silence}: so long a drone that is not heard counts as flying, beside what its mission still takes. */
     public VirtualRunMachine(Duration silence) {
-        silent = new SilentVirtualRun(silence);
+        silent = new SilentVirtualRunRules(silence);
     }
 
     public VirtualRunStep next(VirtualRun run, VirtualRunObservation sight) {
-        Assignment assignment = run.assignment();
+        VirtualRunAssignment assignment = run.assignment();
         if (assignment == null) {
             return VirtualRunStep.unchanged(run);
         }
@@ -108,7 +108,8 @@ public final class VirtualRunMachine {
         return run.stage() == SUSPENDED || run.stage() == FAILED ? Optional.of(run.resumed(now)) : Optional.empty();
     }
 
-    private VirtualRunStep go(VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+    private VirtualRunStep go(
+            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         return switch (run.stage()) {
             case UPLOADING -> upload(run, assignment, drone, sight);
             case ARMING -> arm(run, assignment, drone, sight);
@@ -120,7 +121,7 @@ public final class VirtualRunMachine {
     }
 
     private static VirtualRunStep upload(
-            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (sight.outcome() instanceof Outcome.Succeeded) {
             return VirtualRunStep.unchanged(run.to(ARMING, "The drone has the mission and is armed.", sight.now()));
         }
@@ -135,7 +136,7 @@ public final class VirtualRunMachine {
     }
 
     private static VirtualRunStep arm(
-            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.TRUE.equals(drone.armed())) {
             return VirtualRunStep.unchanged(run.to(STARTING, assignment.tries(), "The drone starts.", sight.now()));
         }
@@ -150,7 +151,7 @@ public final class VirtualRunMachine {
     }
 
     private static VirtualRunStep start(
-            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         boolean armed = Boolean.TRUE.equals(drone.armed());
         boolean up = assignment.takeOffMeters() == null || drone.airborne();
         if (armed && isOnMission(drone) && up) {
@@ -173,7 +174,8 @@ public final class VirtualRunMachine {
     }
 
     /** Vehicles disarm by themselves, and take the order to start even then. */
-    private static VirtualRunStep armAgain(VirtualRun run, Assignment assignment, VirtualRunObservation sight) {
+    private static VirtualRunStep armAgain(
+            VirtualRun run, VirtualRunAssignment assignment, VirtualRunObservation sight) {
         boolean started = sight.outcome() == null || sight.outcome() instanceof Outcome.Succeeded;
         String why = started ? "It was disarmed before it started." : reason(sight.outcome());
         return assignment.tries() + 1 < MOST_TRIES
@@ -187,7 +189,7 @@ public final class VirtualRunMachine {
     }
 
     private static VirtualRunStep fly(
-            VirtualRun before, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+            VirtualRun before, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         MissionProgress mission = drone.mission();
         if (mission.items() == null || (mission.current() == null && !isBackFromAll(drone))) {
             // After a restart, until the vehicle has been asked.
@@ -222,7 +224,7 @@ public final class VirtualRunMachine {
 
     /** It may have crashed: vehicles do not always notice that themselves. */
     private static boolean isStuck(
-            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         MissionItem.Waypoint next = run.tour().waypoints().get(run.flown());
         Position position = drone.position();
         Double above = position == null ? null : position.altitudeAboveHomeMeters();
@@ -232,7 +234,7 @@ public final class VirtualRunMachine {
     }
 
     private static VirtualRunStep comeHome(
-            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.FALSE.equals(drone.armed())) {
             return VirtualRunStep.leave(
                     run.unbound(DONE, "Done: all waypoints are flown and the drone is back.", null, sight.now()), FREE);
@@ -251,7 +253,7 @@ public final class VirtualRunMachine {
     }
 
     private static VirtualRunStep bringHome(
-            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.FALSE.equals(drone.armed())) {
             return run.stage() == STOPPING
                     ? VirtualRunStep.leave(
@@ -280,7 +282,7 @@ public final class VirtualRunMachine {
                 : new Command.Land();
     }
 
-    private static VirtualRun progress(VirtualRun run, Assignment assignment, DroneState drone) {
+    private static VirtualRun progress(VirtualRun run, VirtualRunAssignment assignment, DroneState drone) {
         if (run.stage() != FLYING && run.stage() != STOPPING && run.stage() != GIVING_UP) {
             return run;
         }
@@ -295,7 +297,7 @@ public final class VirtualRunMachine {
         return drone.mission().complete() && Boolean.FALSE.equals(drone.armed());
     }
 
-    private static VirtualTourSection share(VirtualRun run, Assignment assignment) {
+    private static VirtualTourSection share(VirtualRun run, VirtualRunAssignment assignment) {
         return run.tour().share(assignment.first(), assignment.takeOffMeters());
     }
 
@@ -303,12 +305,12 @@ public final class VirtualRunMachine {
         return drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.MISSION));
     }
 
-    private static Duration since(Assignment assignment, VirtualRunObservation sight) {
+    private static Duration since(VirtualRunAssignment assignment, VirtualRunObservation sight) {
         return Duration.between(assignment.changedAt(), sight.now());
     }
 
     private static VirtualRunStep tryAgain(
-            VirtualRun run, Assignment assignment, DroneState drone, VirtualRunObservation sight) {
+            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         String why = reason(sight.outcome());
         if (assignment.tries() + 1 < MOST_TRIES) {
             return VirtualRunStep.unchanged(run.failedTry(why, sight.now()));
@@ -331,7 +333,7 @@ public final class VirtualRunMachine {
     /** Another drone shall do the rest. */
     static VirtualRunStep replace(
             VirtualRun run,
-            Assignment assignment,
+            VirtualRunAssignment assignment,
             String why,
             VirtualRunObservation sight,
             VirtualRunStep.Release release) {

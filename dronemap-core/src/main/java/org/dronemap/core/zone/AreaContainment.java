@@ -7,7 +7,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.geo.PlanePolygon;
 import org.dronemap.core.geo.PlaneSegment;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 
 /** Checks whether one area lies within another, for access keys made from other keys; shared edges count as inside. */
 final class AreaContainment {
@@ -20,12 +20,12 @@ final class AreaContainment {
 
     private AreaContainment() {}
 
-    static boolean holds(FenceZone outer, FenceZone inner) {
+    static boolean holds(FenceArea outer, FenceArea inner) {
         if (outer.equals(inner)) {
             return true;
         }
-        if (outer instanceof FenceZone.Circle disc) {
-            return inner instanceof FenceZone.Circle circle
+        if (outer instanceof FenceArea.Circle disc) {
+            return inner instanceof FenceArea.Circle circle
                     ? meters(disc.center(), circle.center()) + circle.radiusMeters()
                             <= disc.radiusMeters() + SAME_METERS
                     : corners(inner).stream()
@@ -33,13 +33,13 @@ final class AreaContainment {
         }
         LocalPlane plane = new LocalPlane(corners(outer).get(0));
         PlanePolygon outline = plane.outline(corners(outer));
-        return inner instanceof FenceZone.Circle circle
+        return inner instanceof FenceArea.Circle circle
                 ? holds(outline, plane, corners(outer), circle)
                 : plane.outline(corners(inner)).edges().stream().allMatch(edge -> holds(outline, edge));
     }
 
-    private static List<Geodetic> corners(FenceZone area) {
-        if (area instanceof FenceZone.Polygon polygon) {
+    private static List<Geodetic> corners(FenceArea area) {
+        if (area instanceof FenceArea.Polygon polygon) {
             return polygon.corners();
         }
         throw new IllegalArgumentException("no corners of " + area);
@@ -75,7 +75,7 @@ final class AreaContainment {
     }
 
     private static boolean holds(
-            PlanePolygon outline, LocalPlane plane, List<Geodetic> corners, FenceZone.Circle circle) {
+            PlanePolygon outline, LocalPlane plane, List<Geodetic> corners, FenceArea.Circle circle) {
         if (!outline.contains(plane.spot(circle.center()))) {
             return false;
         }

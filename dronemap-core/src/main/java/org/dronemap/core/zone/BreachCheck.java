@@ -5,7 +5,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 
 /** Checks whether a drone breaches a zone at its present position, without any margin. */
 final class BreachCheck {
@@ -27,12 +27,12 @@ final class BreachCheck {
                                 && height <= zone.band().highMeters()));
     }
 
-    private static boolean isInside(FenceZone shape, Geodetic point) {
-        if (shape instanceof FenceZone.Circle circle) {
+    private static boolean isInside(FenceArea shape, Geodetic point) {
+        if (shape instanceof FenceArea.Circle circle) {
             PlanePoint seen = LocalPlane.offset(circle.center(), point);
             return Math.hypot(seen.eastMeters(), seen.northMeters()) <= circle.radiusMeters();
         }
-        List<Geodetic> corners = shape instanceof FenceZone.Polygon polygon ? polygon.corners() : List.of();
+        List<Geodetic> corners = shape instanceof FenceArea.Polygon polygon ? polygon.corners() : List.of();
         LocalPlane plane = new LocalPlane(point);
         return plane.outline(corners).contains(plane.spot(point));
     }

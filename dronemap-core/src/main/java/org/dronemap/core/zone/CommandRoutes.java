@@ -13,14 +13,15 @@ import org.dronemap.core.mission.MissionItem;
 public final class CommandRoutes {
     private CommandRoutes() {}
 
-    /** {@link Route#NONE} for what moves nothing, and for what brings it down or home: that is never kept from it. */
-    public static Route of(DroneState drone, Command command) {
+    /** {@link PredictedRoute#NONE} for what moves nothing, and for what brings it down or home: that is never kept from it. */
+    public static PredictedRoute of(DroneState drone, Command command) {
         return switch (command.kind().movement()) {
-            case NONE, STANDS, TURNS, COMES_DOWN -> Route.NONE;
+            case NONE, STANDS, TURNS, COMES_DOWN -> PredictedRoute.NONE;
             case CLIMBS ->
                 new MissionRouteBuilder(drone).takeOff(((Command.TakeOff) command).altitudeMeters(), "The take-off");
             case GOES -> to(drone, (Command.GoTo) command);
-            case GOES_ON_ITS_MAP -> new Route(List.of(), "Where the vehicle's own map lies on the Earth is not known");
+            case GOES_ON_ITS_MAP ->
+                new PredictedRoute(List.of(), "Where the vehicle's own map lies on the Earth is not known");
             case TAKES_MISSION ->
                 uploaded(drone, ((Command.UploadMission) command).mission().items());
             case FLIES_MISSION -> onBoard(drone);
@@ -37,34 +38,36 @@ public final class CommandRoutes {
     }
 
     /** The way home and down, which is only warned of. */
-    public static Route home(DroneState drone) {
+    public static PredictedRoute home(DroneState drone) {
         return new MissionRouteBuilder(drone).through(List.of(new MissionItem.ReturnToLaunch()), 0);
     }
 
     /** Straight down. */
-    public static Route down(DroneState drone) {
+    public static PredictedRoute down(DroneState drone) {
         return new MissionRouteBuilder(drone).through(List.of(new MissionItem.Land()), 0);
     }
 
-    private static Route to(DroneState drone, Command.GoTo goTo) {
+    private static PredictedRoute to(DroneState drone, Command.GoTo goTo) {
         return new MissionRouteBuilder(drone).flyTo(goTo.point(), goTo.altitude(), "the place");
     }
 
-    private static Route inMode(DroneState drone, String mode) {
-        return drone.capabilities().steering(mode).equals(Optional.of(Steering.MISSION)) ? onBoard(drone) : Route.NONE;
+    private static PredictedRoute inMode(DroneState drone, String mode) {
+        return drone.capabilities().steering(mode).equals(Optional.of(Steering.MISSION))
+                ? onBoard(drone)
+                : PredictedRoute.NONE;
     }
 
-    private static Route uploaded(DroneState drone, List<MissionItem> items) {
+    private static PredictedRoute uploaded(DroneState drone, List<MissionItem> items) {
         MissionRouteBuilder walk = new MissionRouteBuilder(drone);
         boolean placed = drone.position() != null && drone.position().point() != null;
         return (placed || drone.airborne() ? walk : walk.fromAnywhere()).through(items, 0);
     }
 
-    private static Route onBoard(DroneState drone) {
+    private static PredictedRoute onBoard(DroneState drone) {
         MissionProgress mission = drone.mission();
         List<MissionItem> items = mission.items();
         if (items == null) {
-            return new Route(List.of(), "Which mission is on the vehicle is not known");
+            return new PredictedRoute(List.of(), "Which mission is on the vehicle is not known");
         }
         Integer current = mission.current();
         int next = current == null || mission.complete() || !drone.airborne() ? 0 : current;

@@ -17,11 +17,11 @@ import org.jspecify.annotations.Nullable;
  * @param why what speaks against it as such; null: it depends on the refuges
  * @param refuges where it would go once it is called home
  */
-record DeferredRoutes(@Nullable WayObjection why, Route refuges) {
-    private static final DeferredRoutes NONE = new DeferredRoutes(null, Route.NONE);
+record DeferredRoutes(@Nullable RouteObjection why, PredictedRoute refuges) {
+    private static final DeferredRoutes NONE = new DeferredRoutes(null, PredictedRoute.NONE);
 
     /** {@code words}: what the bounds are called. */
-    static DeferredRoutes of(List<Bounds> bounds, String words, DroneState drone, Command command) {
+    static DeferredRoutes of(List<FlightBounds> bounds, String words, DroneState drone, Command command) {
         return switch (command.kind().laterChange()) {
             case NOTHING -> NONE;
             case PARAMETERS ->
@@ -37,15 +37,15 @@ record DeferredRoutes(@Nullable WayObjection why, Route refuges) {
     }
 
     private static DeferredRoutes forbidden(String why) {
-        return new DeferredRoutes(WayObjection.forbidden(why), Route.NONE);
+        return new DeferredRoutes(RouteObjection.forbidden(why), PredictedRoute.NONE);
     }
 
     private static DeferredRoutes inMode(String words, DroneState drone, String mode) {
         return fliesItsOwnWay(drone, mode)
                 ? new DeferredRoutes(
-                        WayObjection.notCheckable("Where it flies in " + mode
+                        RouteObjection.notCheckable("Where it flies in " + mode
                                 + " is not known; so it cannot be checked against " + words + "."),
-                        Route.NONE)
+                        PredictedRoute.NONE)
                 : NONE;
     }
 
@@ -61,25 +61,25 @@ record DeferredRoutes(@Nullable WayObjection why, Route refuges) {
     }
 
     private static DeferredRoutes to(List<Leg> refuges) {
-        return new DeferredRoutes(null, new Route(refuges, null));
+        return new DeferredRoutes(null, new PredictedRoute(refuges, null));
     }
 
     private static Leg refuge(String words, Geodetic point) {
-        return new Leg(words, point, point, new Heights(List.of(), true));
+        return new Leg(words, point, point, new LegHeights(List.of(), true));
     }
 
     /**
      * The same of zones: a home that goes up or down takes along what the vehicle was told above it. What is told after that is
      * judged from the ground that it left; what it was told before is not judged again.
      */
-    static Optional<WayObjection> whyNot(List<Zone> zones, DroneState drone, Command command) {
+    static Optional<RouteObjection> whyNot(List<Zone> zones, DroneState drone, Command command) {
         if (!(command instanceof Command.SetHome home) || isLevel(home, drone)) {
             return Optional.empty();
         }
         return zones.stream()
                 .filter(zone -> isMeasuredFromHome(zone.band()))
                 .findFirst()
-                .map(zone -> WayObjection.forbidden("The heights of " + zone.words()
+                .map(zone -> RouteObjection.forbidden("The heights of " + zone.words()
                         + " are measured from where it took off; so its home can be moved at that height only."));
     }
 
@@ -92,7 +92,7 @@ record DeferredRoutes(@Nullable WayObjection why, Route refuges) {
         return amsl != null && levels.isZero(amsl);
     }
 
-    private static boolean isMeasuredFromHome(Bounds bounds) {
+    private static boolean isMeasuredFromHome(FlightBounds bounds) {
         return isMeasuredFromHome(bounds.band());
     }
 

@@ -7,4 +7,4 @@ import org.dronemap.core.geo.Geodetic;
  *
  * @param words what it is, as the beginning of a sentence: "The way from item 2 to item 3"
  */
-public record Leg(String words, Geodetic from, Geodetic to, Heights heights) {}
+public record Leg(String words, Geodetic from, Geodetic to, LegHeights heights) {}

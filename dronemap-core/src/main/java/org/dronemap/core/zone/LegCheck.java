@@ -8,7 +8,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.geo.PlanePolygon;
 import org.dronemap.core.geo.PlaneSegment;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -40,15 +40,15 @@ final class LegCheck {
     }
 
     /** Names leg, zone and distance; empty when the leg keeps to the zone. */
-    Optional<WayObjection> whyNot(Zone zone) {
+    Optional<RouteObjection> whyNot(Zone zone) {
         if (zone.shape().inside()) {
-            return whyNot(new Bounds(zone.shape(), zone.band()), zone.words());
+            return whyNot(new FlightBounds(zone.shape(), zone.band()), zone.words());
         }
         return isTooLong() ? Optional.of(tooLong(zone.words())) : enters(zone);
     }
 
     /** The same of bounds that are called so. */
-    Optional<WayObjection> whyNot(Bounds bounds, String words) {
+    Optional<RouteObjection> whyNot(FlightBounds bounds, String words) {
         return isTooLong()
                 ? Optional.of(tooLong(words))
                 : outOfBand(bounds.band(), words).or(() -> leaves(bounds.area(), words));
@@ -58,46 +58,46 @@ final class LegCheck {
         return stretch.lengthMeters() > LONGEST_LEG_METERS;
     }
 
-    private WayObjection tooLong(String words) {
-        return WayObjection.notCheckable(
+    private RouteObjection tooLong(String words) {
+        return RouteObjection.notCheckable(
                 leg.words() + " is longer than 1000 km; it cannot be checked against " + words + ".");
     }
 
-    private Optional<WayObjection> enters(Zone zone) {
+    private Optional<RouteObjection> enters(Zone zone) {
         if (isFar(zone.shape()) || !sharesHeights(zone)) {
             return Optional.empty();
         }
         Contact contact =
-                zone.shape() instanceof FenceZone.Circle circle ? meets(circle) : meets(outline(zone.shape()));
+                zone.shape() instanceof FenceArea.Circle circle ? meets(circle) : meets(outline(zone.shape()));
         if (contact.beginsInside()) {
-            return Optional.of(WayObjection.forbidden(leg.words() + " begins inside " + named(zone) + "."));
+            return Optional.of(RouteObjection.forbidden(leg.words() + " begins inside " + named(zone) + "."));
         }
         if (contact.metersToCrossing() < Double.POSITIVE_INFINITY) {
-            return Optional.of(WayObjection.forbidden(
+            return Optional.of(RouteObjection.forbidden(
                     leg.words() + " enters " + named(zone) + " after " + meters(contact.metersToCrossing()) + "."));
         }
         return near(contact)
-                .map(how -> WayObjection.forbidden(leg.words() + " passes " + how + " of " + named(zone) + "."));
+                .map(how -> RouteObjection.forbidden(leg.words() + " passes " + how + " of " + named(zone) + "."));
     }
 
-    private Optional<WayObjection> leaves(@Nullable FenceZone area, String words) {
+    private Optional<RouteObjection> leaves(@Nullable FenceArea area, String words) {
         if (area == null) {
             return Optional.empty();
         }
-        return leaves(area instanceof FenceZone.Circle circle ? staysIn(circle) : meets(outline(area)), words);
+        return leaves(area instanceof FenceArea.Circle circle ? staysIn(circle) : meets(outline(area)), words);
     }
 
-    private Optional<WayObjection> leaves(Contact contact, String words) {
+    private Optional<RouteObjection> leaves(Contact contact, String words) {
         if (!contact.beginsInside()) {
-            return Optional.of(WayObjection.forbidden(leg.words() + " begins outside " + words + ", "
+            return Optional.of(RouteObjection.forbidden(leg.words() + " begins outside " + words + ", "
                     + meters(contact.startGapMeters()) + " away from it."));
         }
         if (contact.metersToCrossing() < Double.POSITIVE_INFINITY) {
-            return Optional.of(WayObjection.forbidden(
+            return Optional.of(RouteObjection.forbidden(
                     leg.words() + " leaves " + words + " after " + meters(contact.metersToCrossing()) + "."));
         }
         return near(contact)
-                .map(how -> WayObjection.forbidden(leg.words() + " comes " + how + " of the edge of " + words + "."));
+                .map(how -> RouteObjection.forbidden(leg.words() + " comes " + how + " of the edge of " + words + "."));
     }
 
     private static Optional<String> near(Contact contact) {
@@ -142,7 +142,7 @@ final class LegCheck {
         return new Contact(outline.contains(stretch.from()), startGap, crossing, gap, room);
     }
 
-    private Contact meets(FenceZone.Circle circle) {
+    private Contact meets(FenceArea.Circle circle) {
         PlaneSegment way = around(circle);
         double radius = circle.radiusMeters();
         double gap = way.distanceMeters(CENTER) - radius;
@@ -153,7 +153,7 @@ final class LegCheck {
     }
 
     /** A disc is convex: what begins and ends in it stays in it. */
-    private Contact staysIn(FenceZone.Circle circle) {
+    private Contact staysIn(FenceArea.Circle circle) {
         PlaneSegment way = around(circle);
         double radius = circle.radiusMeters();
         double begins = way.from().distanceMeters(CENTER);
@@ -168,7 +168,7 @@ final class LegCheck {
 
     private static final PlanePoint CENTER = new PlanePoint(0, 0);
 
-    private PlaneSegment around(FenceZone.Circle circle) {
+    private PlaneSegment around(FenceArea.Circle circle) {
         return new PlaneSegment(
                 LocalPlane.offset(circle.center(), leg.from()), LocalPlane.offset(circle.center(), leg.to()));
     }
@@ -200,20 +200,20 @@ final class LegCheck {
         return lengthMeters * lengthMeters * Math.tan(Math.toRadians(steepest)) / (8 * MEAN_EARTH_RADIUS_METERS);
     }
 
-    private PlanePolygon outline(FenceZone shape) {
-        if (shape instanceof FenceZone.Polygon polygon) {
+    private PlanePolygon outline(FenceArea shape) {
+        if (shape instanceof FenceArea.Polygon polygon) {
             return plane.outline(polygon.corners());
         }
         throw new IllegalArgumentException("no outline of " + shape);
     }
 
     /** A quick look that spares the close one. */
-    private boolean isFar(FenceZone shape) {
+    private boolean isFar(FenceArea shape) {
         double reach = NEAR_DEGREES + roomMeters(stretch.lengthMeters()) / 100_000;
-        if (shape instanceof FenceZone.Circle circle) {
+        if (shape instanceof FenceArea.Circle circle) {
             return apart(List.of(circle.center()), reach + circle.radiusMeters() / 100_000);
         }
-        return shape instanceof FenceZone.Polygon polygon && apart(polygon.corners(), reach);
+        return shape instanceof FenceArea.Polygon polygon && apart(polygon.corners(), reach);
     }
 
     private boolean apart(List<Geodetic> places, double degrees) {
@@ -224,28 +224,28 @@ final class LegCheck {
     }
 
     private boolean sharesHeights(Zone zone) {
-        Heights.Range range = leg.heights().from(zone.band().reference(), levels);
+        LegHeights.Range range = leg.heights().from(zone.band().reference(), levels);
         return range.lowMeters() <= zone.band().highMeters()
                 && range.highMeters() >= zone.band().lowMeters();
     }
 
-    private Optional<WayObjection> outOfBand(AltitudeBand band, String words) {
+    private Optional<RouteObjection> outOfBand(AltitudeBand band, String words) {
         if (!band.isBounded()) {
             return Optional.empty();
         }
-        Heights.Range range = leg.heights().from(band.reference(), levels);
-        if (range.equals(Heights.Range.ANY)) {
-            return Optional.of(WayObjection.notCheckable(
+        LegHeights.Range range = leg.heights().from(band.reference(), levels);
+        if (range.equals(LegHeights.Range.ANY)) {
+            return Optional.of(RouteObjection.notCheckable(
                     "How high " + lowerFirst(leg.words()) + " leads cannot be compared with the heights of " + words
                             + " as long as the altitude of the home is not known."));
         }
         if (range.highMeters() > band.highMeters()) {
-            return Optional.of(WayObjection.forbidden(
+            return Optional.of(RouteObjection.forbidden(
                     leg.words() + " reaches " + band.words(Math.round(range.highMeters() * 10) / 10.0)
                             + ", over the ceiling of " + words + " at " + band.words(band.highMeters()) + "."));
         }
         if (!leg.heights().toTheGround() && range.lowMeters() < band.lowMeters()) {
-            return Optional.of(WayObjection.forbidden(
+            return Optional.of(RouteObjection.forbidden(
                     leg.words() + " goes down to " + band.words(Math.round(range.lowMeters() * 10) / 10.0)
                             + ", under the floor of " + words + " at " + band.words(band.lowMeters()) + "."));
         }

@@ -53,11 +53,11 @@ final class MissionRouteBuilder {
     }
 
     /** From the item with this index on. */
-    Route through(List<MissionItem> items, int first) {
+    PredictedRoute through(List<MissionItem> items, int first) {
         for (int index = first; index < items.size(); index++) {
             step(items.get(index), "item " + (index + 1));
         }
-        return new Route(legs, doubt);
+        return new PredictedRoute(legs, doubt);
     }
 
     private void step(MissionItem item, String words) {
@@ -80,19 +80,19 @@ final class MissionRouteBuilder {
     }
 
     /** Straight up from where it is. */
-    Route takeOff(double altitudeMeters, String words) {
+    PredictedRoute takeOff(double altitudeMeters, String words) {
         List<Altitude> all = with(Altitude.aboveHome(altitudeMeters));
         column(words, all, !drone.airborne());
         altitudes = drone.airborne() ? all : List.of(Altitude.aboveHome(altitudeMeters));
-        return new Route(legs, doubt);
+        return new PredictedRoute(legs, doubt);
     }
 
-    Route flyTo(Geodetic point, Altitude altitude, String words) {
+    PredictedRoute flyTo(Geodetic point, Altitude altitude, String words) {
         leg("The way from " + placeWords + " to " + words, point, with(altitude));
         place = point;
         placeWords = words;
         altitudes = List.of(altitude);
-        return new Route(legs, doubt);
+        return new PredictedRoute(legs, doubt);
     }
 
     private void flyHome(String words) {
@@ -112,7 +112,7 @@ final class MissionRouteBuilder {
     private void column(String words, List<Altitude> all, boolean toTheGround) {
         Geodetic here = place;
         if (here != null) {
-            legs.add(new Leg(words, here, here, new Heights(all, toTheGround)));
+            legs.add(new Leg(words, here, here, new LegHeights(all, toTheGround)));
         } else if (!placeWords.isEmpty()) {
             doubtful("Where the drone is, is not known");
         }
@@ -121,12 +121,12 @@ final class MissionRouteBuilder {
     private void leg(String words, Geodetic to, List<Altitude> all) {
         Geodetic here = place;
         if (here != null) {
-            legs.add(new Leg(words, here, to, new Heights(all, false)));
+            legs.add(new Leg(words, here, to, new LegHeights(all, false)));
         } else if (!placeWords.isEmpty()) {
             doubtful("Where the drone is, is not known");
         } else {
             // At least the place itself is known.
-            legs.add(new Leg(words.replace("The way from  to ", "The way to "), to, to, new Heights(all, false)));
+            legs.add(new Leg(words.replace("The way from  to ", "The way to "), to, to, new LegHeights(all, false)));
         }
     }
 

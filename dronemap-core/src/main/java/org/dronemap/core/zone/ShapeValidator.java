@@ -7,7 +7,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePolygon;
 import org.dronemap.core.geo.PlaneSegment;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 
 /** Validates the shape of a zone or of flight bounds: large enough, not too large, and with one clear inside. */
 public final class ShapeValidator {
@@ -20,11 +20,11 @@ public final class ShapeValidator {
     private ShapeValidator() {}
 
     /** Empty when it can be used. */
-    public static Optional<String> of(FenceZone shape) {
-        if (shape instanceof FenceZone.Circle circle) {
+    public static Optional<String> of(FenceArea shape) {
+        if (shape instanceof FenceArea.Circle circle) {
             return polar(List.of(circle.center()));
         }
-        return shape instanceof FenceZone.Polygon polygon ? of(polygon.corners()) : Optional.empty();
+        return shape instanceof FenceArea.Polygon polygon ? of(polygon.corners()) : Optional.empty();
     }
 
     private static Optional<String> of(List<Geodetic> corners) {

@@ -1,7 +1,7 @@
 package org.dronemap.core.zone;
 
 import java.time.Instant;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.organisation.OrganisationId;
 
 /**
@@ -14,10 +14,10 @@ import org.dronemap.core.organisation.OrganisationId;
 public record Zone(
         String id,
         String name,
-        FenceZone shape,
+        FenceArea shape,
         AltitudeBand band,
         ZoneBinding binding,
-        Validity validity,
+        ZoneValidity validity,
         BreachAction onBreach,
         String changedBy,
         Instant changedAt,
@@ -26,10 +26,10 @@ public record Zone(
     public Zone(
             String id,
             String name,
-            FenceZone shape,
+            FenceArea shape,
             AltitudeBand band,
             ZoneBinding binding,
-            Validity validity,
+            ZoneValidity validity,
             BreachAction onBreach,
             String changedBy,
             Instant changedAt) {
@@ -53,7 +53,7 @@ public record Zone(
     }
 
     /** The same for one that is not kept by the cloud. */
-    public static String words(FenceZone shape, String name) {
+    public static String words(FenceArea shape, String name) {
         return (shape.inside() ? "the zone “" : "the no-fly zone “") + name + "”";
     }
 }

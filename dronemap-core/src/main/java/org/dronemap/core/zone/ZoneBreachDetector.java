@@ -124,7 +124,7 @@ public final class ZoneBreachDetector {
                 "The way ahead",
                 point,
                 there.point(),
-                new Heights(heights, zone.shape().inside()));
+                new LegHeights(heights, zone.shape().inside()));
         return new LegCheck(leg, levels).whyNot(zone).isPresent();
     }
 }

@@ -20,7 +20,7 @@ public final class ZoneRules {
     }
 
     /** Names the leg, the zone and a distance; empty when nothing speaks against it. */
-    public Optional<WayObjection> whyNot(String user, DroneState drone, Command command, Instant now) {
+    public Optional<RouteObjection> whyNot(String user, DroneState drone, Command command, Instant now) {
         List<Zone> zones = book.binding(user, drone.id(), now, now.plus(AHEAD));
         return zones.isEmpty()
                 ? Optional.empty()
@@ -29,7 +29,8 @@ public final class ZoneRules {
     }
 
     /** The same for bounds that hold whoever commands this, all of them; {@code words} is what they are called. */
-    public static Optional<WayObjection> whyNot(List<Bounds> bounds, String words, DroneState drone, Command command) {
+    public static Optional<RouteObjection> whyNot(
+            List<FlightBounds> bounds, String words, DroneState drone, Command command) {
         if (bounds.isEmpty()) {
             return Optional.empty();
         }
@@ -59,11 +60,11 @@ public final class ZoneRules {
         return zones.isEmpty() ? Optional.empty() : sentence(zones, drone, CommandRoutes.down(drone));
     }
 
-    private static Optional<String> sentence(List<Zone> zones, DroneState drone, Route route) {
-        return whyNot(zones, drone, route).map(WayObjection::sentence);
+    private static Optional<String> sentence(List<Zone> zones, DroneState drone, PredictedRoute route) {
+        return whyNot(zones, drone, route).map(RouteObjection::sentence);
     }
 
-    private static Optional<WayObjection> whyNot(List<Zone> zones, DroneState drone, Route route) {
+    private static Optional<RouteObjection> whyNot(List<Zone> zones, DroneState drone, PredictedRoute route) {
         return whyNot(
                 route,
                 drone,
@@ -71,18 +72,21 @@ public final class ZoneRules {
                 "the zones that bind this flight, such as " + zones.get(0).words());
     }
 
-    private static Optional<WayObjection> whyNot(
-            Route route, DroneState drone, Function<LegCheck, Optional<WayObjection>> judge, String against) {
+    private static Optional<RouteObjection> whyNot(
+            PredictedRoute route,
+            DroneState drone,
+            Function<LegCheck, Optional<RouteObjection>> judge,
+            String against) {
         HeightReferences levels = HeightReferences.of(drone);
-        Optional<WayObjection> why = firstOf(route.legs(), leg -> judge.apply(new LegCheck(leg, levels)));
+        Optional<RouteObjection> why = firstOf(route.legs(), leg -> judge.apply(new LegCheck(leg, levels)));
         String doubt = route.doubt();
         return why.isPresent() || doubt == null
                 ? why
                 : Optional.of(
-                        WayObjection.notCheckable(doubt + "; so the way cannot be checked against " + against + "."));
+                        RouteObjection.notCheckable(doubt + "; so the way cannot be checked against " + against + "."));
     }
 
-    private static <T> Optional<WayObjection> firstOf(List<T> all, Function<T, Optional<WayObjection>> judge) {
+    private static <T> Optional<RouteObjection> firstOf(List<T> all, Function<T, Optional<RouteObjection>> judge) {
         return all.stream().map(judge).flatMap(Optional::stream).findFirst();
     }
 }

@@ -13,9 +13,9 @@ import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Bounds;
+import org.dronemap.core.zone.FlightBounds;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.locationtech.jts.geom.Coordinate;
@@ -78,23 +78,24 @@ class KeyRightsTest {
     @Test
     void sayInWhichBoundsTheyGoBeyond() {
         KeyScope everywhere = KeyScope.ALL;
-        KeyScope low = everywhere.boundedBy(new Bounds(null, heights(null, 50.0)));
-        KeyScope near = everywhere.boundedBy(new Bounds(rectangle(0, 0, 5, 5), AltitudeBand.ALL));
-        KeyScope lowAndNear = near.boundedBy(new Bounds(rectangle(0, 0, 5, 5), heights(null, 50.0)));
+        KeyScope low = everywhere.boundedBy(new FlightBounds(null, heights(null, 50.0)));
+        KeyScope near = everywhere.boundedBy(new FlightBounds(rectangle(0, 0, 5, 5), AltitudeBand.ALL));
+        KeyScope lowAndNear = near.boundedBy(new FlightBounds(rectangle(0, 0, 5, 5), heights(null, 50.0)));
 
         assertThat(beyond(everywhere, low)).contains(KeyRights.Excess.ALTITUDE);
         assertThat(beyond(everywhere, near)).contains(KeyRights.Excess.AREA);
         assertThat(beyond(low, near)).contains(KeyRights.Excess.AREA);
         assertThat(beyond(near, lowAndNear)).contains(KeyRights.Excess.ALTITUDE);
-        assertThat(beyond(near.boundedBy(new Bounds(rectangle(0, 0, 6, 5), AltitudeBand.ALL)), near))
+        assertThat(beyond(near.boundedBy(new FlightBounds(rectangle(0, 0, 6, 5), AltitudeBand.ALL)), near))
                 .contains(KeyRights.Excess.AREA);
         assertThat(beyond(lowAndNear, near)).isEmpty();
         assertThat(beyond(
-                        everywhere.boundedBy(new Bounds(null, new AltitudeBand(null, 40.0, Altitude.Reference.AMSL))),
+                        everywhere.boundedBy(
+                                new FlightBounds(null, new AltitudeBand(null, 40.0, Altitude.Reference.AMSL))),
                         low))
                 .as("heights of another reference")
                 .contains(KeyRights.Excess.ALTITUDE);
-        assertThat(beyond(everywhere.boundedBy(new Bounds(rectangle(1, 1, 4, 4), AltitudeBand.ALL)), near))
+        assertThat(beyond(everywhere.boundedBy(new FlightBounds(rectangle(1, 1, 4, 4), AltitudeBand.ALL)), near))
                 .as("closer bounds without those that they were made from")
                 .contains(KeyRights.Excess.AREA);
     }
@@ -119,7 +120,7 @@ class KeyRightsTest {
     }
 
     /** Places of a grid, and heights over them, at which only the first one lets fly. */
-    private static int allowedOnlyThere(@Nullable Bounds child, @Nullable Bounds parent) {
+    private static int allowedOnlyThere(@Nullable FlightBounds child, @Nullable FlightBounds parent) {
         if (parent == null) {
             return 0;
         }
@@ -144,14 +145,14 @@ class KeyRightsTest {
         return area == null || area.covers(place);
     }
 
-    private static boolean isAt(@Nullable Bounds bounds, double meters) {
+    private static boolean isAt(@Nullable FlightBounds bounds, double meters) {
         return bounds == null
                 || (meters >= bounds.band().lowMeters()
                         && meters <= bounds.band().highMeters());
     }
 
-    private static @Nullable Polygon shape(@Nullable Bounds bounds) {
-        return bounds == null || !(bounds.area() instanceof FenceZone.Polygon area)
+    private static @Nullable Polygon shape(@Nullable FlightBounds bounds) {
+        return bounds == null || !(bounds.area() instanceof FenceArea.Polygon area)
                 ? null
                 : SHAPES.createPolygon(Stream.concat(
                                 area.corners().stream(), area.corners().stream().limit(1))
@@ -168,8 +169,8 @@ class KeyRightsTest {
         return new Geodetic(40 + north / 16, 8 + east / 16);
     }
 
-    private static FenceZone rectangle(int south, int west, int north, int east) {
-        return new FenceZone.Polygon(true, List.of(at(south, west), at(south, east), at(north, east), at(north, west)));
+    private static FenceArea rectangle(int south, int west, int north, int east) {
+        return new FenceArea.Polygon(true, List.of(at(south, west), at(south, east), at(north, east), at(north, west)));
     }
 
     private static AltitudeBand heights(@Nullable Double floor, @Nullable Double ceiling) {
@@ -177,7 +178,7 @@ class KeyRightsTest {
     }
 
     /** An area with a notch that others may reach into; null: none. */
-    private @Nullable FenceZone area() {
+    private @Nullable FenceArea area() {
         int south = random.nextInt(SIDE - 1);
         int west = random.nextInt(SIDE - 1);
         int north = south + 2 + random.nextInt(SIDE - south - 1);
@@ -187,7 +188,7 @@ class KeyRightsTest {
             case 0 -> null;
             case 1 -> rectangle(south, west, north, east);
             default ->
-                new FenceZone.Polygon(
+                new FenceArea.Polygon(
                         true,
                         List.of(
                                 at(south, west),
@@ -205,14 +206,14 @@ class KeyRightsTest {
     }
 
     private KeyScope bounded(KeyScope scope) {
-        return random.nextInt(3) == 0 ? scope : scope.boundedBy(new Bounds(area(), band()));
+        return random.nextInt(3) == 0 ? scope : scope.boundedBy(new FlightBounds(area(), band()));
     }
 
     /** Bounds of its own, within those that are there already; at times the same again. */
     private KeyScope closer(KeyScope scope) {
-        Bounds outer = scope.innermost();
+        FlightBounds outer = scope.innermost();
         for (int attempt = 0; attempt < 5; attempt++) {
-            Bounds own = new Bounds(area(), band());
+            FlightBounds own = new FlightBounds(area(), band());
             if (outer == null || own.beyond(outer).isEmpty()) {
                 return scope.boundedBy(own);
             }

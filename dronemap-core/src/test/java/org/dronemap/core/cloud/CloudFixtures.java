@@ -18,7 +18,7 @@ import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.RestoreParameters;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
@@ -71,7 +71,7 @@ public final class CloudFixtures {
 
         @Override
         public void perform(SendAuthority mandate, Command command, Report report) {
-            if (settlesAtOnce && (command instanceof SetCloudLoss || command instanceof RestoreParameters)) {
+            if (settlesAtOnce && (command instanceof SetCloudLossAction || command instanceof RestoreParameters)) {
                 report.ended(new Outcome.Succeeded());
                 return;
             }

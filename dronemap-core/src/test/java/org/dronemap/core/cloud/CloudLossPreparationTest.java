@@ -7,7 +7,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneKey;
@@ -21,7 +21,7 @@ class CloudLossPreparationTest extends CloudLossTestBase {
     @Test
     void setsItBeforeItIsArmedAndKeepsWhatItsOwnerHadFirst() {
         CommandRecord arm = arms("arm-00001");
-        SetCloudLoss command = rule(SetCloudLoss.class);
+        SetCloudLossAction command = rule(SetCloudLossAction.class);
         assertThat(vehicle.performed).containsExactly(command);
         assertThat(command.afterSeconds()).isEqualTo(20);
 
@@ -29,7 +29,7 @@ class CloudLossPreparationTest extends CloudLossTestBase {
         assertThat(owners.kept.get(link.id()).values()).containsExactly(VALUE);
         assertThat(owners.kept.get(link.id()).written()).isFalse();
         assertThat(vehicle.performed).hasSize(1);
-        ruleReport(SetCloudLoss.class).ended(new Outcome.Succeeded());
+        ruleReport(SetCloudLossAction.class).ended(new Outcome.Succeeded());
         time.settle();
 
         report(arm);
@@ -70,8 +70,8 @@ class CloudLossPreparationTest extends CloudLossTestBase {
     @Test
     void armsAllTheSameWhenItCannotBeSetAndSaysWhatItDoesThen() {
         CommandRecord arm = arms("arm-00001");
-        keeps(rule(SetCloudLoss.class), VALUE);
-        ruleReport(SetCloudLoss.class).ended(new Outcome.Failed("The vehicle did not take it."));
+        keeps(rule(SetCloudLossAction.class), VALUE);
+        ruleReport(SetCloudLossAction.class).ended(new Outcome.Failed("The vehicle did not take it."));
 
         report(arm);
         assertThat(shown().state()).isEqualTo(CloudLossState.State.NOT_SET);
@@ -98,7 +98,7 @@ class CloudLossPreparationTest extends CloudLossTestBase {
         owners.broken = true;
         arms("arm-00001");
 
-        assertThat(keeps(rule(SetCloudLoss.class), VALUE)).isCompletedExceptionally();
+        assertThat(keeps(rule(SetCloudLossAction.class), VALUE)).isCompletedExceptionally();
         assertThat(owners.kept).isEmpty();
         assertThat(shown().outstanding()).isEmpty();
     }
@@ -115,7 +115,7 @@ class CloudLossPreparationTest extends CloudLossTestBase {
     @Test
     void stopsWhenSomebodyElseArmsItMeanwhile() {
         CommandRecord arm = arms("arm-00001");
-        rule(SetCloudLoss.class);
+        rule(SetCloudLossAction.class);
 
         hear(new DroneEvent.ModeReported("GUIDED", true));
         until(() -> commands.records.get(arm.id()).outcome() != null);
@@ -128,7 +128,7 @@ class CloudLossPreparationTest extends CloudLossTestBase {
     @Test
     void stopsWithWhatItWasSetFor() {
         CommandRecord arm = arms("arm-00001");
-        rule(SetCloudLoss.class);
+        rule(SetCloudLossAction.class);
         hear(new DroneEvent.ModeReported("GUIDED", false));
 
         apply(new LeaseEvent.TakeOver("sue", "supervisor"));
@@ -142,7 +142,7 @@ class CloudLossPreparationTest extends CloudLossTestBase {
     @Test
     void isNoLongerWaitedForAfterAStandstill() {
         CommandRecord arm = arms("arm-00001");
-        rule(SetCloudLoss.class);
+        rule(SetCloudLossAction.class);
 
         stalling.stall(Duration.ofSeconds(20));
         until(() -> commands.records.get(arm.id()).outcome() != null);
@@ -154,7 +154,7 @@ class CloudLossPreparationTest extends CloudLossTestBase {
     @Test
     void knowsTheOwnersValuesAfterACrashBeforeTheyWereWritten() {
         arms("arm-00001");
-        keeps(rule(SetCloudLoss.class), VALUE);
+        keeps(rule(SetCloudLossAction.class), VALUE);
         vehicle.performed.clear();
 
         CloudManager next = cloud();
@@ -163,7 +163,7 @@ class CloudLossPreparationTest extends CloudLossTestBase {
         landed();
         next.gate().submit(ANN, link.id(), id("arm-00002"), new Command.Arm());
 
-        assertThat(rule(SetCloudLoss.class).kept()).containsExactly(VALUE);
+        assertThat(rule(SetCloudLossAction.class).kept()).containsExactly(VALUE);
     }
 
     @Test
@@ -185,8 +185,8 @@ class CloudLossPreparationTest extends CloudLossTestBase {
         gate.submit(BOB, second.id(), id("arm-00002"), new Command.Arm());
         until(() -> !another.performed.isEmpty());
 
-        assertThat(rule(SetCloudLoss.class).keeper().returnMeters(15)).isEqualTo(15);
-        assertThat(((SetCloudLoss) another.performed.get(0)).keeper().returnMeters(15))
+        assertThat(rule(SetCloudLossAction.class).keeper().returnMeters(15)).isEqualTo(15);
+        assertThat(((SetCloudLossAction) another.performed.get(0)).keeper().returnMeters(15))
                 .isEqualTo(30);
     }
 }

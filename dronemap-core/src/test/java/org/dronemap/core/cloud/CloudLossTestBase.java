@@ -8,7 +8,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ParameterOverrideRecorder;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.drone.CloudLossAction;
 import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneState;
@@ -62,7 +62,7 @@ abstract class CloudLossTestBase extends GuidedFlightTestBase {
                 .orElseThrow();
     }
 
-    CompletableFuture<Void> keeps(SetCloudLoss command, OverriddenParameter... values) {
+    CompletableFuture<Void> keeps(SetCloudLossAction command, OverriddenParameter... values) {
         CompletableFuture<Void> kept = command.keeper()
                 .keep(new ParameterOverrideRecorder.OverridePlan(
                         GOES_ON, COMES_HOME, List.of(values), command.keeper().returnMeters(15)));
@@ -71,9 +71,9 @@ abstract class CloudLossTestBase extends GuidedFlightTestBase {
     }
 
     void isSet() {
-        SetCloudLoss command = rule(SetCloudLoss.class);
+        SetCloudLossAction command = rule(SetCloudLossAction.class);
         assertThat(keeps(command, VALUE)).isCompleted();
-        ruleReport(SetCloudLoss.class).ended(new Outcome.Succeeded());
+        ruleReport(SetCloudLossAction.class).ended(new Outcome.Succeeded());
         time.settle();
     }
 

@@ -71,12 +71,12 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
 
     @Test
     void letsASupervisorLandStopAndCallBackWhateverOthersFly() {
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         for (Command safe : List.of(new Command.Hold(), new Command.Land(), new Command.ReturnToLaunch())) {
             CommandRecord given =
                     gate.submit(SUE, link.id(), id("safe-" + safe.summary().replace(' ', '-')), safe);
             assertThat(vehicle.fences.get(report(given)).isOpen()).isTrue();
-            apply(new LeaseEvent.Take("ann"));
+            apply(new LeaseEvent.TakeControl("ann"));
             assertThat(vehicle.fences.get(report(given)).isOpen()).isTrue();
         }
 
@@ -91,7 +91,7 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
 
     @Test
     void letsEverybodyReadWhateverOthersFly() {
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
 
         assertThat(gate.submit(BOB, link.id(), id("read-0001"), new Command.ReadParameters())
                         .outcome())
@@ -102,7 +102,7 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
     @Test
     void holdsAndThenCallsBackADroneWhoseHolderIsLost() {
         isCommandedBy(ANN);
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
 
         until(() -> vehicle.performed.contains(new Command.Hold()));
         until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
@@ -114,7 +114,7 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
     @Test
     void remembersThatADroneHasToBeCalledBackUntilItIsDown() {
         isCommandedBy(ANN);
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
 
         until(() -> leases.leases.values().stream().anyMatch(SavedLease::lapsed));
         until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
@@ -153,7 +153,7 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
         });
         link = bound(hasty);
         hoverInGuided();
-        hasty.controls().apply(link.id(), new LeaseEvent.Take("ann"));
+        hasty.controls().apply(link.id(), new LeaseEvent.TakeControl("ann"));
 
         until(() -> seen.contains(ControlChange.Kind.RETURN_DUE));
         hear(new DroneEvent.ModeReported("LOITER", true));
@@ -164,7 +164,7 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
     @Test
     void leavesADroneAloneThatFliesItsMissionWithoutItsHolder() {
         hear(new DroneEvent.ModeReported("AUTO", true));
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         until(() -> changes.contains(ControlChange.Kind.LOST));
 
         SteppedUntil.throughout(time, Duration.ofSeconds(5), vehicle.performed::isEmpty);
@@ -173,9 +173,9 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
     @Test
     void doesNotCallBackWhatSomebodyElseHasTaken() {
         isCommandedBy(ANN);
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         until(() -> vehicle.performed.contains(new Command.Hold()));
-        apply(new LeaseEvent.Take("bob"));
+        apply(new LeaseEvent.TakeControl("bob"));
         SteppedUntil.throughout(time, Duration.ofSeconds(2), () -> {
             apply(new LeaseEvent.Heartbeat("bob", control().epoch()));
             return !vehicle.performed.contains(new Command.ReturnToLaunch());
@@ -184,7 +184,7 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
 
     @Test
     void givesWayToThePilotAtTheVehicle() {
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         awaitTick();
         hear(new DroneEvent.ModeReported("LOITER", true));
 
@@ -193,7 +193,7 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
                         .outcome())
                 .isInstanceOf(Outcome.Refused.class);
 
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         assertThat(gate.submit(ANN, link.id(), id("first-002"), new Command.SetMode("GUIDED"))
                         .outcome())
                 .isNull();
@@ -218,7 +218,7 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
 
     @Test
     void rebuildsExplicitControlAfterARestartWithANewerEpoch() {
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         long before = control().epoch();
         until(() -> !drones.records.isEmpty());
 
@@ -230,9 +230,9 @@ class ControlEndToEndTest extends GuidedFlightTestBase {
 
     @Test
     void refusesAClientThatBelievesInControlThatHasEnded() {
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         long old = control().epoch();
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
 
         CommandRecord stale = gate.submit(
                 new CommandGate.Source(ANN.principal(), "rest", old),

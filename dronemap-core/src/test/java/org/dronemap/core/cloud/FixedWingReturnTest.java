@@ -11,7 +11,7 @@ import org.dronemap.core.cloud.outlook.Outlook;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ParameterOverrideRecorder;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
@@ -59,12 +59,12 @@ class FixedWingReturnTest extends CloudLossTestBase {
 
     private CommandRecord isArmed(CloudLossAction doing) {
         CommandRecord arm = arms("arm-00001");
-        SetCloudLoss command = rule(SetCloudLoss.class);
+        SetCloudLossAction command = rule(SetCloudLossAction.class);
         assertThat(command.keeper()
                         .keep(new ParameterOverrideRecorder.OverridePlan(GOES_ON, doing, List.of(VALUE), null)))
                 .isNotNull();
         time.settle();
-        ruleReport(SetCloudLoss.class).ended(new Outcome.Succeeded());
+        ruleReport(SetCloudLossAction.class).ended(new Outcome.Succeeded());
         time.settle();
         return arm;
     }

@@ -160,7 +160,7 @@ abstract class GuidedFlightTestBase {
     /** Until the lane has looked at the drone once more. */
     void awaitTick() {
         AtomicBoolean ticked = new AtomicBoolean();
-        Lane.Ticker ticker = () -> ticked.set(true);
+        Lane.PeriodicTask ticker = () -> ticked.set(true);
         link.lane().execute(() -> link.lane().addPeriodicTask(ticker));
         until(ticked::get);
         link.lane().execute(() -> link.lane().removePeriodicTask(ticker));

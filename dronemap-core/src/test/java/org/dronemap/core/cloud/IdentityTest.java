@@ -12,7 +12,7 @@ import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.time.SteppedTime;
@@ -52,7 +52,7 @@ class IdentityTest {
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 
-    private static Claim claim(int port, @Nullable String uid, @Nullable Proof proof, boolean trusted) {
+    private static Claim claim(int port, @Nullable String uid, @Nullable IdentityProof proof, boolean trusted) {
         LinkSession session = new LinkSession(
                 new DroneKey("192.0.2.7", port, 1), "udp", false, "ArduCopter 1", new CloudFixtures.RecordingChannel());
         return new Claim(session, CloudFixtures.copter(uid), proof, trusted, LONG_NANOS);
@@ -64,7 +64,7 @@ class IdentityTest {
         return new Claim(claim.session(), claim.identification(), null, true, 0);
     }
 
-    private DroneLink letIn(int port, @Nullable String uid, @Nullable Proof proof) {
+    private DroneLink letIn(int port, @Nullable String uid, @Nullable IdentityProof proof) {
         DroneLink link = CloudFixtures.bound(cloud.admit(claim(port, uid, proof, true)));
         onLane(link, () -> {});
         return link;
@@ -139,13 +139,13 @@ class IdentityTest {
 
     @Test
     void believesProofAtOnceAndNeverAgainLess() {
-        DroneLink first = letIn(5001, "aa01", new Proof.OfLink("key 7"));
+        DroneLink first = letIn(5001, "aa01", new IdentityProof.OfLink("key 7"));
         keepAlive(first);
 
-        DroneLink second = letIn(6001, null, new Proof.OfLink("key 7"));
+        DroneLink second = letIn(6001, null, new IdentityProof.OfLink("key 7"));
 
         assertThat(second.id()).isEqualTo(first.id());
-        assertThat(state(first).standing().strongest()).isEqualTo(Evidence.LINK);
+        assertThat(state(first).standing().strongest()).isEqualTo(IdentityEvidence.LINK);
         for (int port : new int[] {5001, 8001}) {
             assertThat(cloud.admit(claim(port, "aa01", null, true))).isInstanceOf(ClaimResult.NotAdmitted.class);
         }
@@ -157,14 +157,15 @@ class IdentityTest {
         DroneLink first = letIn(5001, null, null);
         keepAlive(first);
 
-        assertThat(letIn(6001, null, new Proof.OfSignature(first.id())).id()).isEqualTo(first.id());
-        assertThat(state(first).standing().strongest()).isEqualTo(Evidence.SIGNATURE);
+        assertThat(letIn(6001, null, new IdentityProof.OfSignature(first.id())).id())
+                .isEqualTo(first.id());
+        assertThat(state(first).standing().strongest()).isEqualTo(IdentityEvidence.SIGNATURE);
     }
 
     @Test
     void givesADroneThatHasSignedToNobodyWhoDoesNot() {
         DroneLink link = letIn(5001, "aa01", null);
-        onLane(link, () -> link.proved(new Proof.OfSignature(link.id())));
+        onLane(link, () -> link.proved(new IdentityProof.OfSignature(link.id())));
         keepAlive(link);
 
         for (int port : new int[] {5001, 8001}) {
@@ -177,7 +178,7 @@ class IdentityTest {
 
     @Test
     void makesNoOneDroneOfTwoVehiclesThatShareAKey() {
-        DroneLink first = letIn(5001, null, new Proof.OfLink("key 7"));
+        DroneLink first = letIn(5001, null, new IdentityProof.OfLink("key 7"));
         keepAlive(first);
         LinkSession twin = new LinkSession(
                 new DroneKey("192.0.2.7", 6001, 2),
@@ -186,8 +187,8 @@ class IdentityTest {
                 "ArduCopter 2",
                 new CloudFixtures.RecordingChannel());
 
-        assertThat(cloud.admit(
-                        new Claim(twin, CloudFixtures.copter(null), new Proof.OfLink("key 7"), true, LONG_NANOS)))
+        assertThat(cloud.admit(new Claim(
+                        twin, CloudFixtures.copter(null), new IdentityProof.OfLink("key 7"), true, LONG_NANOS)))
                 .isInstanceOf(ClaimResult.NotAdmitted.class);
 
         assertThat(cloud.waiting())
@@ -201,33 +202,35 @@ class IdentityTest {
         DroneLink first = letIn(5001, "aa01", null);
         keepAlive(first);
 
-        DroneLink second = letIn(6001, "aa01", new Proof.OfLink(first.id().value()));
+        DroneLink second =
+                letIn(6001, "aa01", new IdentityProof.OfLink(first.id().value()));
 
         assertThat(second.id()).isEqualTo(first.id());
-        assertThat(state(first).standing().strongest()).isEqualTo(Evidence.LINK);
+        assertThat(state(first).standing().strongest()).isEqualTo(IdentityEvidence.LINK);
     }
 
     @Test
     void givesADroneToNobodyWithTheKeyOfAnotherVehicle() {
-        DroneLink real = letIn(5001, "aa01", new Proof.OfLink("key 7"));
+        DroneLink real = letIn(5001, "aa01", new IdentityProof.OfLink("key 7"));
         until(() -> state(real).standing().linkIdentity() != null);
         time.advance(Duration.ofMillis(1_700));
 
         for (int port : new int[] {5001, 6001}) {
-            assertThat(letIn(port, "aa01", new Proof.OfLink("key of " + port)).id())
+            assertThat(letIn(port, "aa01", new IdentityProof.OfLink("key of " + port))
+                            .id())
                     .isNotEqualTo(real.id());
         }
     }
 
     @Test
     void remembersProofOverARestart() {
-        DroneLink link = letIn(5001, "aa01", new Proof.OfLink("key 7"));
+        DroneLink link = letIn(5001, "aa01", new IdentityProof.OfLink("key 7"));
         until(() -> !store.drones().isEmpty());
 
         CloudManager restarted = manager();
 
         assertThat(restarted.admit(claim(5001, "aa01", null, true))).isInstanceOf(ClaimResult.NotAdmitted.class);
-        assertThat(restarted.admit(claim(9001, null, new Proof.OfLink("key 7"), false)))
+        assertThat(restarted.admit(claim(9001, null, new IdentityProof.OfLink("key 7"), false)))
                 .isInstanceOfSatisfying(
                         ClaimResult.Bound.class,
                         bound -> assertThat(bound.link().id()).isEqualTo(link.id()));
@@ -252,7 +255,7 @@ class IdentityTest {
 
     @Test
     void letsAStrangerWithALinkKeyInByItself() {
-        assertThat(cloud.admit(claim(5001, null, new Proof.OfLink("key 8"), false)))
+        assertThat(cloud.admit(claim(5001, null, new IdentityProof.OfLink("key 8"), false)))
                 .isInstanceOf(ClaimResult.Bound.class);
     }
 
@@ -301,7 +304,7 @@ class IdentityTest {
 
     @Test
     void makesOneDroneOfTwoLinksOfOneKeyThatComeAtOnce() {
-        Proof.OfLink key = new Proof.OfLink("v1");
+        IdentityProof.OfLink key = new IdentityProof.OfLink("v1");
 
         // No lane gets to its work in between.
         DroneLink one = CloudFixtures.bound(cloud.admit(claim(8001, "aa01", key, true)));
@@ -317,12 +320,12 @@ class IdentityTest {
         DroneLink before = letIn(5001, null, null);
         time.advance(Duration.ofMillis(1_700));
         DroneId issuedFor = new DroneId("drobot0001");
-        Proof.OfLink key = new Proof.OfLink("drobot0001", issuedFor);
+        IdentityProof.OfLink key = new IdentityProof.OfLink("drobot0001", issuedFor);
 
         DroneLink robot = CloudFixtures.bound(cloud.admit(claim(5001, null, key, false)));
 
         assertThat(robot.id()).isEqualTo(issuedFor).isNotEqualTo(before.id());
-        assertThat(state(before).standing().strongest()).isEqualTo(Evidence.ADDRESS);
+        assertThat(state(before).standing().strongest()).isEqualTo(IdentityEvidence.ADDRESS);
         assertThat(CloudFixtures.bound(cloud.admit(claim(6001, null, key, false)))
                         .id())
                 .isEqualTo(issuedFor);

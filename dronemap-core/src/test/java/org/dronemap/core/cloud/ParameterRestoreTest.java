@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.RestoreParameters;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneId;
@@ -31,7 +31,7 @@ class ParameterRestoreTest extends CloudLossTestBase {
 
         assertThat(shown()).isEqualTo(CloudLossState.UNKNOWN);
         arms("arm-00002");
-        rule(SetCloudLoss.class);
+        rule(SetCloudLossAction.class);
     }
 
     @Test
@@ -52,7 +52,7 @@ class ParameterRestoreTest extends CloudLossTestBase {
     @Test
     void putsNothingBackWhileSomebodyHasControl() {
         wasUsed();
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
 
         SteppedUntil.throughout(time, Duration.ofSeconds(30), () -> {
             apply(new LeaseEvent.Heartbeat("ann", control().epoch()));
@@ -109,7 +109,7 @@ class ParameterRestoreTest extends CloudLossTestBase {
 
         arms("arm-00002");
 
-        assertThat(rule(SetCloudLoss.class).kept()).containsExactly(VALUE);
+        assertThat(rule(SetCloudLossAction.class).kept()).containsExactly(VALUE);
         assertThat(vehicle.cancelled).isNotEmpty();
     }
 

@@ -23,13 +23,13 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.core.zone.ZoneValidity;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -103,10 +103,10 @@ class ReturnWatchTest extends GuidedFlightTestBase {
         return new Zone(
                 "z1",
                 "Crowd",
-                new FenceZone.Circle(false, place, meters),
+                new FenceArea.Circle(false, place, meters),
                 AltitudeBand.ALL,
                 ZoneBinding.EVERYBODY,
-                Validity.ALWAYS,
+                ZoneValidity.ALWAYS,
                 BreachAction.HOLD,
                 "ann",
                 BEGAN);
@@ -287,7 +287,7 @@ class ReturnWatchTest extends GuidedFlightTestBase {
     void isLeftToWhoeverTakesIt() {
         isLeft();
         isToldTo(RETURN);
-        apply(new LeaseEvent.Take("bob"));
+        apply(new LeaseEvent.TakeControl("bob"));
         answers(REFUSED);
 
         SteppedUntil.throughout(time, Duration.ofSeconds(5), () -> {

@@ -67,7 +67,7 @@ class SafetyTimesTest {
         vehicle.reports.get(first.id()).ended(new Outcome.Succeeded());
         vehicle.performed.clear();
         long since = time.nanos();
-        cloud.controls().apply(link.id(), new LeaseEvent.Take("ann"));
+        cloud.controls().apply(link.id(), new LeaseEvent.TakeControl("ann"));
 
         takes(since, SILENCE, () -> vehicle.performed.contains(new Command.Hold()));
         takes(since, SILENCE.plus(SHORT), () -> vehicle.performed.contains(new Command.ReturnToLaunch()));

@@ -37,13 +37,13 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.core.zone.ZoneValidity;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -340,10 +340,10 @@ class SetpointGateTest {
         return new Zone(
                 "z1",
                 "the dam",
-                new FenceZone.Circle(false, new Geodetic(47.3979, 8.5456), 15),
+                new FenceArea.Circle(false, new Geodetic(47.3979, 8.5456), 15),
                 AltitudeBand.ALL,
                 ZoneBinding.EVERYBODY,
-                Validity.ALWAYS,
+                ZoneValidity.ALWAYS,
                 BreachAction.HOLD,
                 "ann",
                 Instant.EPOCH);

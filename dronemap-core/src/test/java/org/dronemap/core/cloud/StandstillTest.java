@@ -58,7 +58,7 @@ class StandstillTest extends GuidedFlightTestBase {
     @Test
     void aHolderWhoseSignsWereDueMeanwhileHasLostControl() {
         isCommandedBy(ANN);
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         long epoch = control().epoch();
         inOneTurnWithStandstill(() -> {});
 
@@ -72,7 +72,7 @@ class StandstillTest extends GuidedFlightTestBase {
 
     @Test
     void nobodySteersByWhatWasSaidBefore() {
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         Setpoint forward = new Setpoint.Velocity(Setpoint.Frame.VEHICLE, 3, 0, 0, Setpoint.Facing.ANY);
         inOneTurnWithStandstill(() ->
                 assertThat(cloud.setpoints().steer(ANN, link.id(), forward)).isEmpty());
@@ -83,7 +83,7 @@ class StandstillTest extends GuidedFlightTestBase {
     @Test
     void whatAPilotTookMeanwhileIsLeftAlone() {
         isCommandedBy(ANN);
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         awaitTick();
         inOneTurnWithStandstill(() -> {});
         hear(new DroneEvent.ModeReported("LOITER", true));

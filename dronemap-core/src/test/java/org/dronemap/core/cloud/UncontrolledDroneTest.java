@@ -43,7 +43,7 @@ class UncontrolledDroneTest extends GuidedFlightTestBase {
     @Test
     void comesHomeWhenItWasHandedToSomebodyWhoIsNotThere() {
         isCommandedBy(ANN);
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         apply(new LeaseEvent.HandOver("ann", "bob"));
 
         comesHome();
@@ -52,7 +52,7 @@ class UncontrolledDroneTest extends GuidedFlightTestBase {
     @Test
     void comesHomeWhenItsHolderGivesItBackOrMayNoMore() {
         isCommandedBy(ANN);
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         apply(new LeaseEvent.Release("ann"));
         comesHome();
         vehicle.performed.clear();
@@ -65,9 +65,9 @@ class UncontrolledDroneTest extends GuidedFlightTestBase {
     @Test
     void staysWithWhoeverTakesItInTime() {
         isCommandedBy(ANN);
-        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.TakeControl("ann"));
         apply(new LeaseEvent.Release("ann"));
-        apply(new LeaseEvent.Take("bob"));
+        apply(new LeaseEvent.TakeControl("bob"));
 
         SteppedUntil.throughout(time, Duration.ofSeconds(3), () -> {
             apply(new LeaseEvent.Heartbeat("bob", control().epoch()));

@@ -28,13 +28,13 @@ import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.core.zone.ZoneValidity;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -182,10 +182,10 @@ class ZoneWatchTest {
         return new Zone(
                 "z1",
                 "Accident",
-                new FenceZone.Circle(false, center, 100),
+                new FenceArea.Circle(false, center, 100),
                 AltitudeBand.ALL,
                 binding,
-                Validity.ALWAYS,
+                ZoneValidity.ALWAYS,
                 action,
                 "ann",
                 BEGAN);

@@ -84,7 +84,7 @@ class CommandDigestTest {
 
     /** Nothing that is asked, but where something goes. */
     private static boolean isPort(Class<?> type) {
-        return type == LogSink.class || type == ParameterOverrideRecorder.class;
+        return type == VehicleLogSink.class || type == ParameterOverrideRecorder.class;
     }
 
     private static List<Object> others(Type type, Object before) throws ReflectiveOperationException {

@@ -14,14 +14,14 @@ class CommandKindTest {
     /** Whoever judges these looks into the command, as the record that each of them names. */
     @Test
     void hasOneRecordWhereTheRulesLookIntoIt() {
-        Map<Movement, List<CommandKind>> movements = by(CommandKind::movement, Movement.class);
+        Map<ImmediateEffect, List<CommandKind>> movements = by(CommandKind::movement, ImmediateEffect.class);
         Map<DeferredEffect, List<CommandKind>> changes = by(CommandKind::laterChange, DeferredEffect.class);
 
         assertThat(movements)
-                .containsEntry(Movement.CLIMBS, List.of(CommandKind.TAKE_OFF))
-                .containsEntry(Movement.GOES, List.of(CommandKind.GO_TO))
-                .containsEntry(Movement.TAKES_MISSION, List.of(CommandKind.UPLOAD_MISSION))
-                .containsEntry(Movement.CHANGES_MODE, List.of(CommandKind.SET_MODE));
+                .containsEntry(ImmediateEffect.CLIMBS, List.of(CommandKind.TAKE_OFF))
+                .containsEntry(ImmediateEffect.GOES, List.of(CommandKind.GO_TO))
+                .containsEntry(ImmediateEffect.TAKES_MISSION, List.of(CommandKind.UPLOAD_MISSION))
+                .containsEntry(ImmediateEffect.CHANGES_MODE, List.of(CommandKind.SET_MODE));
         assertThat(changes)
                 .containsEntry(DeferredEffect.HOME, List.of(CommandKind.SET_HOME))
                 .containsEntry(DeferredEffect.RALLY_POINTS, List.of(CommandKind.SET_RALLY_POINTS))
@@ -33,7 +33,7 @@ class CommandKindTest {
     void saysTheSameOfAMoveInEachOfItsAnswers() {
         assertThat(CommandKind.values()).allSatisfy(kind -> {
             boolean flies = kind.contention() == Contention.FLIGHT;
-            boolean moves = kind.movement() != Movement.NONE;
+            boolean moves = kind.movement() != ImmediateEffect.NONE;
             assertThat(flies && !moves)
                     .as(kind + " competes for the flight and moves nothing")
                     .isFalse();
@@ -44,7 +44,7 @@ class CommandKindTest {
                     .as(kind + " moves without competing for the flight")
                     .isEqualTo(moves && kind.contention() == Contention.TRANSFER);
             if (kind.purpose() == CommandKind.Purpose.SAFETY || kind.purpose() == CommandKind.Purpose.PAUSE) {
-                assertThat(kind.movement()).isIn(Movement.STANDS, Movement.COMES_DOWN);
+                assertThat(kind.movement()).isIn(ImmediateEffect.STANDS, ImmediateEffect.COMES_DOWN);
             }
         });
     }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
@@ -15,7 +15,7 @@ class CommandTest {
 
     @Test
     void saysHowManyOfWhatEvenWhenThereIsOneOnly() {
-        FenceZone zone = new FenceZone.Circle(true, HERE, 100);
+        FenceArea zone = new FenceArea.Circle(true, HERE, 100);
         RallyPoint point = new RallyPoint(HERE, 20);
         MissionItem climb = new MissionItem.TakeOff(20);
 

@@ -175,7 +175,7 @@ class OperationsTest extends OperationTestBase {
 
     @Test
     void doesNotBeginWithADroneThatSomebodyHas() {
-        cloud.controls().apply(link.id(), new LeaseEvent.Take("bob"));
+        cloud.controls().apply(link.id(), new LeaseEvent.TakeControl("bob"));
 
         assertThatThrownBy(this::begin)
                 .isInstanceOfSatisfying(

@@ -15,7 +15,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.TextMessage;
@@ -118,7 +118,7 @@ final class StateScript {
                 null,
                 null,
                 null,
-                Payload.UNKNOWN,
+                PayloadState.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 told,
                 now,

@@ -35,14 +35,14 @@ class LeaseMachineTest {
         assertThat(denied(new LeaseEvent.Command("bob", null)))
                 .isEqualTo("ann has had control of it since 2026-05-01 12:00:00 UTC; ask for it, or wait until it is"
                         + " given back.");
-        assertThat(denied(new LeaseEvent.Take("bob"))).startsWith("ann has had control");
+        assertThat(denied(new LeaseEvent.TakeControl("bob"))).startsWith("ann has had control");
     }
 
     @Test
     void keepsTheEpochOfOneHolderWhateverTheyCommand() {
         granted(new LeaseEvent.Command("ann", null));
         after(29, new LeaseEvent.Command("ann", null));
-        after(29, new LeaseEvent.Tick(false, true));
+        after(29, new LeaseEvent.TimeAdvanced(false, true));
 
         assertThat(control.isHeldBy("ann")).isTrue();
         assertThat(control.epoch()).isEqualTo(101);
@@ -51,7 +51,7 @@ class LeaseMachineTest {
     @Test
     void endsImplicitControlWhenItsHolderIsIdle() {
         granted(new LeaseEvent.Command("ann", null));
-        after(30.1, new LeaseEvent.Tick(false, true));
+        after(30.1, new LeaseEvent.TimeAdvanced(false, true));
 
         assertThat(control.tenure()).isNull();
         assertThat(control.lapse()).isNotNull();
@@ -61,18 +61,18 @@ class LeaseMachineTest {
     @Test
     void doesNotCallAHolderIdleWhoseCommandIsUnderWay() {
         granted(new LeaseEvent.Command("ann", null));
-        after(60, new LeaseEvent.Tick(true, true));
-        after(29, new LeaseEvent.Tick(false, true));
+        after(60, new LeaseEvent.TimeAdvanced(true, true));
+        after(29, new LeaseEvent.TimeAdvanced(false, true));
 
         assertThat(control.isHeldBy("ann")).isTrue();
     }
 
     @Test
     void keepsExplicitControlAsLongAsHeartbeatsCome() {
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         for (int i = 0; i < 30; i++) {
             after(2, new LeaseEvent.Heartbeat("ann", 101));
-            after(0, new LeaseEvent.Tick(false, true));
+            after(0, new LeaseEvent.TimeAdvanced(false, true));
         }
 
         assertThat(control.isHeldBy("ann")).isTrue();
@@ -80,8 +80,8 @@ class LeaseMachineTest {
 
     @Test
     void losesAnExplicitHolderWhoFallsSilentAndStopsTheirCommands() {
-        granted(new LeaseEvent.Take("ann"));
-        after(6.1, new LeaseEvent.Tick(true, true));
+        granted(new LeaseEvent.TakeControl("ann"));
+        after(6.1, new LeaseEvent.TimeAdvanced(true, true));
 
         assertThat(control.tenure()).isNull();
         assertThat(control.epoch()).isEqualTo(102);
@@ -90,36 +90,36 @@ class LeaseMachineTest {
 
     @Test
     void callsTheDroneBackOnceWhenNobodyTakesItAfterALoss() {
-        granted(new LeaseEvent.Take("ann"));
-        after(6.1, new LeaseEvent.Tick(false, true));
-        after(29, new LeaseEvent.Tick(false, true));
+        granted(new LeaseEvent.TakeControl("ann"));
+        after(6.1, new LeaseEvent.TimeAdvanced(false, true));
+        after(29, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(kinds()).isEmpty();
 
-        after(1.1, new LeaseEvent.Tick(false, true));
+        after(1.1, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(kinds()).containsExactly(Kind.RETURN_DUE);
 
-        after(100, new LeaseEvent.Tick(false, true));
+        after(100, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(kinds()).isEmpty();
     }
 
     @Test
     void waitsWithTheReturnUntilTheDroneIsHeard() {
-        granted(new LeaseEvent.Take("ann"));
-        after(6.1, new LeaseEvent.Tick(false, true));
-        after(100, new LeaseEvent.Tick(false, false));
+        granted(new LeaseEvent.TakeControl("ann"));
+        after(6.1, new LeaseEvent.TimeAdvanced(false, true));
+        after(100, new LeaseEvent.TimeAdvanced(false, false));
         assertThat(kinds()).isEmpty();
 
-        after(1, new LeaseEvent.Tick(false, true));
+        after(1, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(kinds()).containsExactly(Kind.RETURN_DUE);
     }
 
     @Test
     void callsNothingBackThatSomebodyHasTaken() {
-        granted(new LeaseEvent.Take("ann"));
-        after(6.1, new LeaseEvent.Tick(false, true));
+        granted(new LeaseEvent.TakeControl("ann"));
+        after(6.1, new LeaseEvent.TimeAdvanced(false, true));
         granted(new LeaseEvent.Command("bob", null));
         after(29.9, new LeaseEvent.Command("bob", null));
-        after(20, new LeaseEvent.Tick(false, true));
+        after(20, new LeaseEvent.TimeAdvanced(false, true));
 
         assertThat(kinds()).isEmpty();
         assertThat(control.lapse()).isNull();
@@ -128,7 +128,7 @@ class LeaseMachineTest {
     @Test
     void turnsImplicitControlIntoExplicitWithoutStoppingWhatIsUnderWay() {
         granted(new LeaseEvent.Command("ann", null));
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
 
         assertThat(control.epoch()).isEqualTo(101);
         assertThat(control.tenure())
@@ -137,8 +137,8 @@ class LeaseMachineTest {
 
     @Test
     void letsOnlyTheNewestWindowOfOneUserKeepControl() {
-        granted(new LeaseEvent.Take("ann"));
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
 
         assertThat(denied(new LeaseEvent.Heartbeat("ann", 101))).startsWith("Control by epoch 101 has ended.");
         granted(new LeaseEvent.Heartbeat("ann", 102));
@@ -149,7 +149,7 @@ class LeaseMachineTest {
 
     @Test
     void asksTheHolderWhoGrants() {
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         step(new LeaseEvent.Request("bob", "my turn"));
         assertThat(last.answer()).isEqualTo(new LeaseAnswer.Waiting());
         assertThat(control.requests()).extracting(LeaseRequest::by).containsExactly("bob");
@@ -165,7 +165,7 @@ class LeaseMachineTest {
 
     @Test
     void asksTheHolderWhoRefuses() {
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         step(new LeaseEvent.Request("bob", null));
         granted(new LeaseEvent.Refuse("ann", "bob", "on final"));
 
@@ -182,7 +182,7 @@ class LeaseMachineTest {
         step(new LeaseEvent.Request("bob", null));
         after(25, new LeaseEvent.Command("ann", null));
         after(25, new LeaseEvent.Command("ann", null));
-        after(10.1, new LeaseEvent.Tick(false, true));
+        after(10.1, new LeaseEvent.TimeAdvanced(false, true));
 
         assertThat(control.requests()).isEmpty();
         assertThat(denied(new LeaseEvent.Grant("ann", "bob"))).startsWith("bob does not ask");
@@ -197,18 +197,18 @@ class LeaseMachineTest {
 
     @Test
     void waitsForWhoWasHandedControlWithoutLookingAndThenCallsTheDroneBack() {
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         granted(new LeaseEvent.HandOver("ann", "bob"));
-        after(30.1, new LeaseEvent.Tick(false, true));
+        after(30.1, new LeaseEvent.TimeAdvanced(false, true));
 
         assertThat(kinds()).containsExactly(Kind.EXPIRED);
-        after(30.1, new LeaseEvent.Tick(false, true));
+        after(30.1, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(kinds()).containsExactly(Kind.RETURN_DUE);
     }
 
     @Test
     void takesOverWithAReason() {
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         granted(new LeaseEvent.TakeOver("sue", "smoke"));
 
         assertThat(control.isHeldBy("sue")).isTrue();
@@ -220,24 +220,24 @@ class LeaseMachineTest {
 
     @Test
     void givesWayToThePilotAtTheVehicleUntilSomebodyTakesControl() {
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         granted(new LeaseEvent.PilotActed("LOITER"));
 
         assertThat(denied(new LeaseEvent.Command("ann", null)))
                 .isEqualTo(
                         "A pilot at the vehicle or another ground station has had control of it since 2026-05-01 12:00:00 UTC; take control"
                                 + " to command it again.");
-        after(100, new LeaseEvent.Tick(false, true));
+        after(100, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(control.tenure()).isNotNull();
 
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         granted(new LeaseEvent.Command("ann", null));
         assertThat(control.epoch()).isEqualTo(103);
     }
 
     @Test
     void isFreeAgainWhenThePilotHasLanded() {
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         granted(new LeaseEvent.PilotActed("LOITER"));
         granted(new LeaseEvent.PilotLeft());
 
@@ -247,7 +247,7 @@ class LeaseMachineTest {
 
     @Test
     void takesControlFromWhoMayCommandNoMore() {
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         step(new LeaseEvent.Request("bob", null));
         granted(new LeaseEvent.Expel("bob"));
         assertThat(control.requests()).isEmpty();
@@ -262,7 +262,7 @@ class LeaseMachineTest {
     void givesBackOnlyWhatOneHas() {
         assertThat(denied(new LeaseEvent.Release("ann")))
                 .isEqualTo("You do not have control. Nobody has control; take" + " it.");
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         granted(new LeaseEvent.Release("ann"));
 
         assertThat(control.tenure()).isNull();
@@ -274,10 +274,10 @@ class LeaseMachineTest {
                 new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, false),
                 new ClockReading(START, 0));
 
-        after(15, new LeaseEvent.Tick(false, true));
+        after(15, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(control.isHeldBy("ann")).isTrue();
         assertThat(control.epoch()).isEqualTo(101);
-        after(6.1, new LeaseEvent.Tick(false, true));
+        after(6.1, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(kinds()).containsExactly(Kind.LOST);
     }
 
@@ -288,9 +288,9 @@ class LeaseMachineTest {
         assertThat(control.tenure()).isNull();
         assertThat(control.epoch()).isEqualTo(101);
 
-        after(29, new LeaseEvent.Tick(false, true));
+        after(29, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(kinds()).isEmpty();
-        after(1.1, new LeaseEvent.Tick(false, true));
+        after(1.1, new LeaseEvent.TimeAdvanced(false, true));
         assertThat(kinds()).containsExactly(Kind.RETURN_DUE);
     }
 
@@ -302,7 +302,7 @@ class LeaseMachineTest {
         granted(new LeaseEvent.Heartbeat("ann", 77));
         granted(new LeaseEvent.Command("ann", 77L));
         assertThat(denied(new LeaseEvent.Heartbeat("ann", 76))).startsWith("Control by epoch 76 has ended.");
-        granted(new LeaseEvent.Take("ann"));
+        granted(new LeaseEvent.TakeControl("ann"));
         assertThat(denied(new LeaseEvent.Heartbeat("ann", 77))).startsWith("Control by epoch 77 has ended.");
     }
 

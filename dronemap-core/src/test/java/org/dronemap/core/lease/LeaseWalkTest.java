@@ -65,8 +65,8 @@ class LeaseWalkTest {
             ControlState now = walk.controls().get(i);
             ClockReading moment = walk.moments().get(i);
             boolean due = machine.isDue(now, moment.nanos());
-            ControlState then =
-                    machine.apply(now, new LeaseEvent.Tick(false, true), moment).control();
+            ControlState then = machine.apply(now, new LeaseEvent.TimeAdvanced(false, true), moment)
+                    .control();
             assertThat(then.equals(now)).as("step %d: %s", i, now).isNotEqualTo(due);
         }
     }
@@ -109,7 +109,7 @@ class LeaseWalkTest {
         return switch (random.nextInt(16)) {
             case 0, 1 -> new LeaseEvent.Command(user, null);
             case 2 -> new LeaseEvent.Command(user, epoch);
-            case 3 -> new LeaseEvent.Take(user);
+            case 3 -> new LeaseEvent.TakeControl(user);
             case 4, 5 -> new LeaseEvent.Request(user, random.nextBoolean() ? "why" : null);
             case 6 -> new LeaseEvent.Grant(user, other);
             case 7 -> new LeaseEvent.Refuse(user, other, null);
@@ -119,7 +119,7 @@ class LeaseWalkTest {
             case 12 -> new LeaseEvent.Release(user);
             case 13 -> random.nextInt(4) == 0 ? new LeaseEvent.Expel(user) : new LeaseEvent.PilotActed("LOITER");
             case 14 -> new LeaseEvent.PilotLeft();
-            default -> new LeaseEvent.Tick(random.nextBoolean(), random.nextBoolean());
+            default -> new LeaseEvent.TimeAdvanced(random.nextBoolean(), random.nextBoolean());
         };
     }
 }

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 class DroneSelectionTest {
-    private static final Against AGAINST = new Against("control-held", "ann has control of it.");
+    private static final UnfitReason AGAINST = new UnfitReason("control-held", "ann has control of it.");
     private static final DroneSelection.ExternalCheck NONE = (drone, share) -> Optional.empty();
 
     @Test

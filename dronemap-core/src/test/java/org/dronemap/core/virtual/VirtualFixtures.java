@@ -22,7 +22,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.drone.Wind;
@@ -144,7 +144,7 @@ final class VirtualFixtures {
                     null,
                     new Home(stand, 450),
                     null,
-                    Payload.UNKNOWN,
+                    PayloadState.UNKNOWN,
                     mission,
                     List.of(),
                     NOW,

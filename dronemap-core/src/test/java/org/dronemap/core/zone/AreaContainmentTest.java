@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.junit.jupiter.api.Test;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.GeometryFactory;
@@ -24,8 +24,8 @@ class AreaContainmentTest {
     void saysOfPolygonsWhatAGeometryLibrarySays() {
         int within = 0;
         for (int pair = 0; pair < PAIRS; pair++) {
-            FenceZone.Polygon outer = star(ZoneFixtures.HOME, 0.01);
-            FenceZone.Polygon inner = star(
+            FenceArea.Polygon outer = star(ZoneFixtures.HOME, 0.01);
+            FenceArea.Polygon inner = star(
                     ZoneFixtures.at(0.006 * (random.nextDouble() - 0.5), 0.006 * (random.nextDouble() - 0.5)), 0.003);
             boolean covers = shape(outer).covers(shape(inner));
             boolean held = AreaContainment.holds(outer, inner);
@@ -42,7 +42,7 @@ class AreaContainmentTest {
 
     @Test
     void holdsWhatSharesAnEdgeOrACorner() {
-        FenceZone outer = ZoneFixtures.square(true, 0, 0);
+        FenceArea outer = ZoneFixtures.square(true, 0, 0);
 
         assertThat(AreaContainment.holds(outer, outer)).isTrue();
         assertThat(AreaContainment.holds(outer, corners(-0.001, -0.001, -0.001, 0.001, 0.001, 0)))
@@ -53,7 +53,7 @@ class AreaContainmentTest {
 
     @Test
     void holdsNothingThatReachesAcrossANotch() {
-        FenceZone notched = corners(0, 0, 0, 0.01, 0.005, 0.002, 0.01, 0.01, 0.01, 0);
+        FenceArea notched = corners(0, 0, 0, 0.01, 0.005, 0.002, 0.01, 0.01, 0.01, 0);
 
         assertThat(AreaContainment.holds(notched, corners(0.001, 0.005, 0.009, 0.005, 0.005, 0.0005)))
                 .isFalse();
@@ -64,7 +64,7 @@ class AreaContainmentTest {
     /** No corner of the notch is beside the part of the edge that lies in it. */
     @Test
     void holdsNothingThatReachesAcrossASlantedNotch() {
-        FenceZone slanted = corners(0, 0, 0, 0.012, 0.01, 0.012, 0.01, 0.005, 0.002, 0.009, 0.01, 0.004, 0.01, 0);
+        FenceArea slanted = corners(0, 0, 0, 0.012, 0.01, 0.012, 0.01, 0.005, 0.002, 0.009, 0.01, 0.004, 0.01, 0);
 
         assertThat(AreaContainment.holds(slanted, corners(0.008, 0.001, 0.008, 0.008, 0.0079, 0.001)))
                 .isFalse();
@@ -74,7 +74,7 @@ class AreaContainmentTest {
 
     @Test
     void measuresCirclesFromTheirMiddle() {
-        FenceZone big = circle(0, 1000);
+        FenceArea big = circle(0, 1000);
 
         assertThat(AreaContainment.holds(big, circle(0, 1000))).isTrue();
         assertThat(AreaContainment.holds(big, circle(0.001, 888))).isTrue();
@@ -94,9 +94,9 @@ class AreaContainmentTest {
     /** Far from the middle of a big circle no one flat picture has all distances right. */
     @Test
     void holdsABigCircleInAnAreaOnlyIfNoPlaceOfItsRimIsOutside() {
-        FenceZone.Polygon area = (FenceZone.Polygon) corners(-0.85, -1, -0.85, 1, 0.85, 1, 0.7, -1.1);
+        FenceArea.Polygon area = (FenceArea.Polygon) corners(-0.85, -1, -0.85, 1, 0.85, 1, 0.7, -1.1);
         for (double radius = 60_000; radius <= 90_000; radius += 500) {
-            FenceZone.Circle circle = new FenceZone.Circle(true, ZoneFixtures.HOME, radius);
+            FenceArea.Circle circle = new FenceArea.Circle(true, ZoneFixtures.HOME, radius);
             boolean rimInside = true;
             for (double degree = 0; degree < 360; degree += 0.25) {
                 Geodetic place = rim(circle, Math.toRadians(degree));
@@ -108,10 +108,10 @@ class AreaContainmentTest {
 
     @Test
     void knowsNoDateLine() {
-        FenceZone outer = new FenceZone.Polygon(
+        FenceArea outer = new FenceArea.Polygon(
                 true,
                 List.of(new Geodetic(0, 179), new Geodetic(0, -179.5), new Geodetic(1, -179.5), new Geodetic(1, 179)));
-        FenceZone inner = new FenceZone.Polygon(
+        FenceArea inner = new FenceArea.Polygon(
                 true,
                 List.of(
                         new Geodetic(0.2, -179.8),
@@ -121,14 +121,14 @@ class AreaContainmentTest {
 
         assertThat(AreaContainment.holds(outer, inner)).isTrue();
         assertThat(AreaContainment.holds(inner, outer)).isFalse();
-        assertThat(AreaContainment.holds(outer, new FenceZone.Circle(true, new Geodetic(0.5, 180), 50_000)))
+        assertThat(AreaContainment.holds(outer, new FenceArea.Circle(true, new Geodetic(0.5, 180), 50_000)))
                 .isTrue();
-        assertThat(AreaContainment.holds(outer, new FenceZone.Circle(true, new Geodetic(0.5, 180), 56_000)))
+        assertThat(AreaContainment.holds(outer, new FenceArea.Circle(true, new Geodetic(0.5, 180), 56_000)))
                 .isFalse();
     }
 
     /** A place whose distance as circles measure it is the radius. */
-    private static Geodetic rim(FenceZone.Circle circle, double angle) {
+    private static Geodetic rim(FenceArea.Circle circle, double angle) {
         double low = 0;
         double high = 2;
         for (int step = 0; step < 60; step++) {
@@ -143,18 +143,18 @@ class AreaContainmentTest {
         return towards(circle, angle, low);
     }
 
-    private static Geodetic towards(FenceZone.Circle circle, double angle, double degrees) {
+    private static Geodetic towards(FenceArea.Circle circle, double angle, double degrees) {
         return new Geodetic(
                 circle.center().latitudeDegrees() + degrees * Math.cos(angle),
                 circle.center().longitudeDegrees() + degrees * Math.sin(angle));
     }
 
-    private static FenceZone circle(double north, double radius) {
-        return new FenceZone.Circle(true, ZoneFixtures.at(north, 0), radius);
+    private static FenceArea circle(double north, double radius) {
+        return new FenceArea.Circle(true, ZoneFixtures.at(north, 0), radius);
     }
 
-    private static FenceZone corners(double... northThenEast) {
-        return new FenceZone.Polygon(
+    private static FenceArea corners(double... northThenEast) {
+        return new FenceArea.Polygon(
                 true,
                 Stream.iterate(0, index -> index < northThenEast.length, index -> index + 2)
                         .map(index -> ZoneFixtures.at(northThenEast[index], northThenEast[index + 1]))
@@ -162,9 +162,9 @@ class AreaContainmentTest {
     }
 
     /** Some corners around a middle, in order: never crosses itself. */
-    private FenceZone.Polygon star(Geodetic middle, double size) {
+    private FenceArea.Polygon star(Geodetic middle, double size) {
         int corners = 3 + random.nextInt(6);
-        return new FenceZone.Polygon(
+        return new FenceArea.Polygon(
                 true,
                 Stream.iterate(0, index -> index < corners, index -> index + 1)
                         .map(index -> {
@@ -177,7 +177,7 @@ class AreaContainmentTest {
                         .toList());
     }
 
-    private static Polygon shape(FenceZone.Polygon area) {
+    private static Polygon shape(FenceArea.Polygon area) {
         return SHAPES.createPolygon(
                 Stream.concat(area.corners().stream(), area.corners().stream().limit(1))
                         .map(AreaContainmentTest::coordinate)

@@ -7,7 +7,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.locationtech.jts.geom.Coordinate;
@@ -116,26 +116,26 @@ final class ExactZoneOracle {
         return zone.band().reference() == Altitude.Reference.HOME ? drone.home().altitudeAmslMeters() : 0;
     }
 
-    private static double distance(Part part, FenceZone shape) {
+    private static double distance(Part part, FenceArea shape) {
         Tangent plane = new Tangent(part);
         Geometry way = plane.line(part);
-        if (shape instanceof FenceZone.Circle circle) {
+        if (shape instanceof FenceArea.Circle circle) {
             return way.distance(plane.point(circle.center())) - circle.radiusMeters();
         }
-        Polygon area = plane.area((FenceZone.Polygon) shape);
+        Polygon area = plane.area((FenceArea.Polygon) shape);
         return area.intersects(way) ? 0 : area.distance(way);
     }
 
-    private static double depth(Part part, FenceZone shape) {
+    private static double depth(Part part, FenceArea shape) {
         Tangent plane = new Tangent(part);
         Geometry way = plane.line(part);
-        if (shape instanceof FenceZone.Circle circle) {
+        if (shape instanceof FenceArea.Circle circle) {
             Geometry center = plane.point(circle.center());
             double farthest =
                     Math.max(center.distance(plane.point(part.from())), center.distance(plane.point(part.to())));
             return circle.radiusMeters() - farthest;
         }
-        Polygon area = plane.area((FenceZone.Polygon) shape);
+        Polygon area = plane.area((FenceArea.Polygon) shape);
         return area.contains(way) ? area.getExteriorRing().distance(way) : 0;
     }
 
@@ -188,7 +188,7 @@ final class ExactZoneOracle {
                     : SHAPES.createLineString(new Coordinate[] {spot(part.from()), spot(part.to())});
         }
 
-        Polygon area(FenceZone.Polygon shape) {
+        Polygon area(FenceArea.Polygon shape) {
             List<Coordinate> ring = new ArrayList<>();
             shape.corners().forEach(corner -> ring.add(spot(corner)));
             ring.add(ring.get(0));

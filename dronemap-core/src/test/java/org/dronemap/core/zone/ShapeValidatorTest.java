@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.junit.jupiter.api.Test;
 
 class ShapeValidatorTest {
@@ -53,7 +53,7 @@ class ShapeValidatorTest {
 
     @Test
     void takesAnAreaAcrossTheDateLineTheShortWayRound() {
-        assertThat(ShapeValidator.of(new FenceZone.Polygon(
+        assertThat(ShapeValidator.of(new FenceArea.Polygon(
                         false,
                         List.of(
                                 new Geodetic(-17, 179.9),
@@ -67,13 +67,13 @@ class ShapeValidatorTest {
     void refusesHalfTheWorldAndThePoles() {
         assertThat(fault(new Geodetic(10, -100), new Geodetic(10, 100), new Geodetic(20, 0)))
                 .startsWith("The area is wider than 200 km; divide it.");
-        assertThat(ShapeValidator.of(new FenceZone.Circle(false, new Geodetic(86, 0), 500)))
+        assertThat(ShapeValidator.of(new FenceArea.Circle(false, new Geodetic(86, 0), 500)))
                 .contains("Zones within 5 degrees of a pole are not supported.");
     }
 
     @Test
     void makesNoZoneOfWhatCannotBeGuarded() {
-        FenceZone crossed = polygon(
+        FenceArea crossed = polygon(
                 ZoneFixtures.at(0, 0),
                 ZoneFixtures.at(0.001, 0.001),
                 ZoneFixtures.at(0, 0.001),
@@ -85,7 +85,7 @@ class ShapeValidatorTest {
         return ShapeValidator.of(polygon(corners)).orElse("nothing");
     }
 
-    private static FenceZone polygon(Geodetic... corners) {
-        return new FenceZone.Polygon(false, List.of(corners));
+    private static FenceArea polygon(Geodetic... corners) {
+        return new FenceArea.Polygon(false, List.of(corners));
     }
 }

@@ -18,11 +18,11 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.jspecify.annotations.Nullable;
 
 /** Zones and drones around a place near Zürich; 0.001 degrees are 111 m to the north and 75 m to the east there. */
@@ -38,8 +38,8 @@ final class ZoneFixtures {
     }
 
     /** A square with this middle, 0.002 degrees wide. */
-    static FenceZone square(boolean inside, double north, double east) {
-        return new FenceZone.Polygon(
+    static FenceArea square(boolean inside, double north, double east) {
+        return new FenceArea.Polygon(
                 inside,
                 List.of(
                         at(north - 0.001, east - 0.001),
@@ -48,15 +48,15 @@ final class ZoneFixtures {
                         at(north + 0.001, east - 0.001)));
     }
 
-    static Zone zone(FenceZone shape) {
+    static Zone zone(FenceArea shape) {
         return zone(shape, AltitudeBand.ALL);
     }
 
-    static Zone zone(FenceZone shape, AltitudeBand band) {
-        return zone(shape, band, ZoneBinding.EVERYBODY, Validity.ALWAYS);
+    static Zone zone(FenceArea shape, AltitudeBand band) {
+        return zone(shape, band, ZoneBinding.EVERYBODY, ZoneValidity.ALWAYS);
     }
 
-    static Zone zone(FenceZone shape, AltitudeBand band, ZoneBinding binding, Validity validity) {
+    static Zone zone(FenceArea shape, AltitudeBand band, ZoneBinding binding, ZoneValidity validity) {
         return new Zone("z1", "Airport", shape, band, binding, validity, BreachAction.HOLD, "ann", NOW);
     }
 
@@ -93,7 +93,7 @@ final class ZoneFixtures {
                 null,
                 new Home(HOME, 450),
                 null,
-                Payload.UNKNOWN,
+                PayloadState.UNKNOWN,
                 mission,
                 List.of(),
                 NOW,

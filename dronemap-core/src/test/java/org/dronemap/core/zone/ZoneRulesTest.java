@@ -13,7 +13,7 @@ import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.junit.jupiter.api.Test;
@@ -130,7 +130,7 @@ class ZoneRulesTest {
 
     @Test
     void keepsADroneInsideACircle() {
-        book.put(List.of(ZoneFixtures.zone(new FenceZone.Circle(true, ZoneFixtures.HOME, 100))));
+        book.put(List.of(ZoneFixtures.zone(new FenceArea.Circle(true, ZoneFixtures.HOME, 100))));
         DroneState drone = ZoneFixtures.flying(ZoneFixtures.HOME, 20);
 
         assertThat(why(drone, goTo(0.00089, 0, 20))).isEqualTo("nothing");
@@ -140,7 +140,7 @@ class ZoneRulesTest {
 
     @Test
     void seesACircleInTheWay() {
-        book.put(List.of(ZoneFixtures.zone(new FenceZone.Circle(false, ZoneFixtures.at(0.005, 0), 100))));
+        book.put(List.of(ZoneFixtures.zone(new FenceArea.Circle(false, ZoneFixtures.at(0.005, 0), 100))));
         DroneState drone = ZoneFixtures.flying(ZoneFixtures.HOME, 20);
 
         assertThat(why(drone, goTo(0.01, 0, 20))).endsWith("enters the no-fly zone “Airport” after 456 m.");
@@ -149,7 +149,7 @@ class ZoneRulesTest {
 
     @Test
     void checksAcrossTheDateLine() {
-        book.put(List.of(ZoneFixtures.zone(new FenceZone.Polygon(
+        book.put(List.of(ZoneFixtures.zone(new FenceArea.Polygon(
                 false,
                 List.of(
                         new Geodetic(-17.001, 179.999),
@@ -218,19 +218,21 @@ class ZoneRulesTest {
 
     @Test
     void bindsOnlyWhomItNames() {
-        FenceZone shape = ZoneFixtures.square(false, 0.005, 0);
+        FenceArea shape = ZoneFixtures.square(false, 0.005, 0);
         Command through = goTo(0.01, 0, 20);
         DroneState drone = ZoneFixtures.flying(ZoneFixtures.HOME, 20);
 
-        book.put(List.of(ZoneFixtures.zone(shape, AltitudeBand.ALL, new ZoneBinding.OfUser("ann"), Validity.ALWAYS)));
+        book.put(List.of(
+                ZoneFixtures.zone(shape, AltitudeBand.ALL, new ZoneBinding.OfUser("ann"), ZoneValidity.ALWAYS)));
         assertThat(why(drone, through)).isEqualTo("nothing");
-        book.put(List.of(ZoneFixtures.zone(shape, AltitudeBand.ALL, new ZoneBinding.OfUser("bob"), Validity.ALWAYS)));
+        book.put(List.of(
+                ZoneFixtures.zone(shape, AltitudeBand.ALL, new ZoneBinding.OfUser("bob"), ZoneValidity.ALWAYS)));
         assertThat(why(drone, through)).contains("enters");
         book.put(List.of(ZoneFixtures.zone(
-                shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(new DroneId("other")), Validity.ALWAYS)));
+                shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(new DroneId("other")), ZoneValidity.ALWAYS)));
         assertThat(why(drone, through)).isEqualTo("nothing");
         book.put(List.of(ZoneFixtures.zone(
-                shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(ZoneFixtures.DRONE), Validity.ALWAYS)));
+                shape, AltitudeBand.ALL, new ZoneBinding.OfDrone(ZoneFixtures.DRONE), ZoneValidity.ALWAYS)));
         assertThat(why(drone, through)).contains("enters");
         book.remove("z1");
         assertThat(why(drone, through)).isEqualTo("nothing");
@@ -238,7 +240,7 @@ class ZoneRulesTest {
 
     @Test
     void countsZonesThatBeginWhileItFlies() {
-        FenceZone shape = ZoneFixtures.square(false, 0.005, 0);
+        FenceArea shape = ZoneFixtures.square(false, 0.005, 0);
         Command through = goTo(0.01, 0, 20);
         DroneState drone = ZoneFixtures.flying(ZoneFixtures.HOME, 20);
 
@@ -247,18 +249,18 @@ class ZoneRulesTest {
         book.put(List.of(inForce(shape, Duration.ofMinutes(61))));
         assertThat(why(drone, through)).isEqualTo("nothing");
         book.put(List.of(ZoneFixtures.zone(
-                shape, AltitudeBand.ALL, ZoneBinding.EVERYBODY, new Validity(null, ZoneFixtures.NOW))));
+                shape, AltitudeBand.ALL, ZoneBinding.EVERYBODY, new ZoneValidity(null, ZoneFixtures.NOW))));
         assertThat(why(drone, through)).isEqualTo("nothing");
     }
 
-    private static Zone inForce(FenceZone shape, Duration after) {
+    private static Zone inForce(FenceArea shape, Duration after) {
         return ZoneFixtures.zone(
-                shape, AltitudeBand.ALL, ZoneBinding.EVERYBODY, new Validity(ZoneFixtures.NOW.plus(after), null));
+                shape, AltitudeBand.ALL, ZoneBinding.EVERYBODY, new ZoneValidity(ZoneFixtures.NOW.plus(after), null));
     }
 
     private String why(DroneState drone, Command command) {
         return rules.whyNot("bob", drone, command, ZoneFixtures.NOW)
-                .map(WayObjection::sentence)
+                .map(RouteObjection::sentence)
                 .orElse("nothing");
     }
 

@@ -10,7 +10,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 
@@ -115,7 +115,7 @@ final class ZoneTrial {
         List<Zone> zones = new ArrayList<>();
         int wanted = 1 + random.nextInt(3);
         while (zones.size() < wanted) {
-            FenceZone shape = shape(middle);
+            FenceArea shape = shape(middle);
             if (ShapeValidator.of(shape).isEmpty()) {
                 zones.add(new Zone(
                         "z" + zones.size(),
@@ -123,7 +123,7 @@ final class ZoneTrial {
                         shape,
                         band(shape.inside()),
                         ZoneBinding.EVERYBODY,
-                        Validity.ALWAYS,
+                        ZoneValidity.ALWAYS,
                         BreachAction.HOLD,
                         "ann",
                         ZoneFixtures.NOW));
@@ -132,12 +132,12 @@ final class ZoneTrial {
         return zones;
     }
 
-    private FenceZone shape(Geodetic middle) {
+    private FenceArea shape(Geodetic middle) {
         boolean inside = random.nextInt(5) == 0;
         double size = inside ? random.nextDouble(500, 4000) : Math.pow(10, random.nextDouble(0.3, 3.3));
         Geodetic center = near(middle, inside ? 200 : 1200);
         if (random.nextInt(3) == 0) {
-            return new FenceZone.Circle(inside, center, Math.max(1, size));
+            return new FenceArea.Circle(inside, center, Math.max(1, size));
         }
         int corners = 3 + random.nextInt(9);
         List<Geodetic> places = new ArrayList<>();
@@ -146,7 +146,7 @@ final class ZoneTrial {
             double far = size * random.nextDouble(0.2, 1);
             places.add(moved(center, far * Math.cos(angle), far * Math.sin(angle)));
         }
-        return new FenceZone.Polygon(inside, places);
+        return new FenceArea.Polygon(inside, places);
     }
 
     private AltitudeBand band(boolean inside) {

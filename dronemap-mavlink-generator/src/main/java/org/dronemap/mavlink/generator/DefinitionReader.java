@@ -18,9 +18,9 @@ public final class DefinitionReader {
     private static final Pattern FIELD = Pattern.compile(" {4}([a-z0-9_]+)(?:\\[([1-9]\\d{0,2})])? ([a-z][a-z0-9_]*)");
     private static final String EXTENSIONS = "    extensions";
 
-    private final List<Definition> definitions = new ArrayList<>();
+    private final List<MessageDefinition> definitions = new ArrayList<>();
     private final Set<String> seen = new HashSet<>();
-    private @Nullable Definition message;
+    private @Nullable MessageDefinition message;
     private boolean extensions;
 
     private DefinitionReader() {}
@@ -30,7 +30,7 @@ public final class DefinitionReader {
      *
      * @throws IllegalArgumentException for what is no definition; says which line, and what is wanted there
      */
-    public static List<Definition> read(Path file) throws IOException {
+    public static List<MessageDefinition> read(Path file) throws IOException {
         DefinitionReader reader = new DefinitionReader();
         int number = 0;
         for (String line : Files.readAllLines(file)) {
@@ -61,7 +61,7 @@ public final class DefinitionReader {
         if (!seen.add(name) || !seen.add(Integer.toString(id))) {
             throw new IllegalArgumentException("the number " + id + " or the name " + name + " was there before");
         }
-        message = new Definition(id, name, List.of());
+        message = new MessageDefinition(id, name, List.of());
         extensions = false;
     }
 
@@ -81,16 +81,16 @@ public final class DefinitionReader {
                 .orElseThrow(() -> new IllegalArgumentException(
                         "the type of a field is one of " + FieldType.known() + ", not " + parts.group(1)));
         int elements = parts.group(2) == null ? 0 : Integer.parseInt(parts.group(2));
-        message = longer(message, new Field(type, elements, parts.group(3), extensions));
+        message = longer(message, new MessageField(type, elements, parts.group(3), extensions));
     }
 
-    private static Definition longer(Definition message, Field field) {
+    private static MessageDefinition longer(MessageDefinition message, MessageField field) {
         if (message.fields().stream().anyMatch(one -> one.name().equals(field.name()))) {
             throw new IllegalArgumentException(message.name() + " had a field " + field.name() + " before");
         }
-        List<Field> fields = new ArrayList<>(message.fields());
+        List<MessageField> fields = new ArrayList<>(message.fields());
         fields.add(field);
-        Definition longer = new Definition(message.id(), message.name(), fields);
+        MessageDefinition longer = new MessageDefinition(message.id(), message.name(), fields);
         if (longer.longestPayload() > LONGEST_PAYLOAD) {
             throw new IllegalArgumentException(
                     message.name() + " has at most " + LONGEST_PAYLOAD + " octets, not " + longer.longestPayload());

@@ -26,13 +26,13 @@ public final class MessageGenerator {
         generate(DefinitionReader.read(Path.of(arguments[0])), Path.of(arguments[1]));
     }
 
-    static void generate(List<Definition> definitions, Path sources) throws IOException {
+    static void generate(List<MessageDefinition> definitions, Path sources) throws IOException {
         Path folder = Files.createDirectories(sources.resolve(FOLDER));
         Set<Path> wanted = new HashSet<>();
-        for (Definition definition : definitions) {
+        for (MessageDefinition definition : definitions) {
             Path file = folder.resolve(definition.recordName() + ".java");
             wanted.add(file);
-            String source = RecordSource.of(definition);
+            String source = JavaRecordSource.of(definition);
             if (!Files.exists(file) || !Files.readString(file).equals(source)) {
                 Files.writeString(file, source);
             }

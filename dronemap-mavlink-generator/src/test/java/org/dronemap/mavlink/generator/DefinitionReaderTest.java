@@ -17,25 +17,25 @@ class DefinitionReaderTest {
     @TempDir
     private Path folder;
 
-    private List<Definition> read(String text) throws IOException {
+    private List<MessageDefinition> read(String text) throws IOException {
         return DefinitionReader.read(Files.writeString(folder.resolve("definitions.txt"), text));
     }
 
     @Test
     void readsFieldsInTheOrderOfTheDefinition() throws IOException {
-        List<Definition> read = read(
+        List<MessageDefinition> read = read(
                 "# a note\n\n0 HEARTBEAT\n    uint8_t type\n    uint32_t custom_mode\n\n4 PING\n    uint32_t seq\n");
 
-        assertThat(read).extracting(Definition::recordName).containsExactly("Heartbeat", "Ping");
+        assertThat(read).extracting(MessageDefinition::recordName).containsExactly("Heartbeat", "Ping");
         assertThat(read.get(0).fields())
                 .containsExactly(
-                        new Field(FieldType.UINT8, 0, "type", false),
-                        new Field(FieldType.UINT32, 0, "custom_mode", false));
+                        new MessageField(FieldType.UINT8, 0, "type", false),
+                        new MessageField(FieldType.UINT32, 0, "custom_mode", false));
     }
 
     @Test
     void placesTheLargestFirstAndExtensionsAfterAll() throws IOException {
-        Definition message =
+        MessageDefinition message =
                 read("1 ONE\n    uint8_t a\n    uint16_t[2] b\n    extensions\n    uint8_t c\n    uint64_t d\n")
                         .get(0);
 

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.dronemap.mavlink.MessageTable;
-import org.dronemap.mavlink.generator.Definition;
+import org.dronemap.mavlink.generator.MessageDefinition;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -19,16 +19,16 @@ import org.junit.jupiter.params.provider.MethodSource;
 class DefinitionsTest {
     private static final Path TABLE = Path.of("src/main/resources/org/dronemap/mavlink/messages.tsv");
 
-    static Stream<Definition> definitions() {
+    static Stream<MessageDefinition> definitions() {
         return OracleMessages.DEFINITIONS.values().stream();
     }
 
     @ParameterizedTest
     @MethodSource("definitions")
-    void definesAMessageAsTheTableOfAllHasIt(Definition message) {
+    void definesAMessageAsTheTableOfAllHasIt(MessageDefinition message) {
         int target = message.wireOrder().stream()
                 .filter(place -> place.field().name().equals("target_system"))
-                .mapToInt(Definition.Place::offset)
+                .mapToInt(MessageDefinition.Place::offset)
                 .findFirst()
                 .orElse(-1);
 
@@ -44,7 +44,7 @@ class DefinitionsTest {
 
     @ParameterizedTest
     @MethodSource("definitions")
-    void hasEachFieldWhereDronefleetHasIt(Definition message) {
+    void hasEachFieldWhereDronefleetHasIt(MessageDefinition message) {
         List<OracleMessages.Place> here = message.wireOrder().stream()
                 .map(place -> new OracleMessages.Place(
                         place.field().javaName(), place.offset(), place.field().length()))

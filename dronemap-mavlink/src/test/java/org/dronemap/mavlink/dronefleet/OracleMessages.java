@@ -9,17 +9,17 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import org.dronemap.mavlink.generator.Definition;
 import org.dronemap.mavlink.generator.DefinitionReader;
+import org.dronemap.mavlink.generator.MessageDefinition;
 
 /** dronefleet's side of the generated messages, for tests that compare the two. */
 public final class OracleMessages {
-    static final Map<String, Definition> DEFINITIONS = new TreeMap<>();
+    static final Map<String, MessageDefinition> DEFINITIONS = new TreeMap<>();
     private static final Map<String, Class<?>> TYPES;
 
     static {
         try {
-            for (Definition definition : DefinitionReader.read(Path.of("src/main/mavlink/definitions.txt"))) {
+            for (MessageDefinition definition : DefinitionReader.read(Path.of("src/main/mavlink/definitions.txt"))) {
                 DEFINITIONS.put(definition.recordName(), definition);
             }
             TYPES = DronefleetMessages.all().values().stream()

@@ -15,11 +15,11 @@ public interface Endpoint extends AutoCloseable {
         return switch (url.kind()) {
             case UDPSERVER -> UdpServerEndpoint.open(url, handlers, time);
             case TCPSERVER -> TcpServerEndpoint.open(url, handlers, time);
-            case UDPCLIENT -> new ClientEndpoint(url, UdpConnection::dial, handlers, time).start();
-            case TCPCLIENT -> new ClientEndpoint(url, TcpConnection::dial, handlers, time).start();
-            case SERIAL -> new ClientEndpoint(url, at -> SerialConnection.dial(at, time), handlers, time).start();
+            case UDPCLIENT -> new OutboundEndpoint(url, UdpConnection::dial, handlers, time).start();
+            case TCPCLIENT -> new OutboundEndpoint(url, TcpConnection::dial, handlers, time).start();
+            case SERIAL -> new OutboundEndpoint(url, at -> SerialConnection.dial(at, time), handlers, time).start();
             case WSSERVER, WSSSERVER -> WebSocketServerEndpoint.open(url, handlers, doors, time);
-            case WSCLIENT, WSSCLIENT -> new ClientEndpoint(url, WebSocketConnection::dial, handlers, time).start();
+            case WSCLIENT, WSSCLIENT -> new OutboundEndpoint(url, WebSocketConnection::dial, handlers, time).start();
             case DTLSSERVER -> DtlsServerEndpoint.open(url, handlers, doors.keys(), time);
         };
     }

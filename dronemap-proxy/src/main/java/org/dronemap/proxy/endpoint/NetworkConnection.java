@@ -3,7 +3,7 @@ package org.dronemap.proxy.endpoint;
 import java.net.InetSocketAddress;
 
 /** A connection that the server opened to a network address, by which its peer is named. */
-interface NetworkConnection extends ClientConnection {
+interface NetworkConnection extends OutboundConnection {
     InetSocketAddress remote();
 
     @Override

@@ -17,7 +17,7 @@ import org.slf4j.LoggerFactory;
  * device, since there is no address. A device takes bytes as slowly as its rate, so frames wait in a queue of 64 for a
  * thread that writes; a frame that finds no room is dropped.
  */
-final class SerialConnection implements ClientConnection {
+final class SerialConnection implements OutboundConnection {
     private static final Logger LOG = LoggerFactory.getLogger(SerialConnection.class);
     private static final int READ_MILLIS = 200;
     private static final int MOST_WAITING = 64;
@@ -41,7 +41,7 @@ final class SerialConnection implements ClientConnection {
         writer = time.loop("serial-out", this::write);
     }
 
-    static ClientConnection dial(EndpointUrl url, Time time) throws IOException {
+    static OutboundConnection dial(EndpointUrl url, Time time) throws IOException {
         String device = url.path();
         if (!Files.exists(Path.of(device))) {
             throw new IOException("there is no device " + device + "; is it plugged in?");

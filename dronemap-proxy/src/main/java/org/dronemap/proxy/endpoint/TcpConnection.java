@@ -24,7 +24,7 @@ final class TcpConnection implements NetworkConnection {
         this.wire = new TcpFrameSender(channel);
     }
 
-    static ClientConnection dial(EndpointUrl url) throws IOException {
+    static OutboundConnection dial(EndpointUrl url) throws IOException {
         InetSocketAddress remote = SocketAddresses.resolve(url);
         SocketChannel channel = SocketChannel.open();
         try {

@@ -24,7 +24,7 @@ final class UdpConnection implements NetworkConnection {
         this.remote = remote;
     }
 
-    static ClientConnection dial(EndpointUrl url) throws IOException {
+    static OutboundConnection dial(EndpointUrl url) throws IOException {
         InetSocketAddress remote = SocketAddresses.resolve(url);
         DatagramChannel channel = DatagramChannel.open();
         try {

@@ -34,7 +34,7 @@ final class WebSocketConnection implements NetworkConnection {
         this.remote = remote;
     }
 
-    static ClientConnection dial(EndpointUrl url) throws IOException {
+    static OutboundConnection dial(EndpointUrl url) throws IOException {
         InetSocketAddress remote = SocketAddresses.resolve(url);
         String path = url.path().isEmpty() ? "/" : url.path();
         String scheme = url.kind() == EndpointUrl.Kind.WSSCLIENT ? "wss://" : "ws://";

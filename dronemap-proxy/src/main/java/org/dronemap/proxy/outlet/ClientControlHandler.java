@@ -75,7 +75,7 @@ final class ClientControlHandler {
             LeaseRequest oldest = control.requests().get(0);
             return new LeaseEvent.Grant(user, oldest.by());
         }
-        return keeps(asked.client(), asked.drone()) ? null : new LeaseEvent.Take(user);
+        return keeps(asked.client(), asked.drone()) ? null : new LeaseEvent.TakeControl(user);
     }
 
     /** Gives control back. */
@@ -111,7 +111,7 @@ final class ClientControlHandler {
             acknowledge(asked, OutcomeTranslator.FAILED);
             asked.explain("Its holder was asked for control. " + step.control().sentence());
         } else {
-            keep(asked, event instanceof LeaseEvent.Take || event instanceof LeaseEvent.Request);
+            keep(asked, event instanceof LeaseEvent.TakeControl || event instanceof LeaseEvent.Request);
             acknowledge(asked, OutcomeTranslator.ACCEPTED);
         }
     }

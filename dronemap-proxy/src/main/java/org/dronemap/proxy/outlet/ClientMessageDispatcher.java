@@ -69,7 +69,7 @@ final class ClientMessageDispatcher implements AutoCloseable {
     private static final long BETWEEN_SENTENCES_NANOS = 10_000_000_000L;
 
     private final OutletCounts counts;
-    private final Map<DroneId, VehicleTap> vehicles;
+    private final Map<DroneId, OutletFrameTap> vehicles;
     private final CloudManager cloud;
     private final ClientCommandExecutor orders;
     private final ClientControlHandler controls;
@@ -83,7 +83,7 @@ final class ClientMessageDispatcher implements AutoCloseable {
     ClientMessageDispatcher(
             OutletDependencies policy,
             OutletCounts counts,
-            Map<DroneId, VehicleTap> vehicles,
+            Map<DroneId, OutletFrameTap> vehicles,
             ControlStatusPublisher.Clients room) {
         this.cloud = policy.cloud();
         this.counts = counts;
@@ -112,7 +112,7 @@ final class ClientMessageDispatcher implements AutoCloseable {
         }
         int target = target(frame);
         DroneId drone = target == 0 ? null : client.drone(target);
-        VehicleTap vehicle = drone == null ? null : vehicles.get(drone);
+        OutletFrameTap vehicle = drone == null ? null : vehicles.get(drone);
         if (drone == null || vehicle == null || !serve(new ClientRequest(client, drone, vehicle, frame), now)) {
             counts.notPassed();
         }
@@ -142,7 +142,7 @@ final class ClientMessageDispatcher implements AutoCloseable {
             case MissionItem.ID -> olderItem(asked, now);
             case MissionClearAll.ID -> intake.clear(asked, now);
             case LogRequestList.ID -> logs(asked);
-            case FileTransferProtocol.ID -> FileTransferHandler.handle(asked);
+            case FileTransferProtocol.ID -> FtpRefusalHandler.handle(asked);
             case ManualControl.ID, RcChannelsOverride.ID, SetPositionTargetLocalNed.ID, SetPositionTargetGlobalInt.ID ->
                 steering.handle(asked, now);
             default -> {

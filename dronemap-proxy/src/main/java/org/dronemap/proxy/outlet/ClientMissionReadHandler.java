@@ -12,7 +12,7 @@ import org.dronemap.core.command.ReadRallyPoints;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -87,7 +87,7 @@ final class ClientMissionReadHandler {
     private @Nullable List<MissionItemInt> items(ClientRequest asked, int kind) {
         MavlinkTarget here = new MavlinkTarget(0, 0, message -> {});
         if (kind == MavMissionType.FENCE.number()) {
-            List<FenceZone> fence = cloud.onBoard(asked.drone()).fence();
+            List<FenceArea> fence = cloud.onBoard(asked.drone()).fence();
             return fence == null ? null : FenceCodec.fenceToWire(fence, here);
         }
         if (kind == MavMissionType.RALLY.number()) {

@@ -2,7 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import java.util.List;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
@@ -56,9 +56,9 @@ final class ClientMissionReader {
     }
 
     private static Read fence(List<MissionItemInt> items) {
-        List<FenceZone> zones = FenceCodec.fenceFromWire(items);
+        List<FenceArea> zones = FenceCodec.fenceFromWire(items);
         int read = zones.stream()
-                .mapToInt(zone -> zone instanceof FenceZone.Polygon polygon
+                .mapToInt(zone -> zone instanceof FenceArea.Polygon polygon
                         ? polygon.corners().size()
                         : 1)
                 .sum();

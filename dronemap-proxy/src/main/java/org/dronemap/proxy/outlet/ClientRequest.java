@@ -8,10 +8,10 @@ import org.dronemap.mavlink.Message;
  * A message of a ground station at the outlet that is addressed to a connected drone which it may see. Owned by the
  * outlet's thread.
  */
-record ClientRequest(OutletClient client, DroneId drone, VehicleTap vehicle, Frame frame) {
+record ClientRequest(OutletClient client, DroneId drone, OutletFrameTap vehicle, Frame frame) {
     /** In which it is answered. */
-    private AutopilotSender replySender() {
-        return new AutopilotSender(client, drone, vehicle);
+    private ClientReplySender replySender() {
+        return new ClientReplySender(client, drone, vehicle);
     }
 
     /** Answers in the name of the drone's autopilot. */

@@ -21,7 +21,7 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
     private static final int ANSWER_SECONDS = 60;
 
     private final CloudManager cloud;
-    private final Map<DroneId, VehicleTap> vehicles;
+    private final Map<DroneId, OutletFrameTap> vehicles;
     private final Clients room;
 
     /** The attached clients, and a way to run tasks on their thread. Any thread. */
@@ -32,7 +32,7 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
         void later(Runnable task);
     }
 
-    ControlStatusPublisher(CloudManager cloud, Map<DroneId, VehicleTap> vehicles, Clients room) {
+    ControlStatusPublisher(CloudManager cloud, Map<DroneId, OutletFrameTap> vehicles, Clients room) {
         this.cloud = cloud;
         this.vehicles = vehicles;
         this.room = room;
@@ -45,7 +45,7 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
             ControlState control = cloud.controls().control(drone);
             for (OutletClient client : room.clients()) {
                 if (client.outbox().isEmpty() && client.shows(drone)) {
-                    new AutopilotSender(client, drone, vehicle).send(status(client, control));
+                    new ClientReplySender(client, drone, vehicle).send(status(client, control));
                 }
             }
         });
@@ -58,13 +58,13 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
     }
 
     private void publish(DroneId drone, ControlState now, ControlChange change) {
-        VehicleTap vehicle = vehicles.get(drone);
+        OutletFrameTap vehicle = vehicles.get(drone);
         if (vehicle == null) {
             return;
         }
         for (OutletClient client : room.clients()) {
             if (client.shows(drone)) {
-                AutopilotSender voice = new AutopilotSender(client, drone, vehicle);
+                ClientReplySender voice = new ClientReplySender(client, drone, vehicle);
                 voice.send(status(client, now));
                 notifyClient(voice, change);
             }
@@ -80,7 +80,7 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
         return new ControlStatus(flags, free ? 0 : own);
     }
 
-    private static void notifyClient(AutopilotSender voice, ControlChange change) {
+    private static void notifyClient(ClientReplySender voice, ControlChange change) {
         OutletClient client = voice.client();
         LeaseHolder other = change.other();
         if (other == null || !other.is(client.user()) || change.by().is(client.user())) {

@@ -27,10 +27,10 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     private final OutletKeys keys;
     private final OutletCounts counts = new OutletCounts();
     private final OutletLoop room;
-    private final RightsWatch rights;
+    private final OutletRightsWatch rights;
     private final EndpointRegistry links;
     private final PersonalPorts ports;
-    private final Map<DroneId, VehicleTap> vehicles = new ConcurrentHashMap<>();
+    private final Map<DroneId, OutletFrameTap> vehicles = new ConcurrentHashMap<>();
 
     /**
      * Opens nothing before {@link #start}; clients come in over listeners that prove nothing of their own but
@@ -44,7 +44,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     public Outlet(List<EndpointUrl> urls, PortRange personal, OutletDependencies policy, EndpointSecurity doors) {
         this.urls = List.copyOf(urls);
         keys = new OutletKeys(policy.store(), policy.time());
-        rights = new RightsWatch(policy.rights(), keys, policy.time());
+        rights = new OutletRightsWatch(policy.rights(), keys, policy.time());
         room = new OutletLoop(policy, counts, vehicles, rights);
         links = new EndpointRegistry(
                 this,
@@ -151,7 +151,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
 
     @Override
     public FrameTap open(int componentId) {
-        return new VehicleTap(this, componentId);
+        return new OutletFrameTap(this, componentId);
     }
 
     /** A client sent something by its right; false when there was no room. */
@@ -174,17 +174,17 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         room.receivedFromVehicle(drone, frame);
     }
 
-    void vehicleConnected(DroneId drone, VehicleTap tap) {
+    void vehicleConnected(DroneId drone, OutletFrameTap tap) {
         vehicles.put(drone, tap);
     }
 
-    void vehicleDisconnected(DroneId drone, VehicleTap tap) {
+    void vehicleDisconnected(DroneId drone, OutletFrameTap tap) {
         vehicles.remove(drone, tap);
     }
 
     /** Null when that drone is not heard. */
     @Nullable
-    VehicleTap vehicle(DroneId drone) {
+    OutletFrameTap vehicle(DroneId drone) {
         return vehicles.get(drone);
     }
 

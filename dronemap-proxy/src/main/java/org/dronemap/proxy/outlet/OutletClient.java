@@ -34,7 +34,7 @@ final class OutletClient {
     private final String id;
     private final Peer peer;
     private final OutletCredential pass;
-    private final SystemIdRegistry numbers;
+    private final OutletSystemIdRegistry numbers;
     private final Instant since;
     private final int systemId;
     private final ClientSendQueue outbox = new ClientSendQueue();
@@ -57,7 +57,7 @@ final class OutletClient {
     /** The identity of a client: its credential, its own system id, and since when it is attached. */
     record Entry(String id, OutletCredential pass, int systemId, Instant since, long nowNanos) {}
 
-    OutletClient(Entry entry, Peer peer, SystemIdRegistry numbers, Principal principal) {
+    OutletClient(Entry entry, Peer peer, OutletSystemIdRegistry numbers, Principal principal) {
         this.id = entry.id();
         this.pass = entry.pass();
         this.systemId = entry.systemId();
@@ -226,13 +226,13 @@ final class OutletClient {
             return 0;
         }
         shown.add(drone);
-        return number.getAsInt() == systemId ? SystemIdRegistry.SPARE : number.getAsInt();
+        return number.getAsInt() == systemId ? OutletSystemIdRegistry.SPARE : number.getAsInt();
     }
 
     /** The drone that this program calls so, if its user may see it. */
     @Nullable
     DroneId drone(int number) {
-        int kept = number == SystemIdRegistry.SPARE ? systemId : number;
+        int kept = number == OutletSystemIdRegistry.SPARE ? systemId : number;
         boolean itself = number == systemId;
         DroneId drone = itself ? null : numbers.drone(user(), kept);
         return drone != null && sees(drone) ? drone : null;

@@ -43,8 +43,8 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
     private static final Duration LONGEST_CLOSE = Duration.ofSeconds(1);
 
     private final OutletCounts counts;
-    private final Map<DroneId, VehicleTap> vehicles;
-    private final RightsWatch rights;
+    private final Map<DroneId, OutletFrameTap> vehicles;
+    private final OutletRightsWatch rights;
     private final Queue<ClientFrame> fromClients = new ArrayBlockingQueue<>(MOST_FROM_CLIENTS);
     private final Queue<VehicleFrame> fromVehicles = new ArrayBlockingQueue<>(MOST_FROM_VEHICLES);
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
@@ -56,7 +56,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
     private final Map<Peer, OutletClient> clients = new LinkedHashMap<>();
     private final Map<Peer, Long> outsideUntil = new HashMap<>();
     private final Map<Disconnected, Long> sentAwayUntil = new HashMap<>();
-    private final SystemIdRegistry numbers;
+    private final OutletSystemIdRegistry numbers;
     private final ClientMessageDispatcher uplink;
     private int lastId;
     private long tickNanos;
@@ -70,12 +70,16 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
     private record VehicleFrame(DroneId drone, Frame frame) {}
 
     /** {@code vehicles}: those that are heard now. */
-    OutletLoop(OutletDependencies policy, OutletCounts counts, Map<DroneId, VehicleTap> vehicles, RightsWatch rights) {
+    OutletLoop(
+            OutletDependencies policy,
+            OutletCounts counts,
+            Map<DroneId, OutletFrameTap> vehicles,
+            OutletRightsWatch rights) {
         this.rights = rights;
         this.time = policy.time();
         this.counts = counts;
         this.vehicles = vehicles;
-        numbers = new SystemIdRegistry(
+        numbers = new OutletSystemIdRegistry(
                 policy.store().numbers(),
                 number -> policy.journal()
                         .write(

@@ -8,7 +8,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Buffers the text messages of one robot session for the recorder, one line of JSON each. Any thread. */
-final class LineRecordingBuffer extends RecordingBuffer implements LineTap {
+final class LineRecordingBuffer extends RecordingBuffer implements TextMessageTap {
     private static final int HALF_BYTES = 65_536;
     /** A text may need twice its length, as its quotes are escaped. */
     private static final int LONGEST = 24_576;

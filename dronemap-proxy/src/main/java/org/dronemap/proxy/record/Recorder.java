@@ -55,12 +55,12 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     private final LongSupplier freeBytes;
     private final BufferBudget room = new BufferBudget(WAITING_BYTES);
     private final Collection<RecordingBuffer> tapes = new CopyOnWriteArrayList<>();
-    private final Map<String, FlightFile> unfinished = new ConcurrentHashMap<>();
+    private final Map<String, RecordingFileWriter> unfinished = new ConcurrentHashMap<>();
     private final FileRecordingArchive archive;
     private final Worker writer;
     private final AtomicBoolean closed = new AtomicBoolean();
     // Owned by the writer.
-    private final Map<DroneId, FlightFile> open = new HashMap<>();
+    private final Map<DroneId, RecordingFileWriter> open = new HashMap<>();
     private final Map<DroneId, RecordingBuffer> newest = new HashMap<>();
     private RecordingChunk spare = RecordingBuffer.empty();
     private int rounds;
@@ -111,9 +111,9 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     }
 
     /** The same for a session that speaks in texts. */
-    public LineTap openLines() {
+    public TextMessageTap openLines() {
         if (policy.when() == RecordingPolicy.When.NEVER) {
-            return LineTap.NONE;
+            return TextMessageTap.NONE;
         }
         LineRecordingBuffer tape =
                 new LineRecordingBuffer(time.clock(), room, policy.when() == RecordingPolicy.When.ALWAYS);
@@ -124,12 +124,12 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     /** The recording as it is now, while it goes on. Any thread. */
     @Nullable
     Recording unfinished(String id) {
-        FlightFile file = unfinished.get(id);
+        RecordingFileWriter file = unfinished.get(id);
         return file == null ? null : file.recording();
     }
 
     List<Recording> unfinished() {
-        return unfinished.values().stream().map(FlightFile::recording).toList();
+        return unfinished.values().stream().map(RecordingFileWriter::recording).toList();
     }
 
     /** Puts all that waits into the files; returns when it is there. */
@@ -142,7 +142,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         onWriter(() -> {
             writeAll(true);
             tapes.stream().filter(tape -> drone.equals(tape.drone())).forEach(RecordingBuffer::forgetBefore);
-            FlightFile file = open.get(drone);
+            RecordingFileWriter file = open.get(drone);
             if (file != null) {
                 finish(file, null);
             }
@@ -172,7 +172,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
             List<RecordingBuffer> over =
                     tapes.stream().filter(RecordingBuffer::isEnded).toList();
             writeAll(false);
-            for (FlightFile file : List.copyOf(open.values())) {
+            for (RecordingFileWriter file : List.copyOf(open.values())) {
                 endWhenOver(file);
             }
             tapes.removeAll(over);
@@ -205,7 +205,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         }
         RecordingChunk full = tape.drain(spare, all);
         long drops = tape.drainDrops();
-        FlightFile file = open.get(drone);
+        RecordingFileWriter file = open.get(drone);
         // What still goes to an old address begins no new recording of the drone that came back from another.
         if (file == null && (full != null || drops > 0) && mayBegin(drone, tape)) {
             file = begin(
@@ -234,9 +234,9 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         return latest == null || latest == tape || latest.isRecording();
     }
 
-    private FlightFile begin(DroneId drone, String ending, long micros) {
-        FlightFile file =
-                FlightFile.open(files.with(ending), drone, keeping.names().apply(drone), micros);
+    private RecordingFileWriter begin(DroneId drone, String ending, long micros) {
+        RecordingFileWriter file = RecordingFileWriter.open(
+                files.with(ending), drone, keeping.names().apply(drone), micros);
         open.put(drone, file);
         unfinished.put(file.recording().id(), file);
         Recording recording = file.recording();
@@ -246,7 +246,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         return file;
     }
 
-    private void endWhenOver(FlightFile file) {
+    private void endWhenOver(RecordingFileWriter file) {
         RecordingBuffer tape = newest.get(file.recording().drone());
         if (tape == null || tape.isOver()) {
             boolean lost = tape != null && tape.isEnded() && tape.isArmed();
@@ -257,7 +257,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         }
     }
 
-    private void finish(FlightFile file, @Nullable String notice) {
+    private void finish(RecordingFileWriter file, @Nullable String notice) {
         Recording done = file.finish(notice);
         open.remove(done.drone());
         if (done.state() == Recording.State.INCOMPLETE) {
@@ -303,7 +303,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
 
     private void endAll() {
         writeAll(true);
-        for (FlightFile file : List.copyOf(open.values())) {
+        for (RecordingFileWriter file : List.copyOf(open.values())) {
             RecordingBuffer tape = newest.get(file.recording().drone());
             boolean flying = tape != null && tape.isArmed();
             finish(file, flying ? STOPPED : null);

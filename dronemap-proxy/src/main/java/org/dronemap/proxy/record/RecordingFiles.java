@@ -88,15 +88,15 @@ record RecordingFiles(Path directory, String ending) {
     /** Cuts half a record off the end, and tells what is left. */
     Recording repaired(Recording known, String notice) throws IOException {
         Path file = path(known.id());
-        TlogScan scan = isOfFrames(file) ? frames(file) : LineScan.of(file);
+        TlogScan scan = isOfFrames(file) ? frames(file) : LineRecordingScan.of(file);
         if (scan.wholeBytes() < Files.size(file)) {
             try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
                 channel.truncate(scan.wholeBytes());
             }
         }
         SentFrameIndex.repair(sentPath(known.id()), scan.wholeBytes());
-        Instant start = scan.frames() == 0 ? known.start() : FlightFile.instant(scan.firstMicros());
-        Instant end = scan.frames() == 0 ? known.start() : FlightFile.instant(scan.lastMicros());
+        Instant start = scan.frames() == 0 ? known.start() : RecordingFileWriter.instant(scan.firstMicros());
+        Instant end = scan.frames() == 0 ? known.start() : RecordingFileWriter.instant(scan.lastMicros());
         return new Recording(
                 known.id(),
                 known.drone(),

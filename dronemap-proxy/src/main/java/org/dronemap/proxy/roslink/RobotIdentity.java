@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
-import org.dronemap.core.cloud.Proof;
+import org.dronemap.core.cloud.IdentityProof;
 import org.dronemap.core.link.RobotKey;
 import org.jspecify.annotations.Nullable;
 
@@ -24,8 +24,8 @@ record RobotIdentity(
 
     /** Null where it shows no issued key. */
     @Nullable
-    Proof proof() {
-        return issued == null ? null : new Proof.OfLink(issued.drone().value(), issued.drone());
+    IdentityProof proof() {
+        return issued == null ? null : new IdentityProof.OfLink(issued.drone().value(), issued.drone());
     }
 
     /** A key that nobody issued is no secret and proves nothing, but robots keep theirs. */

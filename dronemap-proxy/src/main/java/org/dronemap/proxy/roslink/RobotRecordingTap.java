@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.proxy.record.LineTap;
+import org.dronemap.proxy.record.TextMessageTap;
 import org.dronemap.proxy.roslink.wire.RoslinkHeader;
 import org.dronemap.proxy.roslink.wire.StringOrNumber;
 import org.jspecify.annotations.Nullable;
@@ -24,15 +24,15 @@ final class RobotRecordingTap {
     /** A letter or a digit written as its number: a key could hide behind it, and no bridge writes so. */
     private static final Pattern HIDDEN = Pattern.compile("\\\\u00[2-7]");
 
-    private final LineTap tap;
+    private final TextMessageTap tap;
 
-    RobotRecordingTap(LineTap tap) {
+    RobotRecordingTap(TextMessageTap tap) {
         this.tap = tap;
     }
 
     /** The robot has said that. */
     void received(ByteBuffer message, RoslinkHeader header) {
-        if (tap == LineTap.NONE) {
+        if (tap == TextMessageTap.NONE) {
             return;
         }
         int bytes = message.remaining();
@@ -45,7 +45,7 @@ final class RobotRecordingTap {
 
     /** The robot was told that. */
     void sent(byte[] message, RoslinkHeader header, SendAuthority mandate) {
-        if (tap == LineTap.NONE) {
+        if (tap == TextMessageTap.NONE) {
             return;
         }
         tap.sent(blanked(new String(message, StandardCharsets.UTF_8), header.key()), message.length, mandate);

@@ -24,7 +24,7 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.endpoint.PeerMessageFormat;
-import org.dronemap.proxy.record.LineTap;
+import org.dronemap.proxy.record.TextMessageTap;
 import org.dronemap.proxy.roslink.wire.RoslinkPacketReader;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.VehicleTraffic;
@@ -46,7 +46,7 @@ final class RobotSessionRegistry implements PeerHandler.Factory {
     private final Enrolment enrolment;
     private final ActivePeers atWork;
     private final RobotKeys keys;
-    private final Supplier<LineTap> taps;
+    private final Supplier<TextMessageTap> taps;
     private final LongSupplier nanoTime;
     private final RoslinkPacketReader reader = new RoslinkPacketReader();
     private final RobotRefusals refusals;
@@ -55,7 +55,7 @@ final class RobotSessionRegistry implements PeerHandler.Factory {
     private final Map<RobotIdentity, RobotSession> sessions = new HashMap<>();
     private final Map<RobotIdentity, Long> alarmedNanos = new HashMap<>();
 
-    RobotSessionRegistry(CloudManager cloud, Lanes lanes, RoslinkProxy.Policy policy, LongSupplier nanoTime) {
+    RobotSessionRegistry(CloudManager cloud, Lanes lanes, RoslinkConnector.Policy policy, LongSupplier nanoTime) {
         this.cloud = cloud;
         this.lanes = lanes;
         enrolment = policy.enrolment();

@@ -17,7 +17,7 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.CommandSendTimes;
 import org.dronemap.proxy.mavlink.procedure.GimbalControl;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
-import org.dronemap.proxy.mavlink.procedure.MessageRates;
+import org.dronemap.proxy.mavlink.procedure.MessageRateRequester;
 import org.dronemap.proxy.mavlink.procedure.TimesyncResponder;
 import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 import org.dronemap.proxy.mavlink.translate.CommandContext;
@@ -48,7 +48,7 @@ final class AutopilotChannel {
     private final TelemetryTranslator telemetry;
     private final ParameterTable parameters;
     private final ActiveCommands errands = new ActiveCommands();
-    private final MessageRates rates;
+    private final MessageRateRequester rates;
     private final MissionWatch missions;
     private final TimesyncResponder time;
     private final GimbalControl gimbal;
@@ -75,7 +75,7 @@ final class AutopilotChannel {
         status = new VehicleStatus(heartbeat.type(), anyNumber(nanoTime.getAsLong()));
         telemetry = new TelemetryTranslator(autopilot, status, this::publish);
         parameters = new ParameterTable(autopilot, this::publish);
-        rates = new MessageRates(target);
+        rates = new MessageRateRequester(target);
         autopilot.ownMessages().forEach(rates::also);
         missions = new MissionWatch(target, autopilot, status, this::publish, missionRead);
         time = new TimesyncResponder(target);

@@ -3,8 +3,8 @@ package org.dronemap.proxy.session;
 import org.dronemap.core.cloud.Claim;
 import org.dronemap.core.cloud.ClaimResult;
 import org.dronemap.core.cloud.DroneLink;
+import org.dronemap.core.cloud.IdentityProof;
 import org.dronemap.core.cloud.LinkSession;
-import org.dronemap.core.cloud.Proof;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.mavlink.Frame;
@@ -35,7 +35,7 @@ final class DroneBinder {
     private long notBeforeNanos;
     private int changes;
     private @Nullable String claimedHardware;
-    private @Nullable Proof shown;
+    private @Nullable IdentityProof shown;
 
     DroneBinder(SessionDependencies surroundings, LinkSelector links, AutopilotChannel conversation) {
         this.surroundings = surroundings;
@@ -103,12 +103,13 @@ final class DroneBinder {
 
     /** A signature may come only after the vehicle was taken for somebody on its word; false when it is another one's. */
     boolean publishProof(DroneLink bound) {
-        Proof proof = links.best().proof();
+        IdentityProof proof = links.best().proof();
         if (proof == null || proof.equals(shown)) {
             return true;
         }
         shown = proof;
-        if (proof instanceof Proof.OfSignature signature && !signature.drone().equals(bound.id())) {
+        if (proof instanceof IdentityProof.OfSignature signature
+                && !signature.drone().equals(bound.id())) {
             return false;
         }
         bound.proved(proof);

@@ -2,7 +2,7 @@ package org.dronemap.proxy.session;
 
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.LongSupplier;
-import org.dronemap.core.cloud.Proof;
+import org.dronemap.core.cloud.IdentityProof;
 import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -26,7 +26,7 @@ final class VehicleLink {
     private final LongSupplier nanoTime;
     private final LongAdder dropped = new LongAdder();
     private volatile @Nullable VehicleSession session;
-    private volatile @Nullable Proof proof;
+    private volatile @Nullable IdentityProof proof;
     private volatile long lastReceivedNanos;
     private volatile boolean cut;
     private volatile boolean broken;
@@ -36,7 +36,7 @@ final class VehicleLink {
         this.downlink = downlink;
         this.nanoTime = nanoTime;
         lastReceivedNanos = nanoTime.getAsLong();
-        proof = label.identity() == null ? null : new Proof.OfLink(label.identity());
+        proof = label.identity() == null ? null : new IdentityProof.OfLink(label.identity());
         MavlinkTarget target = new MavlinkTarget(
                 first.systemId(), first.componentId(), message -> send(message, SendAuthority.HOUSEKEEPING));
         meter = new LinkMeter(new RoundTripProbe(target, new RoundTripEstimator()), lastReceivedNanos);
@@ -95,17 +95,17 @@ final class VehicleLink {
 
     /** Frames on it were signed with the key of this drone. Any thread. */
     void signedBy(DroneId drone) {
-        boolean known = proof instanceof Proof.OfLink
-                || (proof instanceof Proof.OfSignature signature
+        boolean known = proof instanceof IdentityProof.OfLink
+                || (proof instanceof IdentityProof.OfSignature signature
                         && signature.drone().equals(drone));
         if (!known) {
-            proof = new Proof.OfSignature(drone);
+            proof = new IdentityProof.OfSignature(drone);
         }
     }
 
     /** What nobody but its vehicle could show; null as long as it showed nothing. Any thread. */
     @Nullable
-    Proof proof() {
+    IdentityProof proof() {
         return proof;
     }
 

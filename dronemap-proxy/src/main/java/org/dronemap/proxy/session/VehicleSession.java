@@ -25,7 +25,7 @@ import org.slf4j.LoggerFactory;
  * that speaks for that drone already; everything but {@link #offer}, {@link #played} and {@link #vanish} belongs to the
  * lane where it is.
  */
-final class VehicleSession implements VehicleChannel, Lane.Ticker {
+final class VehicleSession implements VehicleChannel, Lane.PeriodicTask {
     private static final Logger LOG = LoggerFactory.getLogger(VehicleSession.class);
     private static final long SECOND_NANOS = 1_000_000_000L;
     private static final long STRANGER_GIVEN_UP_NANOS = 10 * SECOND_NANOS;

@@ -6,8 +6,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameSigner;
@@ -32,7 +32,7 @@ final class Keyring {
     private final SignatureRefusals refusals = new SignatureRefusals();
     private final Set<LinkGuard> links;
     private int systemId;
-    private LinkPolicy policy;
+    private LinkSigningPolicy policy;
     private @Nullable ActiveKey current;
     private @Nullable ActiveKey next;
     private @Nullable ActiveKey previous;
@@ -95,12 +95,12 @@ final class Keyring {
     }
 
     synchronized boolean isRequired() {
-        return policy == LinkPolicy.REQUIRED;
+        return policy == LinkSigningPolicy.REQUIRED;
     }
 
     /** Signatures count for something. */
     synchronized boolean isLookedAt() {
-        return policy != LinkPolicy.OFF;
+        return policy != LinkSigningPolicy.OFF;
     }
 
     /** One of the keys made this frame's signature, whenever that was. */
@@ -116,8 +116,8 @@ final class Keyring {
             refusals.valid();
             return FrameAdmission.PROVEN;
         }
-        boolean open = policy == LinkPolicy.OFF
-                || (policy == LinkPolicy.OPTIONAL && (verdict == SignatureVerdict.UNSIGNED || !proven))
+        boolean open = policy == LinkSigningPolicy.OFF
+                || (policy == LinkSigningPolicy.OPTIONAL && (verdict == SignatureVerdict.UNSIGNED || !proven))
                 || (verdict == SignatureVerdict.UNSIGNED && change != null && change.kind() == KeyChangeKind.REVOKE);
         if (open) {
             return FrameAdmission.ADMITTED;
@@ -240,7 +240,7 @@ final class Keyring {
         systemId = newSystemId;
     }
 
-    synchronized void setPolicy(LinkPolicy wanted) {
+    synchronized void setPolicy(LinkSigningPolicy wanted) {
         policy = wanted;
     }
 
@@ -251,8 +251,8 @@ final class Keyring {
         }
         current = held(key);
         next = null;
-        if (policy == LinkPolicy.OFF) {
-            policy = LinkPolicy.OPTIONAL;
+        if (policy == LinkSigningPolicy.OFF) {
+            policy = LinkSigningPolicy.OPTIONAL;
         }
         return true;
     }
@@ -263,7 +263,7 @@ final class Keyring {
         next = null;
         previous = null;
         proven = false;
-        policy = LinkPolicy.OFF;
+        policy = LinkSigningPolicy.OFF;
     }
 
     /** Why a change cannot begin now; null: it can. */

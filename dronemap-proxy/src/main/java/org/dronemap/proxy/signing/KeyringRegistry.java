@@ -10,9 +10,9 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.function.BooleanSupplier;
 import java.util.function.ToIntFunction;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.Time;
@@ -113,20 +113,20 @@ public final class KeyringRegistry implements AutoCloseable {
     public LinkSecurityStatus status(DroneId drone) {
         Keyring ring = rings.get(drone);
         return ring == null
-                ? new LinkSecurityStatus(LinkPolicy.OFF, null, false, null, null, SignatureCounts.NONE, null)
+                ? new LinkSecurityStatus(LinkSigningPolicy.OFF, null, false, null, null, SignatureCounts.NONE, null)
                 : ring.status();
     }
 
     /** Fails while the vehicle was never heard to sign, when it is to be required. */
-    public synchronized KeyChangeResult policy(DroneId drone, LinkPolicy policy) {
+    public synchronized KeyChangeResult policy(DroneId drone, LinkSigningPolicy policy) {
         Keyring ring = ring(drone);
-        if (policy == LinkPolicy.REQUIRED && !ring.security().proven()) {
+        if (policy == LinkSigningPolicy.REQUIRED && !ring.security().proven()) {
             return new KeyChangeResult.Failed(
                     KeyChangeFault.NOT_PROVEN,
                     "The vehicle was never heard to sign with its key; install one first, or nothing"
                             + " that it says would be accepted.");
         }
-        LinkPolicy before = ring.security().policy();
+        LinkSigningPolicy before = ring.security().policy();
         ring.setPolicy(policy);
         try {
             save(ring.security());

@@ -1,6 +1,6 @@
 package org.dronemap.proxy.signing;
 
-import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param safeLink a key may be sent over the present link; null: the drone has no link
  */
 public record LinkSecurityStatus(
-        LinkPolicy policy,
+        LinkSigningPolicy policy,
         @Nullable String fingerprint,
         boolean proven,
         @Nullable String nextFingerprint,

@@ -9,14 +9,14 @@ import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
-import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.ParameterOverrideRecorder;
 import org.dronemap.core.command.RestoreParameters;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
+import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
@@ -29,8 +29,8 @@ import org.jspecify.annotations.Nullable;
 public final class CommandSamples {
     private static final Geodetic HERE = new Geodetic(47.4, 8.5);
     private static final MissionItem WAYPOINT = new MissionItem.Waypoint(HERE, Altitude.aboveHome(30), 0);
-    private static final FenceZone FENCE =
-            new FenceZone.Polygon(true, List.of(HERE, new Geodetic(47.5, 8.5), new Geodetic(47.4, 8.6)));
+    private static final FenceArea FENCE =
+            new FenceArea.Polygon(true, List.of(HERE, new Geodetic(47.5, 8.5), new Geodetic(47.4, 8.6)));
 
     private static final List<OverriddenParameter> KEPT =
             List.of(new OverriddenParameter("FS_GCS_ENABLE", 0, 1), new OverriddenParameter("FS_OPTIONS", 0, 16, 18));
@@ -51,7 +51,7 @@ public final class CommandSamples {
                         new Command.SetHome(null, null),
                         new Command.SetHome(HERE, new Altitude(500, Altitude.Reference.AMSL)));
             case SET_PARAMETERS -> Stream.of(new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1_500))));
-            case SET_CLOUD_LOSS -> Stream.of(new SetCloudLoss(20, KEPT, new Agreeing()));
+            case SET_CLOUD_LOSS -> Stream.of(new SetCloudLossAction(20, KEPT, new Agreeing()));
             case RESTORE_PARAMETERS -> Stream.of(new RestoreParameters(KEPT, new Agreeing()));
             case DOWNLOAD_LOG -> Stream.of(new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()));
             case SET_FENCE -> Stream.of(new Command.SetFence(List.of(FENCE)));
@@ -122,7 +122,7 @@ public final class CommandSamples {
     }
 
     /** Takes every piece of a log and keeps none. */
-    private static final class Swallowing implements LogSink {
+    private static final class Swallowing implements VehicleLogSink {
         private State state = State.OPEN;
 
         @Override

@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.RealTime;
@@ -46,7 +46,7 @@ final class SigningFuzz {
         foreign = new SigningKey(secret());
         DroneId drone = new DroneId("d7k2m9q4xa");
         TestKeyrings kept = new TestKeyrings();
-        kept.save(new LinkSecurity(drone, LinkPolicy.REQUIRED, new LinkKey(secret), null, true, 0));
+        kept.save(new LinkSecurity(drone, LinkSigningPolicy.REQUIRED, new LinkKey(secret), null, true, 0));
         KeyringRegistry keyrings = new KeyringRegistry(
                 new KeyringRegistry.Dependencies(kept, journal, known -> 1, (known, sentence) -> {}), new RealTime());
         guard = keyrings.guard(0, () -> true);

@@ -93,7 +93,7 @@ final class MatrixTestBench implements AutoCloseable {
 
     /** Who gives no sign loses control. */
     private void holderIsThere() {
-        cloud.cloud().controls().apply(drone, new LeaseEvent.Take(holder));
+        cloud.cloud().controls().apply(drone, new LeaseEvent.TakeControl(holder));
     }
 
     private MatrixClient client(@Nullable String user) {

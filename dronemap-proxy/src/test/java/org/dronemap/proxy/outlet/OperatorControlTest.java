@@ -83,7 +83,7 @@ class OperatorControlTest {
         ann.says(OutletTestBench.GROUND);
         house.await(() -> tenure().renewedNanos() > before, "the heartbeat keeps nothing");
         // What another window took is its own to keep.
-        house.control(new LeaseEvent.Take("ann"));
+        house.control(new LeaseEvent.TakeControl("ann"));
         assertThat(asks(ann, 1, 0)).isEqualTo(ACCEPTED);
         assertThat(house.control().isHeldBy("ann")).isTrue();
     }

@@ -125,7 +125,7 @@ class OutletTest {
         Vehicle vehicle = new Vehicle(FIRST, 42);
         Client ann = new Client("ann", 42).attach();
         vehicle.says(VEHICLE);
-        assertThat(ann.await(1)).extracting(Frame::systemId).containsExactly(SystemIdRegistry.SPARE);
+        assertThat(ann.await(1)).extracting(Frame::systemId).containsExactly(OutletSystemIdRegistry.SPARE);
     }
 
     @Test

@@ -36,14 +36,14 @@ import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.MemoryLink;
 import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.endpoint.PeerHandler;
-import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.record.RecordingReplay;
 import org.dronemap.proxy.record.ReplayRegistry;
 import org.dronemap.proxy.record.ReplayStatus;
 import org.dronemap.proxy.record.TestRecordingStore;
+import org.dronemap.proxy.record.TextMessageTap;
 import org.dronemap.proxy.roslink.RobotKeys;
-import org.dronemap.proxy.roslink.RoslinkProxy;
+import org.dronemap.proxy.roslink.RoslinkConnector;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.FrameTap;
 import org.junit.jupiter.api.AfterEach;
@@ -197,9 +197,9 @@ class SteppedProxyTest {
                 return false;
             }
         };
-        RoslinkProxy.Policy policy = new RoslinkProxy.Policy(
-                keys, () -> LineTap.NONE, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK);
-        try (RoslinkProxy robots = new RoslinkProxy(cloud.cloud(), cloud.lanes(), List.of(), policy, time)) {
+        RoslinkConnector.Policy policy = new RoslinkConnector.Policy(
+                keys, () -> TextMessageTap.NONE, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK);
+        try (RoslinkConnector robots = new RoslinkConnector(cloud.cloud(), cloud.lanes(), List.of(), policy, time)) {
             MemoryLink robot =
                     new MemoryLink(robots.handlers(), new PeerAddress("127.0.0.1", 14_570), frame -> {}, time);
             ScheduledTask unused = everyBeat(

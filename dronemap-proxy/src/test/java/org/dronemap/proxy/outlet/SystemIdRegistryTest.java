@@ -19,7 +19,7 @@ class SystemIdRegistryTest {
 
     @Test
     void aVehicleKeepsItsOwnNumberWhereThatIsFree() {
-        SystemIdRegistry numbers = new SystemIdRegistry(List.of(), kept::add);
+        OutletSystemIdRegistry numbers = new OutletSystemIdRegistry(List.of(), kept::add);
         assertThat(numbers.of("ann", FIRST, 7)).hasValue(7);
         assertThat(numbers.of("ann", SECOND, 7)).hasValue(1);
         assertThat(numbers.of("bob", SECOND, 7)).hasValue(7);
@@ -32,7 +32,8 @@ class SystemIdRegistryTest {
 
     @Test
     void aNumberStaysWhateverTheVehicleCallsItselfLater() {
-        SystemIdRegistry numbers = new SystemIdRegistry(List.of(new OutletSystemId("ann", FIRST, 9)), kept::add);
+        OutletSystemIdRegistry numbers =
+                new OutletSystemIdRegistry(List.of(new OutletSystemId("ann", FIRST, 9)), kept::add);
         assertThat(numbers.of("ann", FIRST, 1)).hasValue(9);
         assertThat(numbers.drone("ann", 9)).isEqualTo(FIRST);
         assertThat(numbers.drone("bob", 9)).isNull();
@@ -41,19 +42,19 @@ class SystemIdRegistryTest {
 
     @Test
     void noTwoDronesShareANumberAndGroundStationsKeepTheirs() {
-        SystemIdRegistry numbers = new SystemIdRegistry(List.of(), kept::add);
+        OutletSystemIdRegistry numbers = new OutletSystemIdRegistry(List.of(), kept::add);
         Set<Integer> given = new HashSet<>();
-        for (int index = 0; index < SystemIdRegistry.HIGHEST; index++) {
+        for (int index = 0; index < OutletSystemIdRegistry.HIGHEST; index++) {
             OptionalInt number = numbers.of("ann", new DroneId("drone-" + index), 255);
             assertThat(given.add(number.orElseThrow())).isTrue();
         }
-        assertThat(given).allMatch(number -> number >= 1 && number <= SystemIdRegistry.HIGHEST);
+        assertThat(given).allMatch(number -> number >= 1 && number <= OutletSystemIdRegistry.HIGHEST);
         assertThat(numbers.of("ann", new DroneId("one-more"), 3)).isEmpty();
     }
 
     @Test
     void theNumberOfADroneThatIsGoneIsFreeAgain() {
-        SystemIdRegistry numbers = new SystemIdRegistry(List.of(), kept::add);
+        OutletSystemIdRegistry numbers = new OutletSystemIdRegistry(List.of(), kept::add);
         assertThat(numbers.of("ann", FIRST, 1)).hasValue(1);
         numbers.forget(FIRST);
         assertThat(numbers.drone("ann", 1)).isNull();

@@ -13,9 +13,9 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.time.RealTime;
-import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.record.TestRecordingStore;
+import org.dronemap.proxy.record.TextMessageTap;
 import org.dronemap.proxy.roslink.wire.StringOrNumber;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -52,8 +52,8 @@ class RecordedRobotTest extends RobotTestBase {
     }
 
     @Override
-    LineTap tap() {
-        return recorder == null ? LineTap.NONE : recorder.openLines();
+    TextMessageTap tap() {
+        return recorder == null ? TextMessageTap.NONE : recorder.openLines();
     }
 
     @Test

@@ -21,7 +21,7 @@ import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
-import org.dronemap.proxy.record.LineTap;
+import org.dronemap.proxy.record.TextMessageTap;
 import org.dronemap.proxy.session.Enrolment;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -40,7 +40,7 @@ abstract class RobotTestBase {
 
     final TestRobotKeys keys = new TestRobotKeys();
     final TestCloud house = new TestCloud(0);
-    RoslinkProxy proxy = open(Enrolment.LOOPBACK);
+    RoslinkConnector proxy = open(Enrolment.LOOPBACK);
 
     @BeforeEach
     void start() throws IOException {
@@ -53,18 +53,18 @@ abstract class RobotTestBase {
         house.close();
     }
 
-    RoslinkProxy open(Enrolment enrolment) {
-        return new RoslinkProxy(
+    RoslinkConnector open(Enrolment enrolment) {
+        return new RoslinkConnector(
                 house.cloud(),
                 house.lanes(),
                 List.of(EndpointUrl.parse("udpserver://127.0.0.1:0"), EndpointUrl.parse("wsserver://127.0.0.1:0")),
-                new RoslinkProxy.Policy(keys, this::tap, EndpointSecurity.of(DtlsKeys.none()), enrolment),
+                new RoslinkConnector.Policy(keys, this::tap, EndpointSecurity.of(DtlsKeys.none()), enrolment),
                 new RealTime());
     }
 
     /** What hears the next session. */
-    LineTap tap() {
-        return LineTap.NONE;
+    TextMessageTap tap() {
+        return TextMessageTap.NONE;
     }
 
     int udp() {

@@ -24,7 +24,7 @@ import org.dronemap.core.time.SteppedTime;
 import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
-import org.dronemap.proxy.record.LineTap;
+import org.dronemap.proxy.record.TextMessageTap;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.FrameTap;
 import org.junit.jupiter.api.AfterEach;
@@ -48,12 +48,15 @@ abstract class SteppedRobotTestBase {
 
     final SteppedTime time = new SteppedTime(Instant.parse("2026-03-04T05:06:07Z"));
     final TestCloud house = new TestCloud(componentId -> FrameTap.NONE, time);
-    final RoslinkProxy proxy = new RoslinkProxy(
+    final RoslinkConnector proxy = new RoslinkConnector(
             house.cloud(),
             house.lanes(),
             List.of(),
-            new RoslinkProxy.Policy(
-                    new TestRobotKeys(), () -> LineTap.NONE, EndpointSecurity.of(DtlsKeys.none()), Enrolment.LOOPBACK),
+            new RoslinkConnector.Policy(
+                    new TestRobotKeys(),
+                    () -> TextMessageTap.NONE,
+                    EndpointSecurity.of(DtlsKeys.none()),
+                    Enrolment.LOOPBACK),
             time);
     private int port = 15_000;
 

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.LongStream;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.cloud.EpochGuard;
 import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.cloud.lane.StoreWriter;
@@ -36,7 +36,7 @@ class VehicleSenderTest {
     @BeforeEach
     void changeTheKey() {
         TestKeyrings kept = new TestKeyrings();
-        kept.save(new LinkSecurity(DRONE, LinkPolicy.REQUIRED, key(1), null, true, 0));
+        kept.save(new LinkSecurity(DRONE, LinkSigningPolicy.REQUIRED, key(1), null, true, 0));
         KeyringRegistry keyrings = new KeyringRegistry(
                 new KeyringRegistry.Dependencies(kept, journal, drone -> 1, (drone, sentence) -> {}), new RealTime());
         LinkGuard guard = keyrings.guard(0, () -> true);

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.RadioStatus;
@@ -34,7 +34,7 @@ class KeyringTest {
     private final LinkGuard safe = new LinkGuard(null, 0, () -> true);
     private final LinkGuard open = new LinkGuard(null, 0, () -> false);
 
-    private Keyring ring(LinkPolicy policy, boolean proven) {
+    private Keyring ring(LinkSigningPolicy policy, boolean proven) {
         return ring(new LinkSecurity(DRONE, policy, KEY, null, proven, 0));
     }
 
@@ -64,7 +64,7 @@ class KeyringTest {
 
     @Test
     void aRequiredDroneIsSpokenForByItsKeyOnly() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         Frame good = vehicle.signed(KEY);
 
         assertThat(hear(ring, good)).isEqualTo(FrameAdmission.PROVEN);
@@ -79,7 +79,7 @@ class KeyringTest {
 
     @Test
     void eachKindOfRefusalIsToldOnceUntilItWasQuietForTenMinutes() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         for (int i = 0; i < 50; i++) {
             hear(ring, vehicle.unsigned());
             pass(1);
@@ -95,7 +95,7 @@ class KeyringTest {
 
     @Test
     void aRadiosReportPassesUnsignedButProvesNothing() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         Frame report = vehicle.unsigned(new RadioStatus(100, 100, 80, 10, 10, 0, 0));
 
         assertThat(hear(ring, report)).isEqualTo(FrameAdmission.ASIDE);
@@ -104,7 +104,7 @@ class KeyringTest {
 
     @Test
     void anOptionalDroneMaySpeakUnsignedButNotSignWrongly() {
-        Keyring ring = ring(LinkPolicy.OPTIONAL, true);
+        Keyring ring = ring(LinkSigningPolicy.OPTIONAL, true);
 
         assertThat(hear(ring, vehicle.unsigned())).isEqualTo(FrameAdmission.ADMITTED);
         assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(FrameAdmission.REFUSED);
@@ -113,7 +113,7 @@ class KeyringTest {
 
     @Test
     void aKeyThatWasOnlyMadeLocksNobodyOut() {
-        Keyring ring = ring(LinkPolicy.OPTIONAL, false);
+        Keyring ring = ring(LinkSigningPolicy.OPTIONAL, false);
 
         assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(FrameAdmission.ADMITTED);
         assertThat(ring.security().proven()).isFalse();
@@ -123,7 +123,7 @@ class KeyringTest {
 
     @Test
     void aRotationHoldsWhatGoesOutAndLosesNothingThatComesIn() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
 
         Keyring.Request request = ring.advance(safe, now);
@@ -150,7 +150,7 @@ class KeyringTest {
 
     @Test
     void theOldKeyStaysWhenTheVehicleGoesOnWithIt() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         int asked = 0;
         for (int i = 0; i < 200 && !end.isDone(); i++) {
@@ -169,7 +169,7 @@ class KeyringTest {
 
     @Test
     void whenTheVehicleFallsSilentBothKeysStayUntilItIsHeard() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         for (int i = 0; i < 200 && !end.isDone(); i++) {
             ring.advance(safe, now);
@@ -185,7 +185,7 @@ class KeyringTest {
 
     @Test
     void theVehiclesOwnRefusalEndsTheRotationAtOnce() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.ROTATE, NEXT, false);
         ring.advance(safe, now);
         ring.textReceived("EKF3 IMU0 is using GPS");
@@ -201,7 +201,7 @@ class KeyringTest {
 
     @Test
     void aKeyGoesOverNoLinkThatOthersMayHear() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         assertThat(ring.obstacle(KeyChangeKind.ROTATE, true))
                 .isEqualTo(new KeyChangeResult.Failed(KeyChangeFault.NO_LINK, "The drone has no link now."));
         links.add(open);
@@ -219,7 +219,7 @@ class KeyringTest {
 
     @Test
     void installingEndsWhenTheVehicleIsHeardToSign() {
-        Keyring ring = ring(LinkPolicy.OPTIONAL, false);
+        Keyring ring = ring(LinkSigningPolicy.OPTIONAL, false);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.INSTALL, null, false);
         assertThat(ring.advance(safe, now)).extracting(Keyring.Request::key).isEqualTo(KEY);
         assertThat(ring.holds(now)).isFalse();
@@ -233,7 +233,7 @@ class KeyringTest {
 
     @Test
     void revokingEndsWhenTheVehicleIsHeardUnsigned() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         CompletableFuture<KeyChangeResult> end = ring.begin(KeyChangeKind.REVOKE, null, false);
         assertThat(ring.advance(open, now)).extracting(Keyring.Request::key).isNull();
         hear(ring, vehicle.signed(KEY));
@@ -244,7 +244,7 @@ class KeyringTest {
         assertThat(ring.security())
                 .isEqualTo(new LinkSecurity(
                         DRONE,
-                        LinkPolicy.OFF,
+                        LinkSigningPolicy.OFF,
                         null,
                         null,
                         false,
@@ -254,7 +254,7 @@ class KeyringTest {
 
     @Test
     void theTimeOfSignaturesIsStoredEveryMinuteAndNeverGoesBack() {
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
         for (int second = 0; second < 300; second++) {
             ring.advance(safe, now);
             pass(1);
@@ -263,14 +263,14 @@ class KeyringTest {
 
         wall = wall.minusSeconds(7_200);
         long last = stamps.get(stamps.size() - 1);
-        Keyring behind = ring(new LinkSecurity(DRONE, LinkPolicy.REQUIRED, KEY, null, true, last));
+        Keyring behind = ring(new LinkSecurity(DRONE, LinkSigningPolicy.REQUIRED, KEY, null, true, last));
         assertThat(behind.security().stamp()).isGreaterThanOrEqualTo(last + 60 * SigningClock.TICKS_PER_SECOND);
     }
 
     @Test
     void nothingTellsASecret() {
         String secret = java.util.HexFormat.of().formatHex(KEY.secret());
-        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Keyring ring = ring(LinkSigningPolicy.REQUIRED, true);
 
         assertThat(ring.security().toString() + ring.status() + ring.advance(safe, now) + KEY)
                 .doesNotContainIgnoringCase(secret.substring(0, 8));

@@ -8,9 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.time.SteppedTime;
@@ -40,7 +40,7 @@ class LinkGuardTest {
         journal.close();
     }
 
-    private LinkGuard guard(LinkPolicy policy) {
+    private LinkGuard guard(LinkSigningPolicy policy) {
         kept.all.add(new LinkSecurity(DRONE, policy, KEY, null, true, 0));
         KeyringRegistry.Dependencies keeping = new KeyringRegistry.Dependencies(
                 kept, journal, drone -> SigningVehicle.SYSTEM_ID, (drone, sentence) -> {});
@@ -49,7 +49,7 @@ class LinkGuardTest {
 
     @Test
     void aValidSignatureProvesWhoItIsBeforeAnybodyAsked() {
-        LinkGuard guard = guard(LinkPolicy.REQUIRED);
+        LinkGuard guard = guard(LinkSigningPolicy.REQUIRED);
         assertThat(guard.signer()).isEmpty();
 
         assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(FrameAdmission.PROVEN);
@@ -59,7 +59,7 @@ class LinkGuardTest {
 
     @Test
     void aRecordedFrameProvesNothing() {
-        LinkGuard guard = guard(LinkPolicy.REQUIRED);
+        LinkGuard guard = guard(LinkSigningPolicy.REQUIRED);
         Frame old = vehicle.signed(KEY);
         time.advance(Duration.ofHours(1));
 
@@ -70,7 +70,7 @@ class LinkGuardTest {
 
     @Test
     void whoOnlyLooksLikeADroneThatMustSignIsNotBoundToIt() {
-        LinkGuard guard = guard(LinkPolicy.REQUIRED);
+        LinkGuard guard = guard(LinkSigningPolicy.REQUIRED);
         assertThat(guard.judge(vehicle.unsigned(), now)).isEqualTo(FrameAdmission.ADMITTED);
 
         assertThat(guard.mayBind(Optional.of(DRONE))).isFalse();
@@ -82,7 +82,7 @@ class LinkGuardTest {
 
     @Test
     void whoNeedNotSignIsBoundAsBefore() {
-        LinkGuard guard = guard(LinkPolicy.OPTIONAL);
+        LinkGuard guard = guard(LinkSigningPolicy.OPTIONAL);
         guard.judge(vehicle.unsigned(), now);
         assertThat(guard.mayBind(Optional.of(DRONE))).isTrue();
         assertThat(guard.mayBind(Optional.of(OTHER))).isTrue();
@@ -91,7 +91,7 @@ class LinkGuardTest {
 
     @Test
     void whoBringsOnlyCopiesOfSignedMessagesIsNoStranger() {
-        LinkGuard guard = guard(LinkPolicy.OPTIONAL);
+        LinkGuard guard = guard(LinkSigningPolicy.OPTIONAL);
         Frame old = vehicle.signed(KEY);
         time.advance(Duration.ofHours(1));
 
@@ -103,7 +103,7 @@ class LinkGuardTest {
 
     @Test
     void onlyHeartbeatsAreSignedForWhoHasNotProvenItself() {
-        LinkGuard guard = guard(LinkPolicy.REQUIRED);
+        LinkGuard guard = guard(LinkSigningPolicy.REQUIRED);
         assertThat(guard.signer(BEAT)).isNull();
         Frame old = vehicle.signed(KEY);
         time.advance(Duration.ofHours(1));
@@ -117,7 +117,7 @@ class LinkGuardTest {
 
     @Test
     void theKeyOfAnotherDroneUndoesTheBinding() {
-        LinkGuard guard = guard(LinkPolicy.REQUIRED);
+        LinkGuard guard = guard(LinkSigningPolicy.REQUIRED);
         guard.bound(OTHER, SigningVehicle.SYSTEM_ID);
         assertThat(guard.contradicts()).isFalse();
         guard.judge(vehicle.signed(KEY), now);
@@ -130,7 +130,7 @@ class LinkGuardTest {
 
     @Test
     void aKeySentToUsIsNobodysBusiness() {
-        LinkGuard guard = guard(LinkPolicy.OFF);
+        LinkGuard guard = guard(LinkSigningPolicy.OFF);
         assertThat(guard.judge(vehicle.unsigned(new SetupSigning(255, 190, new int[32], 5)), now))
                 .isEqualTo(FrameAdmission.REFUSED);
     }

@@ -8,7 +8,7 @@ import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequestInt;
-import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.SimulatedMissionItem;
 
 /**
  * A simulated vehicle's side of fence and rally point transfers; stores them whole, but heeds none. Nothing heeds them.
@@ -22,8 +22,8 @@ final class FenceRallyProtocol {
 
     private final int missionType;
     private final Consumer<Message> out;
-    private final List<StoredMissionItem> arriving = new ArrayList<>();
-    private List<StoredMissionItem> held = List.of();
+    private final List<SimulatedMissionItem> arriving = new ArrayList<>();
+    private List<SimulatedMissionItem> held = List.of();
     private int total = -1;
     private int peerSystem;
     private int peerComponent;

@@ -1,7 +1,7 @@
 package org.dronemap.sim.autopilot;
 
 import org.dronemap.mavlink.message.MissionItemInt;
-import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.SimulatedMissionItem;
 
 /** Converts mission, fence and rally items of a simulated vehicle to and from MAVLink messages. */
 final class MissionItemMessages {
@@ -10,8 +10,8 @@ final class MissionItemMessages {
     /** To whom, and what it is the {@code seq}-th of. */
     record Address(int seq, int missionType, int toSystem, int toComponent) {}
 
-    static StoredMissionItem read(MissionItemInt message) {
-        return new StoredMissionItem(
+    static SimulatedMissionItem read(MissionItemInt message) {
+        return new SimulatedMissionItem(
                 message.command(),
                 message.frame(),
                 message.autocontinue(),
@@ -24,7 +24,7 @@ final class MissionItemMessages {
                 message.z());
     }
 
-    static MissionItemInt write(StoredMissionItem item, Address address) {
+    static MissionItemInt write(SimulatedMissionItem item, Address address) {
         return new MissionItemInt(
                 address.toSystem(),
                 address.toComponent(),

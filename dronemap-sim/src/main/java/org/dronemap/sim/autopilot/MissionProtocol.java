@@ -11,8 +11,8 @@ import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionWritePartialList;
 import org.dronemap.sim.flight.FlightEvent;
-import org.dronemap.sim.flight.FlightPlan;
-import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.SimulatedMission;
+import org.dronemap.sim.flight.SimulatedMissionItem;
 import org.dronemap.sim.flight.TextSeverity;
 
 /** A simulated vehicle's side of the MAVLink mission protocol: upload, download, clear. Milliseconds. */
@@ -30,13 +30,13 @@ final class MissionProtocol {
 
     private final SimulatedAutopilot autopilot;
     private final MissionProtocolStyle style;
-    private final FlightPlan plan;
-    private final StorageFaults alterations;
+    private final SimulatedMission plan;
+    private final SimulatedStorageFaults alterations;
     private final Consumer<Message> out;
     private final Consumer<FlightEvent> events;
     private final FenceRallyProtocol fence;
     private final FenceRallyProtocol rally;
-    private final List<StoredMissionItem> arriving = new ArrayList<>();
+    private final List<SimulatedMissionItem> arriving = new ArrayList<>();
     private boolean receiving;
     private int expected;
     private int total;
@@ -47,7 +47,7 @@ final class MissionProtocol {
 
     MissionProtocol(
             SimulatedAutopilot autopilot,
-            StorageFaults alterations,
+            SimulatedStorageFaults alterations,
             Consumer<Message> out,
             Consumer<FlightEvent> events) {
         this.autopilot = autopilot;
@@ -168,7 +168,7 @@ final class MissionProtocol {
             }
             return;
         }
-        StoredMissionItem item = toItem(message);
+        SimulatedMissionItem item = toItem(message);
         int wrong = check(item);
         if (wrong != ACCEPTED && !(expected == 0 && style.firstItemIsHome())) {
             receiving = false;
@@ -185,17 +185,17 @@ final class MissionProtocol {
         }
     }
 
-    private void keep(StoredMissionItem item) {
+    private void keep(SimulatedMissionItem item) {
         if (!style.overwritesInPlace()) {
             arriving.add(item);
         } else if (expected == 0 && style.firstItemIsHome()) {
-            plan.put(0, StoredMissionItem.home(autopilot.craft().home()));
+            plan.put(0, SimulatedMissionItem.home(autopilot.craft().home()));
         } else {
             plan.put(expected, item);
         }
     }
 
-    private static int check(StoredMissionItem item) {
+    private static int check(SimulatedMissionItem item) {
         if (!item.isRunnable()) {
             return UNSUPPORTED;
         }
@@ -203,9 +203,9 @@ final class MissionProtocol {
         return item.isNavigation() && offEarth ? INVALID_PARAM5 : ACCEPTED;
     }
 
-    private StoredMissionItem toItem(MissionItemInt message) {
-        StoredMissionItem item = MissionItemMessages.read(message);
-        boolean placeless = item.command() == StoredMissionItem.RETURN_TO_LAUNCH;
+    private SimulatedMissionItem toItem(MissionItemInt message) {
+        SimulatedMissionItem item = MissionItemMessages.read(message);
+        boolean placeless = item.command() == SimulatedMissionItem.RETURN_TO_LAUNCH;
         return item.with(placeless ? 0 : asPlainFrame(item.frame()), alterations.keptAltitude(message.seq(), item.z()));
     }
 
@@ -247,8 +247,8 @@ final class MissionProtocol {
             out.accept(new MissionAck(toSystem, toComponent, DENIED, missionType));
             return;
         }
-        StoredMissionItem item = index == 0 && style.firstItemIsHome()
-                ? StoredMissionItem.home(autopilot.craft().home())
+        SimulatedMissionItem item = index == 0 && style.firstItemIsHome()
+                ? SimulatedMissionItem.home(autopilot.craft().home())
                 : plan.item(index);
         MissionItemInt message =
                 MissionItemMessages.write(item, new MissionItemMessages.Address(index, 0, toSystem, toComponent));

@@ -5,20 +5,20 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.ParamValue;
-import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedParameters;
 
 /** A simulated vehicle's side of the MAVLink parameter protocol; requests for unknown names stay unanswered. */
 final class ParameterProtocol {
     private static final int PER_STEP = 4;
 
     private final SimulatedAutopilot autopilot;
-    private final Parameters parameters;
+    private final SimulatedParameters parameters;
     private final boolean bytewise;
-    private final StorageFaults alterations;
+    private final SimulatedStorageFaults alterations;
     private final Consumer<Message> out;
     private int listed;
 
-    ParameterProtocol(SimulatedAutopilot autopilot, StorageFaults alterations, Consumer<Message> out) {
+    ParameterProtocol(SimulatedAutopilot autopilot, SimulatedStorageFaults alterations, Consumer<Message> out) {
         this.autopilot = autopilot;
         this.alterations = alterations;
         this.parameters = autopilot.parameters();
@@ -50,7 +50,7 @@ final class ParameterProtocol {
         if (index < 0 || (Float.isNaN(request.paramValue()) && !bytewise)) {
             return;
         }
-        boolean asBits = bytewise && parameters.at(index).type() != Parameters.REAL32;
+        boolean asBits = bytewise && parameters.at(index).type() != SimulatedParameters.REAL32;
         double value = asBits ? Float.floatToRawIntBits(request.paramValue()) : request.paramValue();
         parameters.set(request.paramId(), value);
         send(index);
@@ -59,8 +59,8 @@ final class ParameterProtocol {
     }
 
     private void send(int index) {
-        Parameters.Parameter parameter = parameters.at(index);
-        boolean asBits = bytewise && parameter.type() != Parameters.REAL32;
+        SimulatedParameters.Parameter parameter = parameters.at(index);
+        boolean asBits = bytewise && parameter.type() != SimulatedParameters.REAL32;
         float value = asBits ? Float.intBitsToFloat((int) parameter.value()) : (float) parameter.value();
         out.accept(new ParamValue(parameter.name(), value, parameter.type(), parameters.size(), index));
     }

@@ -5,9 +5,9 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
-import org.dronemap.sim.flight.FlightPlan;
-import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.SimulatedMission;
+import org.dronemap.sim.flight.SimulatedParameters;
 
 /**
  * A simulated autopilot (ArduCopter or PX4): the commands it accepts, its flight modes and fail-safes. Owned by the
@@ -17,9 +17,9 @@ public interface SimulatedAutopilot {
     /** Flies on to {@code nowMillis} of the vehicle's clock. */
     void step(long nowMillis, double seconds);
 
-    CommandResult execute(MavCommand order);
+    SimulatedCommandResult execute(MavCommand order);
 
-    CommandResult setMode(int baseMode, long customMode);
+    SimulatedCommandResult setMode(int baseMode, long customMode);
 
     /** SET_MODE is acknowledged by some autopilots as if it were a command. */
     boolean acknowledgesSetMode();
@@ -47,14 +47,14 @@ public interface SimulatedAutopilot {
 
     SimulatedCraft craft();
 
-    FlightPlan plan();
+    SimulatedMission plan();
 
     SimulatedPayload payload();
 
     /** One picture; the answer is what it says of it. */
     Message takePicture();
 
-    Parameters parameters();
+    SimulatedParameters parameters();
 
     /** A new signing key is taken in flight as well. */
     boolean acceptsKeysWhenArmed();
@@ -69,7 +69,7 @@ public interface SimulatedAutopilot {
     boolean heedsEveryComponent();
 
     /** What is answered when somebody wants a rate for a message that it does not have. */
-    CommandResult refuseInterval(int messageId);
+    SimulatedCommandResult refuseInterval(int messageId);
 
     MissionProtocolStyle missionStyle();
 

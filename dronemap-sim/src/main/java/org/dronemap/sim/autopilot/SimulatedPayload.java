@@ -42,12 +42,12 @@ public final class SimulatedPayload {
     }
 
     /** ArduPilot's numbers: 0 off, 1 on, any other toggles. */
-    public CommandResult setRelay(int relay, int setting) {
+    public SimulatedCommandResult setRelay(int relay, int setting) {
         if (relay < 0 || relay >= RELAYS) {
-            return CommandResult.FAILED;
+            return SimulatedCommandResult.FAILED;
         }
         relays[relay] = setting == ON || (setting != OFF && !relays[relay]);
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
     /** False for an output that a motor has, or that there is not. */

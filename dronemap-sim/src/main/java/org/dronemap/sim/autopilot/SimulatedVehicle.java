@@ -13,9 +13,9 @@ import org.dronemap.mavlink.message.SetupSigning;
 import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.mavlink.message.Timesync;
 import org.dronemap.sim.flight.FlightEvent;
-import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
-import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.SimulatedMissionItem;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.flight.TextSeverity;
 
 /**
@@ -28,14 +28,14 @@ public final class SimulatedVehicle {
     private static final long BEAT_MILLIS = 1_000;
     private static final long REBOOT_MILLIS = 1_000;
 
-    private final VehicleSettings settings;
+    private final SimulatedVehicleSettings settings;
     private final AutopilotKind kind;
     private final SimulatedCraft craft;
     private final FrameWriter writer;
     private final Consumer<byte[]> link;
-    private final VehicleSigning signing;
+    private final SimulatedSigning signing;
     private SimulatedAutopilot autopilot;
-    private VehicleMessageHandler desk;
+    private SimulatedMessageHandler desk;
     private long now;
     private long bootedAt;
     private long nextBeat;
@@ -44,17 +44,18 @@ public final class SimulatedVehicle {
     private boolean bannerDue;
     private boolean newAddressDue;
 
-    public SimulatedVehicle(VehicleSettings settings, AutopilotKind kind, SimulatedCraft craft, Consumer<byte[]> link) {
+    public SimulatedVehicle(
+            SimulatedVehicleSettings settings, AutopilotKind kind, SimulatedCraft craft, Consumer<byte[]> link) {
         this.settings = settings;
         this.kind = kind;
         this.craft = craft;
         this.link = link;
         this.writer = new FrameWriter(settings.systemId(), COMPONENT, settings.mavlinkVersion());
         this.signing =
-                new VehicleSigning(settings.usb(), () -> Instant.ofEpochMilli(settings.epochMicros() / 1000 + now));
+                new SimulatedSigning(settings.usb(), () -> Instant.ofEpochMilli(settings.epochMicros() / 1000 + now));
         this.nextBeat = settings.systemId() * 37L % BEAT_MILLIS;
         this.autopilot = makeAutopilot();
-        this.desk = new VehicleMessageHandler(autopilot, settings, 0, this::send, this::handle);
+        this.desk = new SimulatedMessageHandler(autopilot, settings, 0, this::send, this::handle);
         this.bannerDue = true;
     }
 
@@ -122,12 +123,12 @@ public final class SimulatedVehicle {
         }
     }
 
-    private void execute(StoredMissionItem order) {
-        boolean onePicture = (order.command() == StoredMissionItem.DIGICAM_CONTROL && order.x() == 1)
+    private void execute(SimulatedMissionItem order) {
+        boolean onePicture = (order.command() == SimulatedMissionItem.DIGICAM_CONTROL && order.x() == 1)
                 || (order.command() == MavCmd.IMAGE_START_CAPTURE && order.param3() == 1);
         if (onePicture) {
             send(autopilot.takePicture());
-        } else if (order.command() == StoredMissionItem.SET_SERVO
+        } else if (order.command() == SimulatedMissionItem.SET_SERVO
                 && !autopilot.payload().setServo((int) order.param1(), (int) order.param2())) {
             sendText(TextSeverity.INFO, "ServoRelayEvent: Channel " + (int) order.param1() + " is already in use");
         }
@@ -163,7 +164,7 @@ public final class SimulatedVehicle {
 
     /** Switches off and on again: parameters, mission and battery stay, everything else is found anew. */
     public void reboot() {
-        Parameters kept = autopilot.parameters();
+        SimulatedParameters kept = autopilot.parameters();
         var items = autopilot.plan().items();
         craft.setArmed(false);
         craft.repair();
@@ -175,7 +176,7 @@ public final class SimulatedVehicle {
         }
         autopilot.plan().replaceAll(items);
         autopilot.step(now, 0.001);
-        desk = new VehicleMessageHandler(autopilot, settings, bootedAt, this::send, this::handle);
+        desk = new SimulatedMessageHandler(autopilot, settings, bootedAt, this::send, this::handle);
         silentUntil = now + REBOOT_MILLIS;
         nextBeat = now + REBOOT_MILLIS;
         bannerDue = true;
@@ -207,7 +208,7 @@ public final class SimulatedVehicle {
     }
 
     /** What it keeps otherwise than it was told; a reboot forgets it. */
-    public StorageFaults alterations() {
+    public SimulatedStorageFaults alterations() {
         return desk.alterations();
     }
 
@@ -215,7 +216,7 @@ public final class SimulatedVehicle {
         return autopilot;
     }
 
-    public VehicleSigning signing() {
+    public SimulatedSigning signing() {
         return signing;
     }
 

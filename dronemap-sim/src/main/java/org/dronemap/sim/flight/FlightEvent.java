@@ -9,7 +9,7 @@ public sealed interface FlightEvent {
     record ItemStarted(int index, String type) implements FlightEvent {}
 
     /** A mission item has something done with what the vehicle carries. */
-    record Ordered(StoredMissionItem order) implements FlightEvent {}
+    record Ordered(SimulatedMissionItem order) implements FlightEvent {}
 
     /** A mission item is done. */
     record ItemReached(int index) implements FlightEvent {}

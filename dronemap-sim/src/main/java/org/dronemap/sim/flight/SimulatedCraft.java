@@ -131,7 +131,7 @@ public final class SimulatedCraft {
     }
 
     /** Where a mission item says to go, in this vehicle's frame. */
-    public NeuPosition targetOf(StoredMissionItem item) {
+    public NeuPosition targetOf(SimulatedMissionItem item) {
         double up = item.up(home) + home.altitudeAmsl() - frame.altitudeAmsl();
         return item.hasPlace()
                 ? frame.locate(item.x() / 1e7, item.y() / 1e7, up)

@@ -30,7 +30,7 @@ public final class SimulatedFleet implements AutoCloseable {
     private final ServerAddress server;
     private final InetSocketAddress serverSocket;
     private final double speedup;
-    private final List<FleetMember> members = new ArrayList<>();
+    private final List<SimulatedFleetMember> members = new ArrayList<>();
     private final Buffers buffers = Buffers.allocate();
     private final ArrayBlockingQueue<Runnable> waiting = new ArrayBlockingQueue<>(MAX_WAITING);
     private final Thread thread;
@@ -51,12 +51,12 @@ public final class SimulatedFleet implements AutoCloseable {
 
     /** Before {@link #start} only. */
     public void add(Function<Consumer<byte[]>, SimulatedVehicle> maker) {
-        FleetMember member = new FleetMember(maker);
+        SimulatedFleetMember member = new SimulatedFleetMember(maker);
         try {
             member.attach(
                     server.tcp()
-                            ? new TcpServerLink(serverSocket, selector, buffers, member::received)
-                            : new UdpServerLink(serverSocket, selector, buffers, member::received));
+                            ? new SimulatorTcpLink(serverSocket, selector, buffers, member::received)
+                            : new SimulatorUdpLink(serverSocket, selector, buffers, member::received));
         } catch (IOException e) {
             throw new UncheckedIOException("vehicle " + (members.size() + 1) + " gets no socket: " + e.getMessage(), e);
         }
@@ -88,7 +88,7 @@ public final class SimulatedFleet implements AutoCloseable {
         } catch (IOException | RuntimeException e) {
             LOG.error("The fleet has stopped", e);
         } finally {
-            members.forEach(FleetMember::close);
+            members.forEach(SimulatedFleetMember::close);
         }
     }
 
@@ -102,7 +102,7 @@ public final class SimulatedFleet implements AutoCloseable {
     }
 
     private void handle(SelectionKey key) {
-        if (key.isValid() && key.attachment() instanceof ServerLink uplink) {
+        if (key.isValid() && key.attachment() instanceof SimulatorLink uplink) {
             uplink.ready(key);
         }
     }
@@ -120,7 +120,7 @@ public final class SimulatedFleet implements AutoCloseable {
         boolean taken = waiting.offer(() -> {
             try {
                 answer.complete(question.apply(
-                        members.stream().map(FleetMember::vehicle).toList()));
+                        members.stream().map(SimulatedFleetMember::vehicle).toList()));
             } catch (RuntimeException e) {
                 answer.completeExceptionally(e);
             }
@@ -134,7 +134,8 @@ public final class SimulatedFleet implements AutoCloseable {
 
     /** Frames that sockets did not take, of all vehicles. */
     public CompletableFuture<Long> dropped() {
-        return ask(vehicles -> members.stream().mapToLong(FleetMember::dropped).sum());
+        return ask(vehicles ->
+                members.stream().mapToLong(SimulatedFleetMember::dropped).sum());
     }
 
     @Override

@@ -2,8 +2,8 @@ package org.dronemap.sim.robot;
 
 import java.util.Map;
 import java.util.function.Supplier;
-import org.dronemap.sim.robot.RobotFleet.GroundTruth;
 import org.dronemap.sim.robot.RobotOptions.Identity;
+import org.dronemap.sim.robot.SimulatedRobotFleet.GroundTruth;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -21,9 +21,9 @@ public final class SimulatedRobot {
     private static final double LATITUDE = 47.3977;
     private static final double LONGITUDE = 8.5456;
 
-    private final RobotMachine machine;
+    private final SimulatedRobotMachine machine;
     private final RobotOptions options;
-    private final RobotMessageWriter speech;
+    private final SimulatedRobotCodec speech;
     private final Links links;
     private double sinceBeat = SECONDS_A_BEAT;
     private double sinceReport;
@@ -49,7 +49,7 @@ public final class SimulatedRobot {
         this.options = options;
         this.links = links;
         machine = machine(options, number);
-        speech = new RobotMessageWriter(identity(options, number), options.quirks());
+        speech = new SimulatedRobotCodec(identity(options, number), options.quirks());
         deaf = options.quirks().contains(BridgeQuirk.IGNORES_ORDERS);
     }
 
@@ -57,11 +57,11 @@ public final class SimulatedRobot {
         return options.first().plus(number);
     }
 
-    private static RobotMachine machine(RobotOptions options, int number) {
+    private static SimulatedRobotMachine machine(RobotOptions options, int number) {
         boolean flies = options.kind().equals("drone") || (options.kind().equals("mixed") && number % 2 == 1);
         return flies
-                ? new MavrosDrone(LATITUDE + number * 1e-4, LONGITUDE)
-                : new Rover(-2, -1 + number % 3, options.quirks());
+                ? new SimulatedMavrosDrone(LATITUDE + number * 1e-4, LONGITUDE)
+                : new SimulatedRover(-2, -1 + number % 3, options.quirks());
     }
 
     /** What is true of it now. */

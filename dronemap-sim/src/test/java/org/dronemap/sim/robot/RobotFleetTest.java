@@ -26,7 +26,7 @@ class RobotFleetTest {
     private static final int PATIENCE_MILLIS = 15_000;
 
     private DatagramSocket server;
-    private @Nullable RobotFleet fleet;
+    private @Nullable SimulatedRobotFleet fleet;
     private @Nullable SocketAddress robot;
 
     @BeforeEach
@@ -45,12 +45,13 @@ class RobotFleetTest {
 
     private void start(String kind, Set<BridgeQuirk> quirks) throws IOException {
         ServerAddress address = new ServerAddress(false, "127.0.0.1", server.getLocalPort());
-        fleet = new RobotFleet(new RobotOptions(1, kind, address, null, new Identity(7, "12", "26"), 20, 0, quirks));
+        fleet = new SimulatedRobotFleet(
+                new RobotOptions(1, kind, address, null, new Identity(7, "12", "26"), 20, 0, quirks));
         fleet.start();
         heard(message -> true);
     }
 
-    private RobotFleet.GroundTruth truth() {
+    private SimulatedRobotFleet.GroundTruth truth() {
         return Objects.requireNonNull(fleet).truths().get(0);
     }
 

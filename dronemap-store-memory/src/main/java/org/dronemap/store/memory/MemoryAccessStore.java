@@ -15,9 +15,9 @@ import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
-import org.dronemap.store.SignInLimit;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
+import org.dronemap.store.UserSessionLimit;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -67,7 +67,7 @@ public final class MemoryAccessStore implements AccessStore {
         signIns.values().stream()
                 .filter(other -> other.user().equals(signIn.user()))
                 .sorted(Comparator.comparing(SignIn::expiresAt).reversed().thenComparing(SignIn::tokenHash))
-                .skip(SignInLimit.PER_USER - 1L)
+                .skip(UserSessionLimit.PER_USER - 1L)
                 .toList()
                 .forEach(surplus -> signIns.remove(surplus.tokenHash()));
         signIns.put(

@@ -14,7 +14,7 @@ import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
-import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.EndpointStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.recording.RecordingStore;
@@ -33,7 +33,7 @@ public final class MemoryStores implements Stores {
     private final AccessStore access = new MemoryAccessStore();
     private final GrantStore grants = new MemoryGrantStore();
     private final RecordingStore recordings = new MemoryRecordingStore();
-    private final LinkStore links = new MemoryLinkStore();
+    private final EndpointStore links = new MemoryEndpointStore();
     private final LeaseStore leases = new MemoryLeaseStore();
     private final ParameterOverrideStore owners = new MemoryParameterOverrideStore();
     private final VirtualDroneStore virtualDrones = new MemoryVirtualDroneStore();
@@ -80,7 +80,7 @@ public final class MemoryStores implements Stores {
     }
 
     @Override
-    public LinkStore links() {
+    public EndpointStore links() {
         return links;
     }
 

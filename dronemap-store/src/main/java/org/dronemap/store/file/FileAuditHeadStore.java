@@ -17,7 +17,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.audit.AuditHead;
 import org.dronemap.core.audit.AuditHeadStore;
-import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.core.stored.StoredNames;
 import org.dronemap.store.StoreException;
 
@@ -32,7 +32,7 @@ public final class FileAuditHeadStore implements AuditHeadStore {
     }
 
     @Override
-    public synchronized Optional<List<Optional<SignedHead>>> all() {
+    public synchronized Optional<List<Optional<SignedAuditHead>>> all() {
         try {
             return Optional.of(Files.readString(file, StandardCharsets.ISO_8859_1)
                     .lines()
@@ -46,7 +46,7 @@ public final class FileAuditHeadStore implements AuditHeadStore {
     }
 
     @Override
-    public synchronized void add(SignedHead head) {
+    public synchronized void add(SignedAuditHead head) {
         try (FileChannel channel = FileChannel.open(
                 file,
                 Set.of(StandardOpenOption.CREATE, StandardOpenOption.APPEND),
@@ -61,7 +61,7 @@ public final class FileAuditHeadStore implements AuditHeadStore {
         }
     }
 
-    private static String write(SignedHead signed) {
+    private static String write(SignedAuditHead signed) {
         String hash = signed.head().hash();
         return String.join(
                 " ",
@@ -72,15 +72,15 @@ public final class FileAuditHeadStore implements AuditHeadStore {
                 signed.signature());
     }
 
-    private static Optional<SignedHead> read(String line) {
+    private static Optional<SignedAuditHead> read(String line) {
         String[] parts = line.split(" ", -1);
         if (parts.length != 5) {
             return Optional.empty();
         }
         try {
             AuditHead head = new AuditHead(Long.parseLong(parts[1]), parts[2].equals("-") ? "" : parts[2]);
-            SignedHead signed = new SignedHead(
-                    StoredNames.constant(SignedHead.Kind.class, parts[0].toUpperCase(Locale.ROOT)),
+            SignedAuditHead signed = new SignedAuditHead(
+                    StoredNames.constant(SignedAuditHead.Kind.class, parts[0].toUpperCase(Locale.ROOT)),
                     head,
                     Instant.parse(parts[3]),
                     parts[4]);

@@ -33,7 +33,7 @@ final class AuditLedger implements AutoCloseable {
     private static final String TAKEN = "23505";
 
     private final DataSource dataSource;
-    private final Writability writability;
+    private final DatabaseWritability writability;
     private final BlockingQueue<QueuedWrite> queue = new ArrayBlockingQueue<>(CAPACITY);
     private final BlockingQueue<AuditEntry> late = new ArrayBlockingQueue<>(CAPACITY);
     private volatile @Nullable AuditChain chain;
@@ -53,7 +53,7 @@ final class AuditLedger implements AutoCloseable {
     private record QueuedWrite(
             @Nullable DatabaseChange change, AuditEntry entry, CompletableFuture<WriteResult> done) {}
 
-    AuditLedger(DataSource dataSource, Writability writability) {
+    AuditLedger(DataSource dataSource, DatabaseWritability writability) {
         this.dataSource = dataSource;
         this.writability = writability;
         thread.setDaemon(true);

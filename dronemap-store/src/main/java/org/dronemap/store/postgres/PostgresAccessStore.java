@@ -13,9 +13,9 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
-import org.dronemap.store.SignInLimit;
 import org.dronemap.store.StoreException;
-import org.dronemap.store.postgres.json.BoundsJson;
+import org.dronemap.store.UserSessionLimit;
+import org.dronemap.store.postgres.json.FlightBoundsJson;
 
 /** Stores users, their sessions and access keys in PostgreSQL. Thread-safe. */
 public final class PostgresAccessStore implements AccessStore {
@@ -72,12 +72,18 @@ public final class PostgresAccessStore implements AccessStore {
     @Override
     public void addSignIn(SignIn signIn) {
         // One statement, one transaction: the deletion does not see the row inserted beside it.
-        sql.update("""
+        sql.update(
+                """
                 WITH surplus AS (
                     DELETE FROM sign_in WHERE token_hash IN (
                         SELECT token_hash FROM sign_in WHERE account_name = ?
                         ORDER BY expires_at DESC, token_hash OFFSET ?))
-                INSERT INTO sign_in (token_hash, account_name, expires_at) VALUES (?, ?, ?)""", signIn.user(), SignInLimit.PER_USER - 1, signIn.tokenHash(), signIn.user(), signIn.expiresAt());
+                INSERT INTO sign_in (token_hash, account_name, expires_at) VALUES (?, ?, ?)""",
+                signIn.user(),
+                UserSessionLimit.PER_USER - 1,
+                signIn.tokenHash(),
+                signIn.user(),
+                signIn.expiresAt());
     }
 
     @Override
@@ -127,7 +133,7 @@ public final class PostgresAccessStore implements AccessStore {
                 rights.role(),
                 KeyScopeColumns.drones(rights.scope()),
                 KeyScopeColumns.permissions(rights.scope()),
-                BoundsJson.write(rights.scope().bounds()),
+                FlightBoundsJson.write(rights.scope().bounds()),
                 rights.expiresAt(),
                 key.secretHash(),
                 key.createdAt(),
@@ -254,7 +260,7 @@ public final class PostgresAccessStore implements AccessStore {
                         new KeyScope(
                                 KeyScopeColumns.dronesOrAll(row.textOrNull("drones")),
                                 KeyScopeColumns.permissions(row.text("permissions")),
-                                BoundsJson.read(row.textOrNull("bounds"))),
+                                FlightBoundsJson.read(row.textOrNull("bounds"))),
                         row.timeOrNull("expires_at")),
                 row.text("secret_hash"),
                 row.time("created_at"),

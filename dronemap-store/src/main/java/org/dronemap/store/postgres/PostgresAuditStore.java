@@ -45,7 +45,7 @@ final class PostgresAuditStore implements AuditStore {
 
     @Override
     public List<AuditedCallRecord> search(AuditQuery query, long before, int limit) {
-        AuditConditions conditions = new AuditConditions(query, before);
+        AuditSearchConditions conditions = new AuditSearchConditions(query, before);
         List<AuditRecord> calls = sql.list(
                 "SELECT r.* FROM audit r LEFT JOIN audit e ON e.ends = r.sequence WHERE " + conditions.text()
                         + " ORDER BY r.sequence DESC LIMIT " + limit,

@@ -7,8 +7,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneStore;
-import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.VehicleKind;
@@ -96,7 +96,7 @@ public final class PostgresDroneStore implements DroneStore {
                         row.textOrNull("firmware"),
                         row.textOrNull("hardware_uid")),
                 new IdentityTrust(
-                        row.name("evidence", Evidence.class),
+                        row.name("evidence", IdentityEvidence.class),
                         row.textOrNull("link_identity"),
                         row.bool("distinct_hardware")),
                 row.time("last_heard"),

@@ -4,9 +4,9 @@ import java.sql.SQLException;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.store.secret.SecretBox;
 import org.jspecify.annotations.Nullable;
@@ -61,7 +61,7 @@ public final class PostgresLinkSecurityStore implements LinkSecurityStore {
         LinkKey key = opened(row.textOrNull("sealed_key"), drone, KEY);
         return new LinkSecurity(
                 drone,
-                row.name("policy", LinkPolicy.class),
+                row.name("policy", LinkSigningPolicy.class),
                 key,
                 key == null ? null : opened(row.textOrNull("sealed_next_key"), drone, NEXT),
                 key != null && row.bool("proven"),

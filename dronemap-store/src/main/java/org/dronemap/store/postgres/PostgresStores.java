@@ -23,7 +23,7 @@ import org.dronemap.core.drone.ParameterOverrideStore;
 import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
-import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.EndpointStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.recording.RecordingStore;
@@ -49,7 +49,7 @@ public final class PostgresStores implements Stores {
 
     private final FailFastPool pool;
     private final @Nullable BundledPostgres own;
-    private final Writability writability = new Writability();
+    private final DatabaseWritability writability = new DatabaseWritability();
     private final AuditLedger ledger;
     private final SqlTransactions sql;
     private final AccessStore access;
@@ -143,8 +143,8 @@ public final class PostgresStores implements Stores {
     }
 
     @Override
-    public LinkStore links() {
-        return new PostgresLinkStore(sql);
+    public EndpointStore links() {
+        return new PostgresEndpointStore(sql);
     }
 
     @Override

@@ -27,7 +27,7 @@ public final class PostgresTelemetryStore implements TelemetryStore {
     private static final int ROWS_AT_ONCE = 2_000;
 
     private final DataSource dataSource;
-    private final DayWriteGate gate = new DayWriteGate();
+    private final DayWriteGuard gate = new DayWriteGuard();
     private final TelemetryDayTables days;
 
     PostgresTelemetryStore(DataSource dataSource) {

@@ -43,7 +43,7 @@ final class TelemetryDayTables {
     private static final DateTimeFormatter NAMED = DateTimeFormatter.BASIC_ISO_DATE;
 
     private final DataSource dataSource;
-    private final DayWriteGate gate;
+    private final DayWriteGuard gate;
 
     /** The layout of a day's rows, with the suffix of its table's name. */
     private enum RowLayout {
@@ -72,7 +72,7 @@ final class TelemetryDayTables {
         }
     }
 
-    TelemetryDayTables(DataSource dataSource, DayWriteGate gate) {
+    TelemetryDayTables(DataSource dataSource, DayWriteGuard gate) {
         this.dataSource = dataSource;
         this.gate = gate;
     }

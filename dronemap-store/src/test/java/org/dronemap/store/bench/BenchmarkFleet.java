@@ -18,7 +18,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
@@ -66,7 +66,7 @@ final class BenchmarkFleet {
                 new Gps(GpsFix.THREE_D, 14, 0.8),
                 null,
                 null,
-                Payload.UNKNOWN,
+                PayloadState.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),
                 at,

@@ -19,12 +19,12 @@ import org.dronemap.core.access.User;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Bounds;
-import org.dronemap.store.SignInLimit;
+import org.dronemap.core.zone.FlightBounds;
 import org.dronemap.store.StoreException;
+import org.dronemap.store.UserSessionLimit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -146,12 +146,12 @@ public abstract class AccessStoreContract {
     @Test
     void keepsABoundedNumberOfSessionsPerUser() {
         store.addUser(ALICE);
-        for (int i = 0; i <= SignInLimit.PER_USER; i++) {
+        for (int i = 0; i <= UserSessionLimit.PER_USER; i++) {
             store.addSignIn(new SignIn("token-" + i, "alice", NOW.plusSeconds(60 + i)));
         }
         assertThat(store.signIn("token-0", NOW)).isEmpty();
         assertThat(store.signIn("token-1", NOW)).isPresent();
-        assertThat(store.signIn("token-" + SignInLimit.PER_USER, NOW)).isPresent();
+        assertThat(store.signIn("token-" + UserSessionLimit.PER_USER, NOW)).isPresent();
     }
 
     @Test
@@ -192,11 +192,11 @@ public abstract class AccessStoreContract {
         store.addUser(ALICE);
         KeyScope one = new KeyScope(Set.of(new DroneId("d1"), new DroneId("d2")), Set.of(Permission.PLAN));
         KeyScope none = new KeyScope(Set.of(), Set.of(Permission.values()));
-        FenceZone circle = new FenceZone.Circle(true, new Geodetic(47.397712345678, 8.5456), 500);
-        FenceZone triangle = new FenceZone.Polygon(
+        FenceArea circle = new FenceArea.Circle(true, new Geodetic(47.397712345678, 8.5456), 500);
+        FenceArea triangle = new FenceArea.Polygon(
                 true, List.of(new Geodetic(47.397, 8.545), new Geodetic(47.398, 8.545), new Geodetic(47.398, 8.546)));
-        KeyScope bounded = one.boundedBy(new Bounds(circle, AltitudeBand.ALL))
-                .boundedBy(new Bounds(triangle, new AltitudeBand(null, 60.5, Altitude.Reference.AMSL)));
+        KeyScope bounded = one.boundedBy(new FlightBounds(circle, AltitudeBand.ALL))
+                .boundedBy(new FlightBounds(triangle, new AltitudeBand(null, 60.5, Altitude.Reference.AMSL)));
         AccessKey root = key("k1", "alice", null, new KeyRights(Role.PLANNER, bounded, NOW.plusSeconds(60)), "s1");
         AccessKey child = key("k2", "alice", "k1", new KeyRights(Role.VIEWER, none, null), "s2");
         store.addAccessKey(root);

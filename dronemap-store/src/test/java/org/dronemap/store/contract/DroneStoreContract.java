@@ -9,8 +9,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneStore;
-import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.VehicleKind;
@@ -75,7 +75,7 @@ public abstract class DroneStoreContract {
 
     @Test
     void keepsHowADroneShowedWhoItIs() {
-        for (Evidence evidence : Evidence.values()) {
+        for (IdentityEvidence evidence : IdentityEvidence.values()) {
             for (IdentityTrust standing :
                     List.of(new IdentityTrust(evidence, null, false), new IdentityTrust(evidence, "key 7", true))) {
                 DroneRecord drone = new DroneRecord(

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Instant;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
@@ -51,22 +51,22 @@ public abstract class LinkSecurityStoreContract {
 
     @Test
     void givesBackKeysAndPolicy() {
-        LinkSecurity security = new LinkSecurity(COPTER, LinkPolicy.REQUIRED, key(1), key(2), true, 1L << 47);
+        LinkSecurity security = new LinkSecurity(COPTER, LinkSigningPolicy.REQUIRED, key(1), key(2), true, 1L << 47);
         store.save(security);
         assertThat(store.all()).containsExactly(security);
     }
 
     @Test
     void replacesWhatWasThere() {
-        store.save(new LinkSecurity(COPTER, LinkPolicy.REQUIRED, key(1), key(2), true, 7));
-        LinkSecurity after = new LinkSecurity(COPTER, LinkPolicy.OFF, null, null, false, 9);
+        store.save(new LinkSecurity(COPTER, LinkSigningPolicy.REQUIRED, key(1), key(2), true, 7));
+        LinkSecurity after = new LinkSecurity(COPTER, LinkSigningPolicy.OFF, null, null, false, 9);
         store.save(after);
         assertThat(store.all()).containsExactly(after);
     }
 
     @Test
     void keepsEveryPolicy() {
-        for (LinkPolicy policy : LinkPolicy.values()) {
+        for (LinkSigningPolicy policy : LinkSigningPolicy.values()) {
             LinkSecurity security = new LinkSecurity(COPTER, policy, key(3), null, false, 5);
             store.save(security);
             assertThat(store.all()).containsExactly(security);
@@ -75,11 +75,12 @@ public abstract class LinkSecurityStoreContract {
 
     @Test
     void aStampOnlyRises() {
-        store.save(new LinkSecurity(COPTER, LinkPolicy.OPTIONAL, key(1), null, false, 100));
+        store.save(new LinkSecurity(COPTER, LinkSigningPolicy.OPTIONAL, key(1), null, false, 100));
         store.saveStamp(COPTER, 200);
         store.saveStamp(COPTER, 150);
-        store.save(new LinkSecurity(COPTER, LinkPolicy.OPTIONAL, key(1), null, true, 100));
-        assertThat(store.all()).containsExactly(new LinkSecurity(COPTER, LinkPolicy.OPTIONAL, key(1), null, true, 200));
+        store.save(new LinkSecurity(COPTER, LinkSigningPolicy.OPTIONAL, key(1), null, true, 100));
+        assertThat(store.all())
+                .containsExactly(new LinkSecurity(COPTER, LinkSigningPolicy.OPTIONAL, key(1), null, true, 200));
     }
 
     @Test
@@ -91,7 +92,7 @@ public abstract class LinkSecurityStoreContract {
 
     @Test
     void goesWithItsDrone() {
-        store.save(new LinkSecurity(COPTER, LinkPolicy.REQUIRED, key(1), null, true, 1));
+        store.save(new LinkSecurity(COPTER, LinkSigningPolicy.REQUIRED, key(1), null, true, 1));
         drones.delete(COPTER);
         assertThat(store.all()).isEmpty();
     }

@@ -20,7 +20,6 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.DroneChoice;
 import org.dronemap.core.virtual.DroneRequirements;
 import org.dronemap.core.virtual.RequiredArea;
@@ -29,6 +28,7 @@ import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunAssignment;
 import org.dronemap.core.virtual.VirtualRunStage;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
@@ -145,7 +145,7 @@ public abstract class VirtualDroneStoreContract {
                 THEN);
     }
 
-    private static VirtualRun run(VirtualRunStage stage, @Nullable Assignment assignment) {
+    private static VirtualRun run(VirtualRunStage stage, @Nullable VirtualRunAssignment assignment) {
         return new VirtualRun(
                 7,
                 MISSION,
@@ -160,7 +160,7 @@ public abstract class VirtualDroneStoreContract {
                 THEN);
     }
 
-    private static Assignment assignment(DroneId drone) {
+    private static VirtualRunAssignment assignment(DroneId drone) {
         DroneChoice choice = new DroneChoice(
                 drone,
                 OTHER,
@@ -169,6 +169,6 @@ public abstract class VirtualDroneStoreContract {
                 2.5,
                 "some 3 %",
                 List.of(new DroneChoice.Unfit(OTHER, "It is armed or in the air.")));
-        return new Assignment(choice, 0, 12.5, new CommandId("command-1"), 1, THEN);
+        return new VirtualRunAssignment(choice, 0, 12.5, new CommandId("command-1"), 1, THEN);
     }
 }

@@ -7,20 +7,20 @@ import java.util.List;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBinding;
 import org.dronemap.core.zone.ZoneStore;
+import org.dronemap.core.zone.ZoneValidity;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** What every {@link ZoneStore} keeps to. */
 public abstract class ZoneStoreContract {
     private static final Instant CHANGED = Instant.parse("2026-03-04T05:06:07Z");
-    private static final FenceZone AREA = new FenceZone.Polygon(
+    private static final FenceArea AREA = new FenceArea.Polygon(
             false, List.of(new Geodetic(47.1234567, 8.5), new Geodetic(47.2, 8.5), new Geodetic(47.2, 8.6)));
 
     private ZoneStore store;
@@ -45,10 +45,10 @@ public abstract class ZoneStoreContract {
         Zone circle = new Zone(
                 "z2",
                 "b “quoted”",
-                new FenceZone.Circle(true, new Geodetic(-17, 179.9), 250.5),
+                new FenceArea.Circle(true, new Geodetic(-17, 179.9), 250.5),
                 new AltitudeBand(10.0, 120.5, Altitude.Reference.AMSL),
                 new ZoneBinding.OfUser("bob"),
-                new Validity(CHANGED, CHANGED.plusSeconds(3600)),
+                new ZoneValidity(CHANGED, CHANGED.plusSeconds(3600)),
                 BreachAction.RETURN_TO_LAUNCH,
                 "alice",
                 CHANGED);
@@ -58,7 +58,7 @@ public abstract class ZoneStoreContract {
                 AREA,
                 new AltitudeBand(null, 60.0, Altitude.Reference.HOME),
                 new ZoneBinding.OfDrone(new DroneId("drone-1")),
-                new Validity(null, CHANGED),
+                new ZoneValidity(null, CHANGED),
                 BreachAction.LAND,
                 "alice",
                 CHANGED);
@@ -70,7 +70,7 @@ public abstract class ZoneStoreContract {
     @Test
     void replacesAZoneOfTheSameId() {
         store.save(List.of(zone("z1", "before", AREA)));
-        Zone after = zone("z1", "after", new FenceZone.Circle(false, new Geodetic(47, 8), 100));
+        Zone after = zone("z1", "after", new FenceArea.Circle(false, new Geodetic(47, 8), 100));
         store.save(List.of(after));
         assertThat(store.zones()).containsExactly(after);
     }
@@ -89,14 +89,14 @@ public abstract class ZoneStoreContract {
         assertThat(store.zones()).isEmpty();
     }
 
-    private static Zone zone(String id, String name, FenceZone shape) {
+    private static Zone zone(String id, String name, FenceArea shape) {
         return new Zone(
                 id,
                 name,
                 shape,
                 AltitudeBand.ALL,
                 ZoneBinding.EVERYBODY,
-                Validity.ALWAYS,
+                ZoneValidity.ALWAYS,
                 BreachAction.HOLD,
                 "alice",
                 CHANGED);

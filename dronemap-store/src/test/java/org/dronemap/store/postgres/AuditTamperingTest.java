@@ -24,7 +24,7 @@ import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.AuditVerifier;
-import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.core.time.RealTime;
 import org.dronemap.store.file.FileAuditHeadStore;
 import org.dronemap.store.secret.HmacKeyedHash;
@@ -67,7 +67,7 @@ class AuditTamperingTest {
     private AuditStore store;
     private FileAuditHeadStore heads;
     private AuditHeadWriter keeper;
-    private SignedHead receipt;
+    private SignedAuditHead receipt;
 
     @BeforeEach
     void fill() {
@@ -194,7 +194,7 @@ class AuditTamperingTest {
     @Test
     void findsThatTheTailIsGoneByAReceiptAlone() throws IOException, SQLException {
         Files.delete(directory.resolve("audit-heads"));
-        heads.add(CHAIN.sign(SignedHead.Kind.BEGUN, AuditHead.EMPTY, AT));
+        heads.add(CHAIN.sign(SignedAuditHead.Kind.BEGUN, AuditHead.EMPTY, AT));
         execute("DELETE FROM audit WHERE sequence >= " + (RECORDS - 2));
         assertThat(verify(null).isSound()).isTrue();
         assertThat(verify(receipt).firstBad()).isEqualTo(RECORDS - 2);
@@ -232,7 +232,7 @@ class AuditTamperingTest {
     void findsAChainMadeAnewWithTheRightKeyAndAllFilesByAReceipt() throws IOException, SQLException {
         remake(CHAIN);
         Files.delete(directory.resolve("audit-heads"));
-        heads.add(CHAIN.sign(SignedHead.Kind.BEGUN, AuditHead.EMPTY, AT));
+        heads.add(CHAIN.sign(SignedAuditHead.Kind.BEGUN, AuditHead.EMPTY, AT));
         assertThat(verify(null).isSound()).isTrue();
         assertThat(verify(receipt).firstBad()).isEqualTo(RECORDS - 2);
     }
@@ -255,14 +255,14 @@ class AuditTamperingTest {
 
     @Test
     void takesNoReceiptButItsOwn() {
-        SignedHead foreign = new AuditChain(new HmacKeyedHash(new byte[] {9}))
-                .sign(SignedHead.Kind.ANCHORED, receipt.head(), receipt.at());
+        SignedAuditHead foreign = new AuditChain(new HmacKeyedHash(new byte[] {9}))
+                .sign(SignedAuditHead.Kind.ANCHORED, receipt.head(), receipt.at());
         assertThat(verify(foreign).why()).contains("not one of this server");
     }
 
     @Test
     void acceptsWhatARestoreTookBackAndStillKnowsReceiptsOfWhatIsGone() throws SQLException {
-        SignedHead last = keeper.receipt();
+        SignedAuditHead last = keeper.receipt();
         execute("DELETE FROM audit WHERE sequence > " + (RECORDS - 1));
         database.close();
         database = SharedDatabase.again();
@@ -278,7 +278,7 @@ class AuditTamperingTest {
         assertThat(verify(last).why()).contains("was restored at");
     }
 
-    private AuditVerdict verify(@Nullable SignedHead with) {
+    private AuditVerdict verify(@Nullable SignedAuditHead with) {
         return new AuditVerifier(store, heads, CHAIN).verify(with);
     }
 

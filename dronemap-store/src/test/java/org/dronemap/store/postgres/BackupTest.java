@@ -55,7 +55,7 @@ import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.SavedMission;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Bounds;
+import org.dronemap.core.zone.FlightBounds;
 import org.dronemap.store.StoreException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -98,7 +98,7 @@ class BackupTest {
             new KeyRights(
                     Role.OPERATOR,
                     new KeyScope(Set.of(DRONE.id()), Set.of(Permission.COMMAND))
-                            .boundedBy(new Bounds(null, new AltitudeBand(10.0, 50.0, Altitude.Reference.HOME))),
+                            .boundedBy(new FlightBounds(null, new AltitudeBand(10.0, 50.0, Altitude.Reference.HOME))),
                     AT),
             "secret",
             AT,

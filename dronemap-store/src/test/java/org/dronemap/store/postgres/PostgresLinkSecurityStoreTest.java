@@ -8,15 +8,16 @@ import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.Base64;
 import java.util.HexFormat;
-import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.store.contract.LinkSecurityStoreContract;
 import org.dronemap.store.secret.SecretBox;
 import org.junit.jupiter.api.Test;
 
 class PostgresLinkSecurityStoreTest extends LinkSecurityStoreContract {
-    private static final LinkSecurity SECURED = new LinkSecurity(COPTER, LinkPolicy.REQUIRED, key(1), key(2), true, 5);
+    private static final LinkSecurity SECURED =
+            new LinkSecurity(COPTER, LinkSigningPolicy.REQUIRED, key(1), key(2), true, 5);
 
     private final SecretBox box = new SecretBox(new byte[SecretBox.SECRET_BYTES]);
     private final PostgresStores database = SharedDatabase.empty();
@@ -48,7 +49,7 @@ class PostgresLinkSecurityStoreTest extends LinkSecurityStoreContract {
         LinkSecurityStore elsewhere = database.linkSecurity(new SecretBox(other));
 
         assertThat(elsewhere.all())
-                .containsExactly(new LinkSecurity(COPTER, LinkPolicy.REQUIRED, null, null, false, 5));
+                .containsExactly(new LinkSecurity(COPTER, LinkSigningPolicy.REQUIRED, null, null, false, 5));
     }
 
     @Test

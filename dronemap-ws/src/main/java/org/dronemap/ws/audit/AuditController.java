@@ -15,7 +15,7 @@ import org.dronemap.ws.access.RequestCost;
 import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.http.FileMediaTypes;
 import org.dronemap.ws.http.ResponseStatuses;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.jspecify.annotations.Nullable;
 import org.springdoc.core.annotations.ParameterObject;
@@ -40,9 +40,9 @@ import org.springframework.web.bind.annotation.RestController;
 public class AuditController {
     private final AuditService audit;
     private final CurrentPrincipal current;
-    private final JsonReader json;
+    private final JsonCodec json;
 
-    public AuditController(AuditService audit, CurrentPrincipal current, JsonReader json) {
+    public AuditController(AuditService audit, CurrentPrincipal current, JsonCodec json) {
         this.audit = audit;
         this.current = current;
         this.json = json;

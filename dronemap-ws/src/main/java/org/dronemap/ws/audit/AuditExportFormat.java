@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -47,7 +47,7 @@ public enum AuditExportFormat {
         }
     }
 
-    public void write(AuditView record, JsonReader json, Writer out) throws IOException {
+    public void write(AuditView record, JsonCodec json, Writer out) throws IOException {
         out.write(this == CSV ? row(record) + "\r\n" : json.write(record) + "\n");
     }
 

@@ -5,7 +5,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.DateTimeException;
 import java.time.Instant;
 import org.dronemap.core.audit.AuditHead;
-import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
@@ -17,15 +17,15 @@ public record AuditReceiptView(
         @JsonProperty("hash") @Nullable String hash,
         @JsonProperty("at") @Nullable String at,
         @JsonProperty("signature") @Nullable String signature) {
-    static AuditReceiptView of(SignedHead signed) {
+    static AuditReceiptView of(SignedAuditHead signed) {
         return new AuditReceiptView(
                 signed.head().sequence(), signed.head().hash(), signed.at().toString(), signed.signature());
     }
 
     /** As it was signed, unless somebody changed it. */
-    public SignedHead signedHead() {
-        return new SignedHead(
-                SignedHead.Kind.ANCHORED,
+    public SignedAuditHead signedHead() {
+        return new SignedAuditHead(
+                SignedAuditHead.Kind.ANCHORED,
                 new AuditHead(sequence == null ? missingNumber() : sequence, given("hash", hash)),
                 time(given("at", at)),
                 given("signature", signature));

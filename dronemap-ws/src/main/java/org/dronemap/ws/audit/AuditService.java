@@ -11,7 +11,7 @@ import org.dronemap.core.audit.AuditQuery;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.AuditedCallRecord;
-import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.DroneProblem;
 import org.dronemap.ws.problem.InvalidInput;
@@ -32,7 +32,7 @@ public final class AuditService {
 
     /** Compares all records with what is kept beside them, and with a receipt if there is one. */
     public interface Verification {
-        AuditVerdict verify(@Nullable SignedHead receipt);
+        AuditVerdict verify(@Nullable SignedAuditHead receipt);
     }
 
     /** Newest first; {@code next}: what to ask for as {@code before} to go on, null: that was all. */

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.LongSupplier;
 import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.RateLimitRejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.Throttled;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -52,7 +52,7 @@ public final class Budgets {
     /**
      * Takes one of that work from the user's budget.
      *
-     * @throws Throttled when there is none left, with how long to wait
+     * @throws RateLimitRejection when there is none left, with how long to wait
      */
     public void charge(WorkKind work, String user) {
         Double rate = rates.perSecond().get(work);
@@ -62,7 +62,7 @@ public final class Budgets {
         double missing = missing(new BudgetKey(work, user), rate);
         if (missing > 0) {
             count(work).increment();
-            throw Throttled.of(
+            throw RateLimitRejection.of(
                     ServerProblem.BUDGET_SPENT,
                     "More than " + number(rate) + " " + work.plural() + " a second for a while",
                     Duration.ofNanos((long) (missing / rate * NANOS)),

@@ -51,7 +51,7 @@ public class ControlController {
             summary = "Take control where nobody has it (operator)",
             description = "Also back from the pilot at the vehicle. Send the heartbeat every 2 s from then on.")
     public ResponseEntity<ControlView> takeControl(@PathVariable String id) {
-        return act(id, new ControlRequest.Take());
+        return act(id, new ControlRequest.TakeControl());
     }
 
     @PostMapping("/request")

@@ -23,7 +23,7 @@ public sealed interface ControlRequest {
     LeaseEvent read(String by, Function<@Nullable String, String> pilot);
 
     /** Takes control where nobody has it. */
-    record Take() implements ControlRequest {
+    record TakeControl() implements ControlRequest {
         @Override
         public ControlAction action() {
             return ControlAction.TAKE;
@@ -31,7 +31,7 @@ public sealed interface ControlRequest {
 
         @Override
         public LeaseEvent read(String by, Function<@Nullable String, String> pilot) {
-            return new LeaseEvent.Take(by);
+            return new LeaseEvent.TakeControl(by);
         }
     }
 

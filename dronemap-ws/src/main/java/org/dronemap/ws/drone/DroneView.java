@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.CloudLossState;
-import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Severity;
@@ -83,7 +83,7 @@ public record DroneView(
     /** How it showed who it is: its address, hardware, signature or link; only the last two prove it. */
     @Schema(name = "DroneIdentityView")
     public record IdentityView(
-            @EnumValues(Evidence.class) String evidence,
+            @EnumValues(IdentityEvidence.class) String evidence,
             boolean proved,
             @Nullable String hardwareId) {}
 

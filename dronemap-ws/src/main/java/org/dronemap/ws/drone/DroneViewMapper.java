@@ -20,8 +20,8 @@ import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.GpsFix;
+import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.LocalPosition;
@@ -119,7 +119,7 @@ public final class DroneViewMapper {
     }
 
     private static DroneView.IdentityView identity(DroneState state) {
-        Evidence strongest = state.standing().strongest();
+        IdentityEvidence strongest = state.standing().strongest();
         return new DroneView.IdentityView(
                 WireNames.camel(strongest),
                 strongest.isProof(),

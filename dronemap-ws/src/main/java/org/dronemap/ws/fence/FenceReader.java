@@ -3,7 +3,7 @@ package org.dronemap.ws.fence;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
@@ -22,7 +22,7 @@ final class FenceReader {
 
     private FenceReader() {}
 
-    static List<FenceZone> fence(FenceView written) {
+    static List<FenceArea> fence(FenceView written) {
         List<FenceView.ZoneView> zones = written.zones();
         if (zones == null || zones.size() > MOST) {
             throw InvalidInput.outside(
@@ -32,7 +32,7 @@ final class FenceReader {
                     zones == null ? "nothing" : zones.size(),
                     ProblemParameter.MOST.is(MOST));
         }
-        List<FenceZone> read = new ArrayList<>();
+        List<FenceArea> read = new ArrayList<>();
         for (int index = 0; index < zones.size(); index++) {
             read.add(zones.get(index).read("zones[" + index + "]."));
         }
@@ -46,7 +46,7 @@ final class FenceReader {
         return inside;
     }
 
-    static List<Geodetic> corners(String at, @Nullable List<FenceView.TelemetryPointView> corners) {
+    static List<Geodetic> corners(String at, @Nullable List<FenceView.FencePointView> corners) {
         if (corners == null || corners.size() < LEAST_CORNERS || corners.size() > MOST_CORNERS) {
             throw InvalidInput.outside(
                     ValueProblem.SIZE_OUT_OF_RANGE,
@@ -63,7 +63,7 @@ final class FenceReader {
         return read;
     }
 
-    static Geodetic point(String at, FenceView.@Nullable TelemetryPointView point) {
+    static Geodetic point(String at, FenceView.@Nullable FencePointView point) {
         return new Geodetic(
                 FieldRanges.latitude(at + "latitude", point == null ? null : point.latitude()),
                 FieldRanges.longitude(at + "longitude", point == null ? null : point.longitude()));
@@ -84,7 +84,7 @@ final class FenceReader {
             String at = "points[" + index + "].";
             FenceView.RallyPointView one = points.get(index);
             read.add(new RallyPoint(
-                    point(at, new FenceView.TelemetryPointView(one.latitude(), one.longitude())),
+                    point(at, new FenceView.FencePointView(one.latitude(), one.longitude())),
                     FieldRanges.checked(at + "altitude", one.altitude(), 0, 10_000, "m above home")));
         }
         return read;

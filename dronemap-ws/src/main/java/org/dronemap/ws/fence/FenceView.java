@@ -8,12 +8,11 @@ import jakarta.validation.constraints.Min;
 import jakarta.validation.constraints.Size;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
-import org.dronemap.ws.reading.TelemetryPointView;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
@@ -36,7 +35,7 @@ public record FenceView(@Nullable List<ZoneView> zones) {
          *
          * @param at what stands before its members' names, such as {@code zones[2].}
          */
-        FenceZone read(String at);
+        FenceArea read(String at);
     }
 
     /** An area within corners. */
@@ -49,11 +48,11 @@ public record FenceView(@Nullable List<ZoneView> zones) {
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "3 to 100")
             @Size(min = FenceReader.LEAST_CORNERS, max = FenceReader.MOST_CORNERS)
             @Nullable
-            List<TelemetryPointView> corners)
+            List<FencePointView> corners)
             implements ZoneView {
         @Override
-        public FenceZone read(String at) {
-            return new FenceZone.Polygon(FenceReader.inside(at, inside), FenceReader.corners(at, corners));
+        public FenceArea read(String at) {
+            return new FenceArea.Polygon(FenceReader.inside(at, inside), FenceReader.corners(at, corners));
         }
     }
 
@@ -65,7 +64,7 @@ public record FenceView(@Nullable List<ZoneView> zones) {
             Boolean inside,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
-            TelemetryPointView center,
+            FencePointView center,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "Metres, 1 to 100000")
             @Min(FieldRanges.LEAST_RADIUS)
@@ -74,8 +73,8 @@ public record FenceView(@Nullable List<ZoneView> zones) {
             Double radius)
             implements ZoneView {
         @Override
-        public FenceZone read(String at) {
-            return new FenceZone.Circle(
+        public FenceArea read(String at) {
+            return new FenceArea.Circle(
                     FenceReader.inside(at, inside),
                     FenceReader.point(at + "center.", center),
                     FieldRanges.radius(at + "radius", radius));
@@ -84,14 +83,14 @@ public record FenceView(@Nullable List<ZoneView> zones) {
 
     /** Degrees. */
     @Schema(name = "FencePointView")
-    public record TelemetryPointView(
+    public record FencePointView(
             @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
             Double latitude,
 
             @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
             Double longitude) {
-        static TelemetryPointView of(Geodetic point) {
-            return new TelemetryPointView(point.latitudeDegrees(), point.longitudeDegrees());
+        static FencePointView of(Geodetic point) {
+            return new FencePointView(point.latitudeDegrees(), point.longitudeDegrees());
         }
     }
 
@@ -122,20 +121,20 @@ public record FenceView(@Nullable List<ZoneView> zones) {
 
             @Nullable Double altitude) {}
 
-    static FenceView of(@Nullable List<FenceZone> zones) {
+    static FenceView of(@Nullable List<FenceArea> zones) {
         return new FenceView(
                 zones == null ? null : zones.stream().map(FenceView::zone).toList());
     }
 
-    private static ZoneView zone(FenceZone zone) {
-        return zone instanceof FenceZone.Circle circle
-                ? new CircleView(circle.inside(), TelemetryPointView.of(circle.center()), circle.radiusMeters())
-                : polygon((FenceZone.Polygon) zone);
+    private static ZoneView zone(FenceArea zone) {
+        return zone instanceof FenceArea.Circle circle
+                ? new CircleView(circle.inside(), FencePointView.of(circle.center()), circle.radiusMeters())
+                : polygon((FenceArea.Polygon) zone);
     }
 
-    private static ZoneView polygon(FenceZone.Polygon polygon) {
+    private static ZoneView polygon(FenceArea.Polygon polygon) {
         return new PolygonView(
                 polygon.inside(),
-                polygon.corners().stream().map(TelemetryPointView::of).toList());
+                polygon.corners().stream().map(FencePointView::of).toList());
     }
 }

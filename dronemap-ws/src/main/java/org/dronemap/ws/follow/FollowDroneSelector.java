@@ -23,10 +23,10 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.ControlState;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.core.virtual.Against;
 import org.dronemap.core.virtual.DroneRequirements;
 import org.dronemap.core.virtual.DroneSelection;
 import org.dronemap.core.virtual.ServiceDemand;
+import org.dronemap.core.virtual.UnfitReason;
 import org.dronemap.core.virtual.VirtualTour;
 import org.dronemap.core.virtual.VirtualTourSection;
 import org.dronemap.ws.problem.CommandProblem;
@@ -99,15 +99,15 @@ final class FollowDroneSelector {
         return new FollowOrder.ChosenDrone(id, drone.name(), home.point(), home.altitudeAmslMeters(), why);
     }
 
-    private Optional<Against> objection(Principal principal, DroneState drone, VirtualTourSection share) {
+    private Optional<UnfitReason> objection(Principal principal, DroneState drone, VirtualTourSection share) {
         ControlState control = cloud.controls().control(drone.id());
         if (control.tenure() != null && !control.isHeldBy(principal.name())) {
-            return Optional.of(Against.of(new Refusal(OutcomeCode.CONTROL_HELD, control.sentence())));
+            return Optional.of(UnfitReason.of(new Refusal(OutcomeCode.CONTROL_HELD, control.sentence())));
         }
         // Whether zones let it go there and back.
         return cloud.gate()
                 .whyNot(principal, drone, new Command.UploadMission(share.mission()))
-                .map(Against::of);
+                .map(UnfitReason::of);
     }
 
     /** It stands in the air and waits for what it is told, and nobody has control of it. */

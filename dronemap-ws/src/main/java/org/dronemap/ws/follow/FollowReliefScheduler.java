@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dronemap.cognitive.operation.follow.Endurance;
+import org.dronemap.cognitive.operation.follow.FollowEndurance;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.cognitive.operation.follow.FollowStage;
@@ -165,7 +165,7 @@ public final class FollowReliefScheduler implements AutoCloseable {
         Geodetic point = position == null ? null : position.point();
         return percent == null || point == null
                 ? Double.POSITIVE_INFINITY
-                : Endurance.secondsLeft(
+                : FollowEndurance.secondsLeft(
                         percent,
                         Geodesy.distanceMeters(point, state.order().chosen().home()));
     }
@@ -173,7 +173,10 @@ public final class FollowReliefScheduler implements AutoCloseable {
     /** The other one stands at its home, or not far from it. */
     private static double secondsNeeded(FollowOrder.ChosenDrone chosen, Geodetic near, FollowState state) {
         double meters = Geodesy.distanceMeters(chosen.home(), near);
-        return LONGER * Endurance.secondsToCome(meters, state.order().place().heightMeters()) + SPARE_SECONDS;
+        return LONGER
+                        * FollowEndurance.secondsToCome(
+                                meters, state.order().place().heightMeters())
+                + SPARE_SECONDS;
     }
 
     /** Nobody looks after it, nobody has it in hand, and it has not failed at this. */

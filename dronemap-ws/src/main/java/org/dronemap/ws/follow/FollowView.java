@@ -11,7 +11,6 @@ import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.operation.ReporterState;
 import org.dronemap.ws.reading.EnumValues;
-import org.dronemap.ws.reading.TelemetryPointView;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
@@ -89,7 +88,7 @@ public record FollowView(
     /** What changes all the time; what nobody knows is null. */
     @Schema(name = "FollowNowView", description = "What changes all the time; null: nobody knows it.")
     public record NowView(
-            @Nullable TelemetryPointView droneAt,
+            @Nullable FollowPointView droneAt,
 
             @Schema(description = "metres above its home") @Nullable
             Double height,
@@ -119,12 +118,12 @@ public record FollowView(
 
     /** Degrees. */
     @Schema(name = "FollowPointView")
-    public record TelemetryPointView(double latitude, double longitude) {}
+    public record FollowPointView(double latitude, double longitude) {}
 
     /** Where the phone said last that it is. */
     @Schema(name = "FollowPhoneView")
     public record PhoneView(
-            TelemetryPointView at,
+            FollowPointView at,
 
             @Schema(description = "metres") double accuracy,
 

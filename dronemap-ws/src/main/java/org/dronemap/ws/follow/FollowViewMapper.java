@@ -1,7 +1,7 @@
 package org.dronemap.ws.follow;
 
 import java.time.temporal.ChronoUnit;
-import org.dronemap.cognitive.operation.follow.Endurance;
+import org.dronemap.cognitive.operation.follow.FollowEndurance;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.core.cloud.CloudManager;
@@ -59,7 +59,7 @@ final class FollowViewMapper {
                 percent,
                 percent == null || point == null
                         ? null
-                        : (int) Endurance.secondsLeft(percent, Geodesy.distanceMeters(point, home)),
+                        : (int) FollowEndurance.secondsLeft(percent, Geodesy.distanceMeters(point, home)),
                 phone == null ? null : phone(phone),
                 reach);
     }
@@ -72,7 +72,7 @@ final class FollowViewMapper {
                 phone.receivedAt().truncatedTo(ChronoUnit.MILLIS));
     }
 
-    private static FollowView.TelemetryPointView point(Geodetic point) {
-        return new FollowView.TelemetryPointView(point.latitudeDegrees(), point.longitudeDegrees());
+    private static FollowView.FollowPointView point(Geodetic point) {
+        return new FollowView.FollowPointView(point.latitudeDegrees(), point.longitudeDegrees());
     }
 }

@@ -14,7 +14,7 @@ import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.RequestCost;
 import org.dronemap.ws.access.ResourceScope;
-import org.dronemap.ws.drone.EventView;
+import org.dronemap.ws.drone.DroneEventView;
 import org.dronemap.ws.http.FileMediaTypes;
 import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.reading.TelemetryPointView;
@@ -155,7 +155,7 @@ public class FlightController {
             summary = "Look at what happened in a flight",
             description =
                     "Messages, modes, commands with their outcomes and so on, from ten seconds before to ten after.")
-    public EventView.Events events(
+    public DroneEventView.Events events(
             @PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.events(telemetry.flight(current.principal(), id), search);
     }

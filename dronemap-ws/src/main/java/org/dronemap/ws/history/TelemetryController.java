@@ -9,7 +9,7 @@ import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.RequestCost;
 import org.dronemap.ws.access.ResourceScope;
-import org.dronemap.ws.drone.EventView;
+import org.dronemap.ws.drone.DroneEventView;
 import org.dronemap.ws.http.FileMediaTypes;
 import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.reading.TelemetryPointView;
@@ -98,7 +98,7 @@ public class TelemetryController {
             operationId = "listDroneEvents",
             summary = "Look at what happened to a drone",
             description = "Oldest first, at most 5000.")
-    public EventView.Events events(
+    public DroneEventView.Events events(
             @PathVariable String id, @ParameterObject @ModelAttribute TelemetrySearchRequest search) {
         return telemetry.events(telemetry.drone(current.principal(), id), search);
     }

@@ -15,8 +15,8 @@ import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.SeriesQuery;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TimeRange;
+import org.dronemap.ws.drone.DroneEventView;
 import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.drone.EventView;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.TelemetryPointView;
@@ -118,17 +118,17 @@ public final class TelemetryService {
                 subject.drone().value(), WireTimes.shown(span.from()), WireTimes.shown(span.until()), points);
     }
 
-    public EventView.Events events(Subject subject, TelemetrySearchRequest search) {
+    public DroneEventView.Events events(Subject subject, TelemetrySearchRequest search) {
         TimeRange span = subject.span(search, around(subject.usual()));
         List<HistoryEvent> events = store.events(subject.drone(), span, MOST_EVENTS + 1);
-        return new EventView.Events(
+        return new DroneEventView.Events(
                 subject.drone().value(),
                 WireTimes.shown(span.from()),
                 WireTimes.shown(span.until()),
                 events.stream()
                         .limit(MOST_EVENTS)
                         .map(subject::shown)
-                        .map(EventView::of)
+                        .map(DroneEventView::of)
                         .toList(),
                 events.size() > MOST_EVENTS);
     }

@@ -15,7 +15,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
 import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -58,7 +58,7 @@ public class ProblemAdvice {
                         ? Rejection.of(
                                 RequestProblem.BODY_NOT_AN_OBJECT,
                                 "A JSON object is needed as the body of this request.")
-                        : JsonReader.rejection(json));
+                        : JsonCodec.rejection(json));
     }
 
     private static <T extends Throwable> @Nullable T causeOf(Throwable thrown, Class<T> kind) {

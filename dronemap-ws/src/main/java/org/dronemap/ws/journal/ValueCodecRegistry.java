@@ -94,7 +94,7 @@ final class ValueCodecRegistry {
         if (records.isEmpty() && !open.containsKey(type)) {
             throw new IllegalStateException("nobody knows how to write a " + type);
         }
-        return new SealedValueCodec(type, records, this);
+        return new SealedInterfaceCodec(type, records, this);
     }
 
     private List<Class<?>> kinds(Class<?> type) {

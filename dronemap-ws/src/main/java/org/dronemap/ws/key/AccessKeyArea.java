@@ -6,7 +6,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import jakarta.validation.constraints.Max;
 import jakarta.validation.constraints.Min;
 import java.util.List;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.reading.AreaReader;
 import org.dronemap.ws.reading.FieldRanges;
@@ -27,7 +27,7 @@ public sealed interface AccessKeyArea {
     String FIELD = "area";
 
     /** Throws {@link InvalidInput} where a member cannot be used. */
-    FenceZone shape();
+    FenceArea shape();
 
     /** An area within corners. */
     @Schema(name = "PolygonKeyArea", description = "An area of 3 to 100 corners.")
@@ -40,7 +40,7 @@ public sealed interface AccessKeyArea {
             List<List<List<Double>>> coordinates)
             implements AccessKeyArea {
         @Override
-        public FenceZone shape() {
+        public FenceArea shape() {
             return reader().polygon(true, coordinates);
         }
     }
@@ -59,7 +59,7 @@ public sealed interface AccessKeyArea {
             Double radius)
             implements AccessKeyArea {
         @Override
-        public FenceZone shape() {
+        public FenceArea shape() {
             return reader().circle(true, coordinates, radius);
         }
     }
@@ -68,22 +68,22 @@ public sealed interface AccessKeyArea {
         return new AreaReader(FIELD, FIELD + ".radius");
     }
 
-    static @Nullable AccessKeyArea of(@Nullable FenceZone area) {
+    static @Nullable AccessKeyArea of(@Nullable FenceArea area) {
         if (area == null) {
             return null;
         }
-        return area instanceof FenceZone.Circle circle
+        return area instanceof FenceArea.Circle circle
                 ? new Point(ZoneGeometry.position(circle.center()), circle.radiusMeters())
-                : new Polygon(ZoneGeometry.rings((FenceZone.Polygon) area));
+                : new Polygon(ZoneGeometry.rings((FenceArea.Polygon) area));
     }
 
     /** "the circle of 500 m around 47.397700, 8.545600". */
-    static String words(FenceZone area) {
-        if (area instanceof FenceZone.Circle circle) {
+    static String words(FenceArea area) {
+        if (area instanceof FenceArea.Circle circle) {
             return "the circle of " + Math.round(circle.radiusMeters()) + " m around "
                     + circle.center().words();
         }
-        List<String> corners = area instanceof FenceZone.Polygon polygon
+        List<String> corners = area instanceof FenceArea.Polygon polygon
                 ? polygon.corners().stream()
                         .map(corner -> "(" + corner.words() + ")")
                         .toList()

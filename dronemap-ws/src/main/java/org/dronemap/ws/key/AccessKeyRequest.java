@@ -17,9 +17,9 @@ import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Bounds;
+import org.dronemap.core.zone.FlightBounds;
 import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
@@ -81,10 +81,10 @@ public record AccessKeyRequest(
         if (area == null && floor == null && ceiling == null) {
             return widest;
         }
-        Bounds outer = widest.innermost();
+        FlightBounds outer = widest.innermost();
         AltitudeBand heights = outer == null ? AltitudeBand.ALL : outer.band();
-        FenceZone inherited = outer == null ? null : outer.area();
-        return widest.boundedBy(new Bounds(area == null ? inherited : area.shape(), band(heights)));
+        FenceArea inherited = outer == null ? null : outer.area();
+        return widest.boundedBy(new FlightBounds(area == null ? inherited : area.shape(), band(heights)));
     }
 
     private AltitudeBand band(AltitudeBand outer) {

@@ -15,8 +15,8 @@ import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.mission.FenceZone;
-import org.dronemap.core.zone.Bounds;
+import org.dronemap.core.mission.FenceArea;
+import org.dronemap.core.zone.FlightBounds;
 import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.problem.AccessProblem;
@@ -202,13 +202,13 @@ public final class AccessKeyService {
     }
 
     private static String area(Principal principal) {
-        Bounds bounds = principal.scope().innermost();
-        FenceZone area = bounds == null ? null : bounds.area();
+        FlightBounds bounds = principal.scope().innermost();
+        FenceArea area = bounds == null ? null : bounds.area();
         return area == null ? "reach" : AccessKeyArea.words(area);
     }
 
     private static String heights(Principal principal) {
-        Bounds bounds = principal.scope().innermost();
+        FlightBounds bounds = principal.scope().innermost();
         return bounds == null ? "any" : bounds.band().words();
     }
 

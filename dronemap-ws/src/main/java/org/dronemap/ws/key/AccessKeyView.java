@@ -13,7 +13,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.zone.AltitudeBand;
-import org.dronemap.core.zone.Bounds;
+import org.dronemap.core.zone.FlightBounds;
 import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
@@ -47,12 +47,12 @@ public record AccessKeyView(
         Instant createdAt,
         @Nullable Instant lastUsedAt,
         @Nullable String key) {
-    private static final Bounds NONE = new Bounds(null, AltitudeBand.ALL);
+    private static final FlightBounds NONE = new FlightBounds(null, AltitudeBand.ALL);
 
     static AccessKeyView of(AccessKey key, @Nullable String secret) {
         KeyScope scope = key.rights().scope();
         Set<DroneId> drones = scope.drones();
-        Bounds bounds = Objects.requireNonNullElse(scope.innermost(), NONE);
+        FlightBounds bounds = Objects.requireNonNullElse(scope.innermost(), NONE);
         AltitudeBand band = bounds.band();
         return new AccessKeyView(
                 key.id(),

@@ -12,8 +12,8 @@ import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.core.link.ClientHost;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.ProblemView;
+import org.dronemap.ws.problem.RateLimitRejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.Throttled;
 import org.dronemap.ws.security.ProblemWriter;
 import org.springframework.web.filter.OncePerRequestFilter;
 
@@ -48,7 +48,7 @@ public final class HostConcurrencyFilter extends OncePerRequestFilter {
                 refused.increment();
                 problems.write(
                         response,
-                        ProblemView.of(Throttled.of(
+                        ProblemView.of(RateLimitRejection.of(
                                 ServerProblem.ADDRESS_CROWDED,
                                 "More than " + most + " requests of your address are being answered",
                                 Duration.ofSeconds(1),

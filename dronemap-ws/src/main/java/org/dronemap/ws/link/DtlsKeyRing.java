@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.link.DtlsKey;
-import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.EndpointStore;
 import org.dronemap.ws.reading.SecretEncryption;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -19,11 +19,11 @@ public final class DtlsKeyRing {
     /** Part of what seals a secret: with other words, the secrets sealed before would not open. */
     private static final String PURPOSE = "link key of ";
 
-    private final LinkStore store;
+    private final EndpointStore store;
     private final SecretEncryption sealing;
     private final Map<String, DtlsKey> keys = new ConcurrentHashMap<>();
 
-    public DtlsKeyRing(LinkStore store, SecretEncryption sealing) {
+    public DtlsKeyRing(EndpointStore store, SecretEncryption sealing) {
         this.store = store;
         this.sealing = sealing;
         store.keys().forEach(key -> keys.put(key.identity(), key));

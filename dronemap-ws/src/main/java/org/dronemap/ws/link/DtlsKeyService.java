@@ -34,7 +34,7 @@ public final class DtlsKeyService {
     private static final int SECRET_BYTES = 32;
 
     private final DtlsKeyRing ring;
-    private final VehicleLinkGateway links;
+    private final VehicleEndpointGateway links;
     private final CloudManager cloud;
     private final Clock clock;
     private final SecureRandom random = new SecureRandom();
@@ -60,7 +60,7 @@ public final class DtlsKeyService {
             boolean connected,
             @Nullable String secret) {}
 
-    public DtlsKeyService(DtlsKeyRing ring, VehicleLinkGateway links, CloudManager cloud, Clock clock) {
+    public DtlsKeyService(DtlsKeyRing ring, VehicleEndpointGateway links, CloudManager cloud, Clock clock) {
         this.ring = ring;
         this.links = links;
         this.cloud = cloud;

@@ -3,7 +3,7 @@ package org.dronemap.ws.link;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.problem.ProblemCode;
 import org.jspecify.annotations.Nullable;
@@ -25,7 +25,7 @@ public interface LinkSecurityGateway {
     LinkSecurityView view(DroneId drone);
 
     /** Why the policy cannot be that now; empty: it is, durably. */
-    Optional<Fault> policy(DroneId drone, LinkPolicy policy);
+    Optional<Fault> policy(DroneId drone, LinkSigningPolicy policy);
 
     /** Keeps a key that the vehicle does not have yet; false when it uses one already. */
     boolean put(DroneId drone, LinkKey key);

@@ -10,7 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeoutException;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.OutcomeCode;
@@ -48,7 +48,7 @@ public final class LinkSecurityService {
     /** A change of the policy. */
     @Schema(name = "LinkSecurityPolicyRequest")
     public record PolicyRequest(
-            @EnumValues(LinkPolicy.class) @Nullable String policy) {}
+            @EnumValues(LinkSigningPolicy.class) @Nullable String policy) {}
 
     /** A new key; without one given it is made up. */
     @Schema(name = "LinkKeyRequest")
@@ -91,7 +91,7 @@ public final class LinkSecurityService {
         if (wanted == null) {
             throw InvalidInput.missing("policy", POLICIES);
         }
-        LinkPolicy policy = Arrays.stream(LinkPolicy.values())
+        LinkSigningPolicy policy = Arrays.stream(LinkSigningPolicy.values())
                 .filter(each -> WireNames.camel(each).equals(wanted))
                 .findFirst()
                 .orElseThrow(() ->

@@ -1,14 +1,14 @@
 package org.dronemap.ws.link;
 
 import io.swagger.v3.oas.annotations.media.Schema;
-import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
 /** MAVLink signing of a drone's links as clients see it, with key fingerprints and counters but no secret. */
 @Schema(name = "LinkSecurityView", description = "How a drone's link is secured; a key shows its fingerprint only.")
 public record LinkSecurityView(
-        @EnumValues(LinkPolicy.class) String policy,
+        @EnumValues(LinkSigningPolicy.class) String policy,
         @Nullable Key key,
 
         @Schema(description = "Fingerprint of the key that is being changed over to") @Nullable

@@ -10,7 +10,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.BitSet;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
-import org.dronemap.core.command.LogSink;
+import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.ws.budget.WorkKind;
 import org.jspecify.annotations.Nullable;
@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
  * One vehicle log that is being downloaded to disk, piece by piece, and can be resumed. The lane gives pieces; the
  * shelf's thread writes them.
  */
-final class OnboardLogFile implements LogSink {
+final class OnboardLogFile implements VehicleLogSink {
     private static final Logger LOG = LoggerFactory.getLogger(OnboardLogFile.class);
     private static final int PIECES_BETWEEN_KEEPING = 512;
 

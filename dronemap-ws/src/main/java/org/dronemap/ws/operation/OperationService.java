@@ -156,7 +156,7 @@ public final class OperationService<S, I> {
         });
         Lease tenure = cloud.controls().control(drone).tenure();
         if (tenure != null && tenure.holder() instanceof LeaseHolder.Pilot) {
-            cloud.controls().apply(drone, new LeaseEvent.Take(principal.name()));
+            cloud.controls().apply(drone, new LeaseEvent.TakeControl(principal.name()));
         }
         releaseControl(principal, drone);
     }

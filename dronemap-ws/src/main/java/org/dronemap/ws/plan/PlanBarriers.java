@@ -16,7 +16,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneRegistry;
 
@@ -76,10 +76,10 @@ public final class PlanBarriers {
         if (zone.shape().inside()) {
             return true;
         }
-        if (zone.shape() instanceof FenceZone.Circle circle) {
+        if (zone.shape() instanceof FenceArea.Circle circle) {
             return meets(List.of(plane.spot(circle.center())), circle.radiusMeters());
         }
-        return zone.shape() instanceof FenceZone.Polygon polygon && meets(spots(polygon.corners()), 0);
+        return zone.shape() instanceof FenceArea.Polygon polygon && meets(spots(polygon.corners()), 0);
     }
 
     private List<PlanePoint> spots(List<Geodetic> corners) {

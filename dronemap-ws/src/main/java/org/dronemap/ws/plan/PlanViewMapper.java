@@ -10,10 +10,10 @@ import java.util.stream.Stream;
 import org.dronemap.cognitive.engine.PlanResult;
 import org.dronemap.cognitive.engine.SearchProgress;
 import org.dronemap.cognitive.plan.Plan;
-import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.TimedPlace;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.plan.TourLeg;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.PlanningProblem;
@@ -138,7 +138,7 @@ public final class PlanViewMapper {
                         .toList());
     }
 
-    private static PlanView.StopView stop(Stop stop) {
+    private static PlanView.StopView stop(TourStop stop) {
         Place place = stop.way().to();
         return new PlanView.StopView(
                 stop.waypoint(),

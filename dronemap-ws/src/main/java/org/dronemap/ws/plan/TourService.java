@@ -13,7 +13,7 @@ import org.dronemap.cognitive.allocate.SearchBudget;
 import org.dronemap.cognitive.engine.FleetPlanner;
 import org.dronemap.cognitive.engine.PlanResult;
 import org.dronemap.cognitive.plan.Plan;
-import org.dronemap.cognitive.plan.Stop;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -77,7 +77,7 @@ public final class TourService implements AutoCloseable {
         List<Integer> order = new ArrayList<>();
         found.plan().tours().stream()
                 .flatMap(one -> one.stops().stream())
-                .map(Stop::waypoint)
+                .map(TourStop::waypoint)
                 .forEach(waypoint -> order.add(numbers.remove(waypoint)));
         order.addAll(numbers.values());
         if (tour.lastStays()) {

@@ -8,7 +8,7 @@ import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.ObjectionCode;
 import org.dronemap.core.operation.ObjectionEntry;
 import org.dronemap.core.operation.OperationObjection;
-import org.dronemap.core.virtual.VirtualObjection;
+import org.dronemap.core.virtual.VirtualDroneObjection;
 
 /** Problem code of why a mission run, a follow or a virtual drone does not do what a user asked of it. */
 public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
@@ -17,7 +17,7 @@ public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
                         OperationObjection.values(),
                         RunObjection.values(),
                         FollowObjection.values(),
-                        VirtualObjection.values())
+                        VirtualDroneObjection.values())
                 .flatMap(Stream::of)
                 .map(ObjectionProblem::new)
                 .toList();

@@ -82,7 +82,7 @@ public record ProblemView(
                 rejection.commandId(),
                 rejection.holder(),
                 rejection.heldSince(),
-                rejection instanceof Throttled throttled ? (Long) throttled.retryAfterSeconds() : null);
+                rejection instanceof RateLimitRejection throttled ? (Long) throttled.retryAfterSeconds() : null);
     }
 
     /** In the order of their names. */

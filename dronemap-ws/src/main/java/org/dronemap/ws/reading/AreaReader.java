@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.ShapeValidator;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
@@ -27,17 +27,17 @@ public final class AreaReader {
     }
 
     /** {@code rings}: of positions, longitude first. */
-    public FenceZone polygon(boolean inside, @Nullable List<List<List<Double>>> rings) {
-        return sound(new FenceZone.Polygon(inside, corners(rings)));
+    public FenceArea polygon(boolean inside, @Nullable List<List<List<Double>>> rings) {
+        return sound(new FenceArea.Polygon(inside, corners(rings)));
     }
 
     /** {@code radius}: in metres. */
-    public FenceZone circle(boolean inside, @Nullable List<Double> middle, @Nullable Double radius) {
-        return sound(new FenceZone.Circle(
+    public FenceArea circle(boolean inside, @Nullable List<Double> middle, @Nullable Double radius) {
+        return sound(new FenceArea.Circle(
                 inside, position(at + ".coordinates", middle), FieldRanges.radius(radiusField, radius)));
     }
 
-    private FenceZone sound(FenceZone shape) {
+    private FenceArea sound(FenceArea shape) {
         Optional<String> fault = ShapeValidator.of(shape);
         if (fault.isPresent()) {
             throw new InvalidInput(ValueProblem.AREA_UNUSABLE, at, "a simple area", fault.get());

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.EndpointStore;
 import org.dronemap.core.link.RobotKey;
 import org.dronemap.ws.reading.SecretGenerator;
 
@@ -14,10 +14,10 @@ public final class RobotKeyRing {
     /** What all of them begin with, so that one which is not valid any more is told from a word of a robot's own. */
     private static final String BEGINNING = "rk-";
 
-    private final LinkStore store;
+    private final EndpointStore store;
     private final Map<String, RobotKey> byHash = new ConcurrentHashMap<>();
 
-    public RobotKeyRing(LinkStore store) {
+    public RobotKeyRing(EndpointStore store) {
         this.store = store;
         store.robotKeys().forEach(key -> byHash.put(key.hash(), key));
     }

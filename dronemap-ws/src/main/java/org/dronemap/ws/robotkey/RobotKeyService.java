@@ -19,7 +19,7 @@ import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.history.NameRedaction;
-import org.dronemap.ws.link.VehicleLinkGateway;
+import org.dronemap.ws.link.VehicleEndpointGateway;
 import org.dronemap.ws.organisation.OrganisationService;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.NotFoundProblem;
@@ -48,7 +48,7 @@ public final class RobotKeyService {
     private final Supplier<DroneId> newIds;
 
     /** The links that end with a key, the drones that robots are, and whose they are. */
-    public record Dependencies(VehicleLinkGateway links, CloudManager cloud, OrganisationService organisations) {}
+    public record Dependencies(VehicleEndpointGateway links, CloudManager cloud, OrganisationService organisations) {}
 
     /**
      * A key for a robot that is still to come, or a new one for one that has one.

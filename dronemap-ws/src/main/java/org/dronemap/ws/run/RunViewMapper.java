@@ -5,9 +5,9 @@ import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.operation.run.RunState;
-import org.dronemap.cognitive.operation.run.model.Explanation;
-import org.dronemap.cognitive.operation.run.model.PlanProposal;
+import org.dronemap.cognitive.operation.run.model.ReplanProposal;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunExplanation;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.replan.PlanFigures;
@@ -28,7 +28,7 @@ public final class RunViewMapper {
     public static RunView view(Snapshot<RunState> run) {
         SavedOperation saved = run.saved();
         RunState state = run.state();
-        PlanProposal proposal = state.proposal();
+        ReplanProposal proposal = state.proposal();
         return new RunView(
                 saved.id().value(),
                 saved.name(),
@@ -133,7 +133,7 @@ public final class RunViewMapper {
         return task instanceof WaypointTask.Look ? "lookAt" : "readSensors";
     }
 
-    private static RunView.ProposalView proposal(PlanProposal proposal) {
+    private static RunView.ProposalView proposal(ReplanProposal proposal) {
         return new RunView.ProposalView(
                 proposal.number(),
                 millis(proposal.at()),
@@ -143,7 +143,7 @@ public final class RunViewMapper {
                 shown(proposal.plan().after()));
     }
 
-    private static RunView.ExplanationView explanation(Explanation explanation) {
+    private static RunView.ExplanationView explanation(RunExplanation explanation) {
         return new RunView.ExplanationView(
                 explanation.number(),
                 millis(explanation.at()),

@@ -27,12 +27,12 @@ public final class AccessFilter extends OncePerRequestFilter {
     private static final Set<String> READING = Set.of("GET", "HEAD", "OPTIONS");
 
     private final RestOperations operations;
-    private final Authentication authentication;
+    private final CallerAuthenticator authentication;
     private final ProblemWriter problems;
     private final Budgets budgets;
 
     public AccessFilter(
-            RestOperations operations, Authentication authentication, Budgets budgets, ProblemWriter problems) {
+            RestOperations operations, CallerAuthenticator authentication, Budgets budgets, ProblemWriter problems) {
         this.operations = operations;
         this.authentication = authentication;
         this.budgets = budgets;

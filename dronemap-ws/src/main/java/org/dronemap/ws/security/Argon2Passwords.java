@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.concurrent.Semaphore;
 import java.util.function.Supplier;
 import org.dronemap.ws.account.PasswordHashing;
+import org.dronemap.ws.problem.RateLimitRejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.Throttled;
 import org.springframework.security.crypto.argon2.Argon2PasswordEncoder;
 
 /** Hashes users' passwords with Argon2id (16 MiB, two passes), two at a time and few waiting, to bound memory. */
@@ -42,7 +42,8 @@ public final class Argon2Passwords implements PasswordHashing {
 
     private <T> T inTurn(Supplier<T> work) {
         if (!waiting.tryAcquire()) {
-            throw Throttled.of(ServerProblem.SIGN_INS_CROWDED, "Too many people are signing in at this moment", WAIT);
+            throw RateLimitRejection.of(
+                    ServerProblem.SIGN_INS_CROWDED, "Too many people are signing in at this moment", WAIT);
         }
         try {
             atOnce.acquireUninterruptibly();

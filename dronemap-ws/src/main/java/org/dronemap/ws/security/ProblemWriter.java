@@ -5,13 +5,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.dronemap.ws.access.AuditNotes;
 import org.dronemap.ws.problem.ProblemView;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 
 /** Writes a problem response from a servlet filter, where no REST handler is involved. */
 public final class ProblemWriter {
-    private final JsonReader json;
+    private final JsonCodec json;
 
-    public ProblemWriter(JsonReader json) {
+    public ProblemWriter(JsonCodec json) {
         this.json = json;
     }
 

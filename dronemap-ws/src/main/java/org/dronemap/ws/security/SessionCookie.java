@@ -15,7 +15,7 @@ public final class SessionCookie {
 
     /** The header value that hands it out. */
     public static String issue(String token, boolean secure) {
-        return build(token, secure, Authentication.SESSION_LENGTH);
+        return build(token, secure, CallerAuthenticator.SESSION_LENGTH);
     }
 
     /** The header value that takes it back. */

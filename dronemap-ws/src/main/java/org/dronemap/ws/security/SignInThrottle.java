@@ -5,8 +5,8 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.dronemap.ws.problem.RateLimitRejection;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.problem.Throttled;
 
 /**
  * Slows down password guessing at the sign-in: each wrong password doubles a wait, from 30 s up to 15 min. Counted for
@@ -67,7 +67,7 @@ final class SignInThrottle {
         if (left.isNegative() || left.isZero()) {
             return;
         }
-        throw Throttled.of(ServerProblem.ATTEMPTS_SPENT, "Too many wrong passwords", left);
+        throw RateLimitRejection.of(ServerProblem.ATTEMPTS_SPENT, "Too many wrong passwords", left);
     }
 
     private static Duration rest(int doublings) {

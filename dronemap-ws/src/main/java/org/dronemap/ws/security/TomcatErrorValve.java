@@ -8,7 +8,7 @@ import org.apache.catalina.valves.ErrorReportValve;
 import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RequestProblem;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -18,9 +18,9 @@ public final class TomcatErrorValve extends ErrorReportValve {
     private static final Logger LOG = LoggerFactory.getLogger(TomcatErrorValve.class);
     private static final int BAD_REQUEST = 400;
 
-    private final JsonReader json;
+    private final JsonCodec json;
 
-    public TomcatErrorValve(JsonReader json) {
+    public TomcatErrorValve(JsonCodec json) {
         this.json = json;
     }
 

@@ -9,7 +9,7 @@ import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
-import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.core.time.Time;
 import org.dronemap.store.Stores;
 import org.dronemap.store.file.FileAuditHeadStore;
@@ -41,7 +41,7 @@ final class AuditBuilder {
     }
 
     /** For a server that does not run. */
-    AuditVerdict verify(Stores stores, @Nullable SignedHead receipt) {
+    AuditVerdict verify(Stores stores, @Nullable SignedAuditHead receipt) {
         AuditStore store = stores.audit(chain);
         return components(store, new AuditHeadWriter(store, heads, chain, time)).verify(receipt);
     }

@@ -41,6 +41,6 @@ record AuditedOutletControl(CloudManager cloud, AuditRecorder desk) implements O
         if (event instanceof LeaseEvent.Grant) {
             return "handControlOver";
         }
-        return event instanceof LeaseEvent.Take ? "takeControl" : "requestControl";
+        return event instanceof LeaseEvent.TakeControl ? "takeControl" : "requestControl";
     }
 }

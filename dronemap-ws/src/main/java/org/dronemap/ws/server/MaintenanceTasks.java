@@ -6,13 +6,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronemap.core.audit.AuditVerdict;
-import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.core.time.Time;
 import org.dronemap.store.postgres.BackupSummary;
 import org.dronemap.store.postgres.PostgresStores;
 import org.dronemap.ws.audit.AuditReceiptView;
 import org.dronemap.ws.environment.SetupException;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.settings.ServerSettings;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -57,7 +57,7 @@ public final class MaintenanceTasks {
     }
 
     private int verify(@Nullable Path receipt) {
-        SignedHead head = receipt == null ? null : read(receipt).signedHead();
+        SignedAuditHead head = receipt == null ? null : read(receipt).signedHead();
         PostgresStores database = new DatabaseBuilder(settings).open(closing);
         AuditVerdict verdict = new AuditBuilder(settings, time).verify(database, head);
         System.out.println("VERDICT " + verdict.sentence());
@@ -66,7 +66,7 @@ public final class MaintenanceTasks {
 
     private static AuditReceiptView read(Path receipt) {
         try {
-            return new JsonReader().read(Files.readString(receipt, StandardCharsets.UTF_8), AuditReceiptView.class);
+            return new JsonCodec().read(Files.readString(receipt, StandardCharsets.UTF_8), AuditReceiptView.class);
         } catch (IOException e) {
             throw new SetupException("The receipt " + receipt + " cannot be read: " + e.getMessage(), e);
         }

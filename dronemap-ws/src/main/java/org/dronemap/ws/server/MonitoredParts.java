@@ -9,7 +9,7 @@ import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.proxy.endpoint.EndpointRegistry;
-import org.dronemap.proxy.roslink.RoslinkProxy;
+import org.dronemap.proxy.roslink.RoslinkConnector;
 import org.dronemap.ws.system.ServerPart;
 
 /** Lists the threads and endpoints of the server whose health is monitored, each with a stable name. */
@@ -19,7 +19,7 @@ record MonitoredParts(
         VirtualDrones virtuals,
         Operations operations,
         EndpointRegistry vehicles,
-        RoslinkProxy robots) {
+        RoslinkConnector robots) {
     /** A lane does nothing that takes long. */
     private static final Duration LONGEST_ON_A_LANE = Duration.ofSeconds(2);
     /** Who writes waits for the database, which answers within five seconds or is told to be down. */

@@ -14,8 +14,8 @@ import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.journal.FollowCodec;
-import org.dronemap.ws.journal.RunCodec;
+import org.dronemap.ws.journal.FollowJournalCodec;
+import org.dronemap.ws.journal.RunJournalCodec;
 
 /** The components that conduct operations, with the two kinds there are: mission runs and follows. */
 public record OperationComponents(
@@ -32,9 +32,9 @@ public record OperationComponents(
     public static OperationComponents of(
             CloudManager cloud, OperationStore store, OperationRights rights, FollowSeparation apart, Time time) {
         OperationKind<RunState, RunInput> kind =
-                new OperationKind<>(MISSION_RUN, new MissionRunOperation(), new RunCodec());
+                new OperationKind<>(MISSION_RUN, new MissionRunOperation(), new RunJournalCodec());
         OperationKind<FollowState, FollowInput> follows =
-                new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowCodec());
+                new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowJournalCodec());
         return new OperationComponents(
                 new Operations(cloud, store, rights, time, List.of(kind, follows)), kind, follows);
     }

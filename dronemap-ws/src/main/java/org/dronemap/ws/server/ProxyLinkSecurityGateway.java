@@ -3,7 +3,7 @@ package org.dronemap.ws.server;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.proxy.signing.KeyChangeFault;
@@ -43,7 +43,7 @@ record ProxyLinkSecurityGateway(KeyringRegistry keyrings) implements LinkSecurit
     }
 
     @Override
-    public Optional<Fault> policy(DroneId drone, LinkPolicy policy) {
+    public Optional<Fault> policy(DroneId drone, LinkSigningPolicy policy) {
         return why(keyrings.policy(drone, policy));
     }
 

@@ -26,19 +26,19 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.history.HistoryRecorder;
 import org.dronemap.core.history.TelemetryStore;
-import org.dronemap.core.link.LinkStore;
-import org.dronemap.core.link.SavedLink;
+import org.dronemap.core.link.EndpointStore;
+import org.dronemap.core.link.SavedEndpoint;
 import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.VirtualRunMachine;
-import org.dronemap.proxy.MavlinkProxy;
+import org.dronemap.proxy.MavlinkConnector;
 import org.dronemap.proxy.endpoint.BoundedWebSocketFactory;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.outlet.Outlet;
 import org.dronemap.proxy.record.Recorder;
-import org.dronemap.proxy.roslink.RoslinkProxy;
+import org.dronemap.proxy.roslink.RoslinkConnector;
 import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.proxy.signing.KeyringRegistry;
 import org.dronemap.store.Stores;
@@ -46,7 +46,7 @@ import org.dronemap.store.mongo.MongoTelemetryStore;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
 import org.dronemap.ws.environment.SetupException;
-import org.dronemap.ws.follow.AccountRights;
+import org.dronemap.ws.follow.OwnerRightsCache;
 import org.dronemap.ws.link.DtlsKeyRing;
 import org.dronemap.ws.robotkey.RobotKeyRing;
 import org.dronemap.ws.security.Argon2Passwords;
@@ -70,11 +70,11 @@ public final class ServerBuilder {
     private final ProcessStart beginning;
     private final Lanes lanes;
     private final OutletBuilder outlets;
-    private final RobotBuilder robots;
+    private final RobotEndpointBuilder robots;
     private @Nullable Outlet outlet;
-    private @Nullable MavlinkProxy proxy;
-    private @Nullable RoslinkProxy robotLinks;
-    private @Nullable LinkStore savedLinks;
+    private @Nullable MavlinkConnector proxy;
+    private @Nullable RoslinkConnector robotLinks;
+    private @Nullable EndpointStore savedLinks;
     private @Nullable Operations operations;
     private volatile boolean connected;
 
@@ -88,7 +88,7 @@ public final class ServerBuilder {
         this.endpoints =
                 settings.endpoints().stream().map(ServerBuilder::endpoint).toList();
         this.outlets = new OutletBuilder(settings.outlet(), time);
-        this.robots = new RobotBuilder(settings.robots(), time);
+        this.robots = new RobotEndpointBuilder(settings.robots(), time);
     }
 
     public List<Lane> lanes() {
@@ -109,9 +109,9 @@ public final class ServerBuilder {
         Recorder recorder = recorder(stores, journal, cloud);
         Outlet clients = outlet(control(cloud, audit), stores, journal, box, grants, doors(dtlsKeys));
         KeyringRegistry keyrings = keyrings(cloud, stores, journal, box);
-        MavlinkProxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), stores.links());
+        MavlinkConnector links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), stores.links());
         RobotKeyRing robotKeys = new RobotKeyRing(stores.links());
-        RoslinkProxy robotSide = robots(cloud, recorder, robotKeys, doors(dtlsKeys));
+        RoslinkConnector robotSide = robots(cloud, recorder, robotKeys, doors(dtlsKeys));
         VirtualDrones virtuals = virtualDrones(cloud, stores, grants, audit);
         OperationComponents runs = runs(cloud, stores, grants);
         return new ServerComponents(
@@ -123,7 +123,7 @@ public final class ServerBuilder {
                 new ProxyReplayGateway(links.replays()),
                 recorder.archive(),
                 history,
-                linkSide(new ProxyLinkGateway(links, robotSide), stores, dtlsKeys, robotKeys, clients),
+                linkSide(new ProxyEndpointGateway(links, robotSide), stores, dtlsKeys, robotKeys, clients),
                 stores::isUp,
                 file -> writeBackup(stores, file),
                 new ProxyLinkSecurityGateway(links.keyrings()),
@@ -138,7 +138,11 @@ public final class ServerBuilder {
     }
 
     private ServerComponents.LinkComponents linkSide(
-            ProxyLinkGateway vehicles, Stores stores, DtlsKeyRing dtlsKeys, RobotKeyRing robotKeys, Outlet clients) {
+            ProxyEndpointGateway vehicles,
+            Stores stores,
+            DtlsKeyRing dtlsKeys,
+            RobotKeyRing robotKeys,
+            Outlet clients) {
         return new ServerComponents.LinkComponents(
                 vehicles, stores.links(), dtlsKeys, robotKeys, new ProxyOutletGateway(clients), () -> connected);
     }
@@ -147,14 +151,14 @@ public final class ServerBuilder {
         return new HistoryBuilder(settings.history(), time).open(telemetry(stores), stores.flights(), cloud, closing);
     }
 
-    private MavlinkProxy links(
+    private MavlinkConnector links(
             CloudManager cloud,
             KeyringRegistry keyrings,
             FrameTap.Factory taps,
             EndpointSecurity doors,
-            LinkStore saved) {
-        MavlinkProxy.Policy policy = new MavlinkProxy.Policy(keyrings, taps, doors, settings.enrolment());
-        MavlinkProxy links = new MavlinkProxy(cloud, lanes, endpoints, policy, time);
+            EndpointStore saved) {
+        MavlinkConnector.Policy policy = new MavlinkConnector.Policy(keyrings, taps, doors, settings.enrolment());
+        MavlinkConnector links = new MavlinkConnector(cloud, lanes, endpoints, policy, time);
         closing.add("the links", links);
         proxy = links;
         savedLinks = saved;
@@ -165,10 +169,10 @@ public final class ServerBuilder {
         return new AuditedOutletControl(cloud, audit.recorder());
     }
 
-    private RoslinkProxy robots(CloudManager cloud, Recorder recorder, RobotKeyRing keys, EndpointSecurity doors) {
-        RoslinkProxy.Policy policy =
-                new RoslinkProxy.Policy(new IssuedRobotKeys(keys), recorder::openLines, doors, settings.enrolment());
-        RoslinkProxy built = robots.build(cloud, lanes, policy);
+    private RoslinkConnector robots(CloudManager cloud, Recorder recorder, RobotKeyRing keys, EndpointSecurity doors) {
+        RoslinkConnector.Policy policy = new RoslinkConnector.Policy(
+                new IssuedRobotKeys(keys), recorder::openLines, doors, settings.enrolment());
+        RoslinkConnector built = robots.build(cloud, lanes, policy);
         closing.add("the links to robots", built);
         robotLinks = built;
         return built;
@@ -221,7 +225,7 @@ public final class ServerBuilder {
                 cloud,
                 stores.virtualDrones(),
                 new VirtualRunMachine(settings.virtualSilence()),
-                new AccountRights(stores.access(), grants, time),
+                new OwnerRightsCache(stores.access(), grants, time),
                 time);
         virtuals.addListener(new BindingAuditListener(audit.store(), time.clock(), virtuals.all()));
         if (beginning.precautions().isActive()) {
@@ -236,7 +240,11 @@ public final class ServerBuilder {
     /** As for virtual drones. */
     private OperationComponents runs(CloudManager cloud, Stores stores, GrantRegistry grants) {
         OperationComponents runs = OperationComponents.of(
-                cloud, stores.operations(), new AccountRights(stores.access(), grants, time), settings.apart(), time);
+                cloud,
+                stores.operations(),
+                new OwnerRightsCache(stores.access(), grants, time),
+                settings.apart(),
+                time);
         if (beginning.precautions().isActive()) {
             runs.operations().setAside(SET_ASIDE);
         } else {
@@ -375,8 +383,8 @@ public final class ServerBuilder {
     }
 
     /** What was added at run time; an endpoint that the settings name as well is there already. */
-    private static void addSaved(MavlinkProxy proxy, LinkStore saved) {
-        for (SavedLink link : saved.links()) {
+    private static void addSaved(MavlinkConnector proxy, EndpointStore saved) {
+        for (SavedEndpoint link : saved.links()) {
             try {
                 proxy.links().retryLater(link.id(), EndpointUrl.parse(link.url()));
             } catch (IllegalStateException | IllegalArgumentException e) {

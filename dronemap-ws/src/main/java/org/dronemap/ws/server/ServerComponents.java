@@ -12,11 +12,11 @@ import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.AuditVerifier;
-import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.history.HistoryRecorder;
-import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.EndpointStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.recording.RecordingArchive;
@@ -25,7 +25,7 @@ import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.ws.account.PasswordHashing;
 import org.dronemap.ws.link.DtlsKeyRing;
 import org.dronemap.ws.link.LinkSecurityGateway;
-import org.dronemap.ws.link.VehicleLinkGateway;
+import org.dronemap.ws.link.VehicleEndpointGateway;
 import org.dronemap.ws.outlet.OutletGateway;
 import org.dronemap.ws.recording.ReplayGateway;
 import org.dronemap.ws.robotkey.RobotKeyRing;
@@ -59,7 +59,7 @@ public record ServerComponents(
     /** Where it is kept what was done by whom, what writes it, and what vouches for it beside the database. */
     public record AuditComponents(
             AuditStore store, AuditHeadStore heads, AuditChain chain, AuditHeadWriter keeper, AuditRecorder recorder) {
-        public AuditVerdict verify(@Nullable SignedHead receipt) {
+        public AuditVerdict verify(@Nullable SignedAuditHead receipt) {
             return new AuditVerifier(store, heads, chain).verify(receipt);
         }
     }
@@ -71,8 +71,8 @@ public record ServerComponents(
      * @param open all ways in are open: those for vehicles before the faces start, that for ground stations after them
      */
     public record LinkComponents(
-            VehicleLinkGateway vehicles,
-            LinkStore store,
+            VehicleEndpointGateway vehicles,
+            EndpointStore store,
             DtlsKeyRing keys,
             RobotKeyRing robotKeys,
             OutletGateway outlet,

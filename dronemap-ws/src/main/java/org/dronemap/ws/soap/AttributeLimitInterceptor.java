@@ -33,7 +33,7 @@ final class AttributeLimitInterceptor extends AbstractPhaseInterceptor<Message> 
         public int next() throws XMLStreamException {
             int event = super.next();
             if (event == START_ELEMENT && getAttributeCount() > MOST) {
-                throw FaultTextInterceptor.unreadable("An element may have at most " + MOST + " attributes.");
+                throw UndispatchedFaultInterceptor.unreadable("An element may have at most " + MOST + " attributes.");
             }
             return event;
         }

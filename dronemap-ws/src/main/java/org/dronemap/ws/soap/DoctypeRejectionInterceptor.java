@@ -25,7 +25,7 @@ final class DoctypeRejectionInterceptor extends AbstractPhaseInterceptor<Message
         try {
             while (reader.getEventType() != XMLStreamConstants.START_ELEMENT) {
                 if (reader.getEventType() == XMLStreamConstants.DTD) {
-                    throw FaultTextInterceptor.unreadable("A SOAP message must not have a DOCTYPE.");
+                    throw UndispatchedFaultInterceptor.unreadable("A SOAP message must not have a DOCTYPE.");
                 }
                 if (!reader.hasNext()) {
                     return;
@@ -33,7 +33,7 @@ final class DoctypeRejectionInterceptor extends AbstractPhaseInterceptor<Message
                 reader.next();
             }
         } catch (XMLStreamException e) {
-            throw FaultTextInterceptor.unreadable("This is not well-formed XML.");
+            throw UndispatchedFaultInterceptor.unreadable("This is not well-formed XML.");
         }
     }
 }

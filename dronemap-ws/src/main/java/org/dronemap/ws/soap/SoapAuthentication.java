@@ -11,7 +11,7 @@ import org.apache.cxf.message.Message;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.security.AuthenticatedCaller;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.ForwardedCaller;
 import org.dronemap.ws.soap.xml.SoapNamespaces;
 import org.jspecify.annotations.Nullable;
@@ -24,10 +24,10 @@ public final class SoapAuthentication {
             "Send an access key (Authorization: Bearer KEY, or the SOAP header accessKey), or name and password by HTTP"
                     + " Basic or as UsernameToken.";
 
-    private final Authentication authentication;
+    private final CallerAuthenticator authentication;
     private final UsernameTokenReader tokens;
 
-    public SoapAuthentication(Authentication authentication, UsernameTokenReader tokens) {
+    public SoapAuthentication(CallerAuthenticator authentication, UsernameTokenReader tokens) {
         this.authentication = authentication;
         this.tokens = tokens;
     }

@@ -12,7 +12,7 @@ import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.problem.ServerProblem;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.security.ForwardedCaller;
 import org.dronemap.ws.soap.description.SoapOperation;
 import org.dronemap.ws.soap.description.SoapServices;
@@ -35,10 +35,11 @@ public final class SoapCallExecutor {
 
     private final SoapContract contract;
     private final SoapAuthentication caller;
-    private final RestDispatcher rest;
-    private final JsonReader json;
+    private final InProcessRestClient rest;
+    private final JsonCodec json;
 
-    public SoapCallExecutor(SoapContract contract, SoapAuthentication caller, RestDispatcher rest, JsonReader json) {
+    public SoapCallExecutor(
+            SoapContract contract, SoapAuthentication caller, InProcessRestClient rest, JsonCodec json) {
         this.contract = contract;
         this.caller = caller;
         this.rest = rest;

@@ -37,7 +37,7 @@ public final class SoapEndpointFactory {
                         new DoctypeRejectionInterceptor(),
                         new AttributeLimitInterceptor(),
                         new CredentialHeaderInterceptor()));
-        endpoint.getOutFaultInterceptors().add(new FaultTextInterceptor(calls));
+        endpoint.getOutFaultInterceptors().add(new UndispatchedFaultInterceptor(calls));
         endpoint.publish("/" + name);
         return endpoint;
     }

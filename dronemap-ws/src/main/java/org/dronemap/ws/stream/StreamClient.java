@@ -10,9 +10,9 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.AuthenticatedCaller;
-import org.dronemap.ws.stream.delivery.ClientOutbox;
-import org.dronemap.ws.stream.delivery.MessageSubject;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
+import org.dronemap.ws.stream.delivery.StreamClientOutbox;
+import org.dronemap.ws.stream.delivery.StreamMessageSubject;
 import org.dronemap.ws.stream.delivery.TextFrameCache;
 import org.dronemap.ws.stream.delivery.WriteReminder;
 import org.java_websocket.WebSocket;
@@ -32,8 +32,8 @@ final class StreamClient {
     private static final int TOO_SLOW = CloseFrame.TRY_AGAIN_LATER;
 
     private final WebSocket socket;
-    private final ClientOutbox outbox = new ClientOutbox();
-    private final ConcurrentHashMap<MessageSubject, Object> shown = new ConcurrentHashMap<>();
+    private final StreamClientOutbox outbox = new StreamClientOutbox();
+    private final ConcurrentHashMap<StreamMessageSubject, Object> shown = new ConcurrentHashMap<>();
     private volatile boolean unsettled;
     private final long connectedNanos;
     private volatile long answeredNanos;
@@ -118,7 +118,7 @@ final class StreamClient {
         caller = null;
     }
 
-    ClientOutbox outbox() {
+    StreamClientOutbox outbox() {
         return outbox;
     }
 
@@ -136,8 +136,8 @@ final class StreamClient {
         return perSecond;
     }
 
-    /** What this client was shown and is told of when it is gone, each as it saw it then ({@link Topic.Sight}). */
-    Map<MessageSubject, Object> shown() {
+    /** What this client was shown and is told of when it is gone, each as it saw it then ({@link StreamTopic.Sight}). */
+    Map<StreamMessageSubject, Object> shown() {
         return shown;
     }
 
@@ -154,7 +154,7 @@ final class StreamClient {
     }
 
     /** What it subscribed to are drones, and what is said of them. */
-    boolean wants(MessageSubject subject) {
+    boolean wants(StreamMessageSubject subject) {
         Set<String> only = wanted;
         return only == null || !subject.isDrone() || only.contains(subject.id());
     }
@@ -213,7 +213,9 @@ final class StreamClient {
             return true;
         }
         if (outbox.isOverflown()) {
-            close(TOO_SLOW, "Too slow: more than " + ClientOutbox.MOST_DISCRETE + " messages were waiting; reconnect.");
+            close(
+                    TOO_SLOW,
+                    "Too slow: more than " + StreamClientOutbox.MOST_DISCRETE + " messages were waiting; reconnect.");
             return true;
         }
         if (socket.isOpen() && !socket.hasBufferedData()) {

@@ -13,7 +13,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "action")
 @JsonTypeResolver(ObjectOnlyTypeResolver.class)
 @JsonSubTypes({
-    @JsonSubTypes.Type(value = StreamControlRequest.Take.class, name = "take"),
+    @JsonSubTypes.Type(value = StreamControlRequest.TakeControl.class, name = "take"),
     @JsonSubTypes.Type(value = StreamControlRequest.Ask.class, name = "request"),
     @JsonSubTypes.Type(value = StreamControlRequest.Grant.class, name = "grant"),
     @JsonSubTypes.Type(value = StreamControlRequest.Refuse.class, name = "refuse"),
@@ -45,7 +45,7 @@ sealed interface StreamControlRequest extends StreamRequest {
     }
 
     @Schema(name = "StreamControlTakeRequest", description = "Takes control where nobody has it.")
-    record Take(
+    record TakeControl(
             @Nullable String requestId,
 
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED, description = "The id of a drone") @Nullable
@@ -53,7 +53,7 @@ sealed interface StreamControlRequest extends StreamRequest {
             implements StreamControlRequest {
         @Override
         public ControlRequest asked() {
-            return new ControlRequest.Take();
+            return new ControlRequest.TakeControl();
         }
     }
 

@@ -27,14 +27,14 @@ import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.run.RunService;
 import org.dronemap.ws.security.AuthenticatedCaller;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.StreamTickets;
-import org.dronemap.ws.stream.delivery.CloudEventRouter;
-import org.dronemap.ws.stream.delivery.MessageSubject;
 import org.dronemap.ws.stream.delivery.PublishLoop;
+import org.dronemap.ws.stream.delivery.StreamEventRouter;
+import org.dronemap.ws.stream.delivery.StreamMessageSubject;
 import org.dronemap.ws.stream.delivery.TextFrameCache;
 import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.java_websocket.WebSocketServerFactory;
@@ -54,10 +54,10 @@ public final class StreamFace implements AutoCloseable {
     private final CloudManager cloud;
     private final StreamServer server;
     private final StreamRequestHandler requests;
-    private final CloudEventRouter cloudNews = new CloudEventRouter();
-    private final List<Topic<?>> topics;
+    private final StreamEventRouter cloudNews = new StreamEventRouter();
+    private final List<StreamTopic<?>> topics;
     private final StreamMessageCatalogue messages;
-    private final TopicPublisher news;
+    private final StreamTopicPublisher news;
     private final PhoneReachability phones;
     private final Clock clock;
     private final PublishLoop pump = new PublishLoop("stream-pump", this::round);
@@ -71,7 +71,7 @@ public final class StreamFace implements AutoCloseable {
             ViewServices pictures,
             CommandService commands,
             ControlServices reins,
-            JsonReader json) {}
+            JsonCodec json) {}
 
     /** The address to listen at, the maker of connections, the reader of messages ({@link #LARGEST_MESSAGE_BYTES} at most). */
     public record Port(InetSocketAddress address, WebSocketServerFactory door, Draft draft) {}
@@ -81,7 +81,7 @@ public final class StreamFace implements AutoCloseable {
 
     /** Who may come in, who has to leave, and where it is taken down. */
     public record AccessServices(
-            Authentication authentication,
+            CallerAuthenticator authentication,
             StreamTickets tickets,
             AccountChanges accounts,
             Limits bounds,
@@ -101,13 +101,13 @@ public final class StreamFace implements AutoCloseable {
             FollowService follows) {}
 
     /** {@code ofUseCases}: the topics that are declared beside their use cases. */
-    public StreamFace(CloudManager cloud, Services services, List<Topic<?>> ofUseCases, Port port, Clock clock) {
+    public StreamFace(CloudManager cloud, Services services, List<StreamTopic<?>> ofUseCases, Port port, Clock clock) {
         this.cloud = cloud;
         this.clock = clock;
         this.beat = new StreamHeartbeat(services.json(), clock, System.nanoTime());
         this.topics = StreamTopics.all(cloud, cloudNews, services.pictures(), ofUseCases);
         this.messages = StreamMessageCatalogue.of(topics);
-        this.news = new TopicPublisher(
+        this.news = new StreamTopicPublisher(
                 topics,
                 services.entrance().grants(),
                 services.json(),
@@ -138,7 +138,7 @@ public final class StreamFace implements AutoCloseable {
 
     private boolean isThere(String user, DroneId drone) {
         return server.clients().stream()
-                .filter(client -> client.wants(MessageSubject.drone(drone)))
+                .filter(client -> client.wants(StreamMessageSubject.drone(drone)))
                 .flatMap(client -> client.caller().stream())
                 .anyMatch(caller -> caller.principal().name().equals(user));
     }
@@ -203,7 +203,7 @@ public final class StreamFace implements AutoCloseable {
     }
 
     /** In the order in which a client that has come in is told of them. */
-    public List<Topic<?>> topics() {
+    public List<StreamTopic<?>> topics() {
         return topics;
     }
 

@@ -3,7 +3,7 @@ package org.dronemap.ws.stream;
 import java.time.Clock;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 
 /**
  * Message sent to every stream client once a second, by which a page notices within three seconds that its line is cut.
@@ -12,11 +12,11 @@ import org.dronemap.ws.reading.JsonReader;
 final class StreamHeartbeat {
     private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
-    private final JsonReader json;
+    private final JsonCodec json;
     private final Clock clock;
     private long lastNanos;
 
-    StreamHeartbeat(JsonReader json, Clock clock, long nowNanos) {
+    StreamHeartbeat(JsonCodec json, Clock clock, long nowNanos) {
         this.json = json;
         this.clock = clock;
         this.lastNanos = nowNanos;

@@ -16,11 +16,11 @@ public record StreamMessageCatalogue(Map<String, Class<?>> records) {
     private static final String NAME = "Stream";
 
     /** The start fails where topics could not be told from each other. */
-    static StreamMessageCatalogue of(List<Topic<?>> topics) {
+    static StreamMessageCatalogue of(List<StreamTopic<?>> topics) {
         Map<String, Class<?>> records = new LinkedHashMap<>(
                 RecordAlternatives.of(StreamMessage.class).orElseThrow().records());
         Set<Class<?>> told = new HashSet<>();
-        for (Topic<?> topic : topics) {
+        for (StreamTopic<?> topic : topics) {
             for (Class<? extends StreamMessage> message : topic.messages()) {
                 String type = typeOf(message);
                 Class<?> other = records.putIfAbsent(type, message);
@@ -63,11 +63,12 @@ public record StreamMessageCatalogue(Map<String, Class<?>> records) {
     }
 
     /** A newer picture would replace one of another topic, and one removal would be told for both. */
-    private static void checkKinds(List<Topic<?>> topics) {
-        Map<String, Topic<?>> known = new HashMap<>();
-        for (Topic<?> topic : topics) {
-            boolean keepsPictures = !(topic.rate() instanceof TopicRate.EveryChange) || topic.isWithdrawn();
-            Topic<?> other = keepsPictures ? known.putIfAbsent(topic.about().kind(), topic) : null;
+    private static void checkKinds(List<StreamTopic<?>> topics) {
+        Map<String, StreamTopic<?>> known = new HashMap<>();
+        for (StreamTopic<?> topic : topics) {
+            boolean keepsPictures = !(topic.rate() instanceof StreamTopicRate.EveryChange) || topic.isWithdrawn();
+            StreamTopic<?> other =
+                    keepsPictures ? known.putIfAbsent(topic.about().kind(), topic) : null;
             if (other != null) {
                 throw new SetupException("Two topics of the stream are about things of the kind "
                         + topic.about().kind() + ": those of " + other.message().getName() + " and of "

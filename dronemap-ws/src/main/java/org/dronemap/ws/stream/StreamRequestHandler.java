@@ -28,13 +28,13 @@ import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
 import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.reading.WireNames;
 import org.dronemap.ws.security.AuthenticatedCaller;
-import org.dronemap.ws.security.Authentication;
-import org.dronemap.ws.stream.delivery.MessageSubject;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
+import org.dronemap.ws.stream.delivery.StreamMessageSubject;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -46,7 +46,7 @@ final class StreamRequestHandler {
     private static final RecordAlternatives TYPES =
             RecordAlternatives.of(StreamRequest.class).orElseThrow();
 
-    private final Authentication authentication;
+    private final CallerAuthenticator authentication;
     private final Budgets budgets;
     private final StreamAccessRules rules;
     private final DroneService drones;
@@ -56,7 +56,7 @@ final class StreamRequestHandler {
     private final FollowService follows;
     private final PhoneReachability phones;
     private final StreamClientRegistry crowd;
-    private final JsonReader json;
+    private final JsonCodec json;
     private final AuditRecorder desk;
 
     /** What of a request is known before its type: an answer names the request even where the rest cannot be read. */
@@ -92,7 +92,7 @@ final class StreamRequestHandler {
                 DroneId id = new DroneId(drone.id());
                 Object sight = StreamTopics.sightOf(principal, id);
                 if (sight != null) {
-                    client.shown().put(MessageSubject.drone(id), sight);
+                    client.shown().put(StreamMessageSubject.drone(id), sight);
                 }
             });
             send(client, new StreamMessage.Drones(all));

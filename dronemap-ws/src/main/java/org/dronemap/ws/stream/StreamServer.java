@@ -14,7 +14,7 @@ import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.security.AuthenticatedCaller;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.stream.delivery.TextFrameCache;
 import org.dronemap.ws.stream.delivery.WriteReminder;
@@ -38,7 +38,7 @@ public final class StreamServer extends WebSocketServer {
 
     private final StreamRequestHandler requests;
     private final StreamClientRegistry crowd;
-    private final Authentication authentication;
+    private final CallerAuthenticator authentication;
     private final StreamTickets tickets;
     private final Runnable onNews;
     private final WriteReminder reminder = new WriteReminder(this::onWriteDemand);
@@ -48,7 +48,7 @@ public final class StreamServer extends WebSocketServer {
             StreamFace.Port port,
             StreamRequestHandler requests,
             StreamClientRegistry crowd,
-            Authentication authentication,
+            CallerAuthenticator authentication,
             StreamTickets tickets,
             Runnable onNews) {
         super(port.address(), WORKERS, List.of(port.draft()));

@@ -32,9 +32,9 @@ import org.dronemap.ws.plan.PlanService;
 import org.dronemap.ws.plan.PlanViewMapper;
 import org.dronemap.ws.run.RunService;
 import org.dronemap.ws.run.RunViewMapper;
-import org.dronemap.ws.stream.delivery.CloudEventRouter;
-import org.dronemap.ws.stream.delivery.MessageSubject;
-import org.dronemap.ws.stream.delivery.TopicSink;
+import org.dronemap.ws.stream.delivery.StreamEventRouter;
+import org.dronemap.ws.stream.delivery.StreamMessageSubject;
+import org.dronemap.ws.stream.delivery.StreamTopicSink;
 import org.dronemap.ws.virtual.VirtualDroneService;
 import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.dronemap.ws.zone.ZoneFeature;
@@ -43,9 +43,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Defines the stream topics of drones, commands, control, zones, virtual drones, plans, mission runs and follows. */
 final class StreamTopics {
-    private static final TopicRate.EveryChange EVERY_CHANGE = new TopicRate.EveryChange();
-    private static final TopicRate.Newest FOUR_A_SECOND = new TopicRate.Newest(4);
-    private static final TopicRate.Newest TWICE_A_SECOND = new TopicRate.Newest(2);
+    private static final StreamTopicRate.EveryChange EVERY_CHANGE = new StreamTopicRate.EveryChange();
+    private static final StreamTopicRate.Newest FOUR_A_SECOND = new StreamTopicRate.Newest(4);
+    private static final StreamTopicRate.Newest TWICE_A_SECOND = new StreamTopicRate.Newest(2);
 
     /** Those to whom a drone that they see looks alike. */
     private record DroneSight(Role role, Set<Permission> permissions) {}
@@ -53,14 +53,18 @@ final class StreamTopics {
     private StreamTopics() {}
 
     /** In the order in which a client that has come in is told of them; at last of those of use cases. */
-    static List<Topic<?>> all(
-            CloudManager cloud, CloudEventRouter news, StreamFace.ViewServices pictures, List<Topic<?>> ofUseCases) {
-        List<Topic<?>> all = new ArrayList<>(ofCloud(cloud, news, pictures));
+    static List<StreamTopic<?>> all(
+            CloudManager cloud,
+            StreamEventRouter news,
+            StreamFace.ViewServices pictures,
+            List<StreamTopic<?>> ofUseCases) {
+        List<StreamTopic<?>> all = new ArrayList<>(ofCloud(cloud, news, pictures));
         all.addAll(ofUseCases);
         return List.copyOf(all);
     }
 
-    private static List<Topic<?>> ofCloud(CloudManager cloud, CloudEventRouter news, StreamFace.ViewServices pictures) {
+    private static List<StreamTopic<?>> ofCloud(
+            CloudManager cloud, StreamEventRouter news, StreamFace.ViewServices pictures) {
         return List.of(
                 zones(cloud.zones()),
                 virtualDrones(pictures.virtuals(), pictures.virtualViews(), news),
@@ -79,57 +83,59 @@ final class StreamTopics {
         return permissions.isEmpty() ? null : new DroneSight(who.role(), permissions);
     }
 
-    private static Topic<DroneState> drones(CloudManager cloud, DroneViewMapper views, CloudEventRouter news) {
-        return new Topic<>(
+    private static StreamTopic<DroneState> drones(CloudManager cloud, DroneViewMapper views, StreamEventRouter news) {
+        return new StreamTopic<>(
                 StreamMessage.Drone.class,
-                new TopicRate.NewestAsAsked(),
-                new Topic.SubjectMapping<>(
-                        MessageSubject.DRONE, drone -> drone.id().value()),
-                new Topic.Audience<>("whoever sees the drone", (who, drone) -> sightOf(who, drone.id())),
+                new StreamTopicRate.NewestAsAsked(),
+                new StreamTopic.SubjectMapping<>(
+                        StreamMessageSubject.DRONE, drone -> drone.id().value()),
+                new StreamTopic.Audience<>("whoever sees the drone", (who, drone) -> sightOf(who, drone.id())),
                 (drone, who) -> new StreamMessage.Drone(views.view(drone, who)),
                 cloud::drones,
-                new Topic.Removal(StreamMessage.DroneRemoved.class, StreamMessage.DroneRemoved::new),
+                new StreamTopic.Removal(StreamMessage.DroneRemoved.class, StreamMessage.DroneRemoved::new),
                 feed -> {
                     news.onChange(drone -> feed.changed(drone.id().value(), () -> Optional.of(drone)));
                     news.onRemoval(id -> feed.removed(id.value()));
                 });
     }
 
-    private static Topic<Zone> zones(ZoneRegistry book) {
-        return new Topic<>(
+    private static StreamTopic<Zone> zones(ZoneRegistry book) {
+        return new StreamTopic<>(
                 StreamMessage.ZoneChanged.class,
                 EVERY_CHANGE,
-                new Topic.SubjectMapping<>("zone", Zone::id),
-                new Topic.Audience<>(
+                new StreamTopic.SubjectMapping<>("zone", Zone::id),
+                new StreamTopic.Audience<>(
                         "the organisation that it is of, without those who do not see the drone that it is for; a global one"
                                 + " everybody",
                         (who, zone) -> ZoneService.isShownTo(who, zone) ? who.organisation() : null),
                 (zone, who) -> new StreamMessage.ZoneChanged(ZoneFeature.of(zone, who.organisation())),
                 List::of,
-                new Topic.Removal(StreamMessage.ZoneRemoved.class, StreamMessage.ZoneRemoved::new),
+                new StreamTopic.Removal(StreamMessage.ZoneRemoved.class, StreamMessage.ZoneRemoved::new),
                 feed -> book.onChange(change -> publish(feed, change)));
     }
 
     /** Former forms go together with the new ones. */
-    private static void publish(TopicSink<Zone> feed, ZoneRegistry.Change change) {
+    private static void publish(StreamTopicSink<Zone> feed, ZoneRegistry.Change change) {
         Map<String, Zone> put = new LinkedHashMap<>();
         change.put().forEach(zone -> put.put(zone.id(), zone));
         change.former().forEach(former -> feed.publish(former, put.remove(former.id())));
         put.values().forEach(feed::publish);
     }
 
-    private static Topic<VirtualDrone> virtualDrones(
-            VirtualDrones virtuals, VirtualDroneViewMapper views, CloudEventRouter news) {
-        return new Topic<>(
+    private static StreamTopic<VirtualDrone> virtualDrones(
+            VirtualDrones virtuals, VirtualDroneViewMapper views, StreamEventRouter news) {
+        return new StreamTopic<>(
                 StreamMessage.VirtualDroneChanged.class,
                 TWICE_A_SECOND,
-                new Topic.SubjectMapping<>("virtualDrone", drone -> drone.id().value()),
-                new Topic.Audience<>(
+                new StreamTopic.SubjectMapping<>(
+                        "virtualDrone", drone -> drone.id().value()),
+                new StreamTopic.Audience<>(
                         "whose it is, and supervisors of the organisation",
                         (who, drone) -> VirtualDroneService.isShownTo(who, drone) ? who : null),
                 (drone, who) -> new StreamMessage.VirtualDroneChanged(views.view(drone, who)),
                 virtuals::all,
-                new Topic.Removal(StreamMessage.VirtualDroneRemoved.class, StreamMessage.VirtualDroneRemoved::new),
+                new StreamTopic.Removal(
+                        StreamMessage.VirtualDroneRemoved.class, StreamMessage.VirtualDroneRemoved::new),
                 feed -> {
                     virtuals.addListener(new VirtualDroneUpdates(virtuals, feed));
                     news.onMoves(drones -> virtuals.all().stream()
@@ -139,7 +145,7 @@ final class StreamTopics {
     }
 
     /** Its missions go on: that is told at once. */
-    private record VirtualDroneUpdates(VirtualDrones virtuals, TopicSink<VirtualDrone> feed)
+    private record VirtualDroneUpdates(VirtualDrones virtuals, StreamTopicSink<VirtualDrone> feed)
             implements VirtualDroneListener {
         @Override
         public void changed(VirtualDrone drone) {
@@ -160,19 +166,19 @@ final class StreamTopics {
         }
     }
 
-    private static Topic<PlanJob> plans(PlanJobExecutor desk) {
-        return new Topic<>(
+    private static StreamTopic<PlanJob> plans(PlanJobExecutor desk) {
+        return new StreamTopic<>(
                 StreamMessage.PlanChanged.class,
                 FOUR_A_SECOND,
-                new Topic.SubjectMapping<>("plan", PlanJob::id),
-                Topic.Audience.of("whoever asked for it, and sees all of its drones", PlanService::isShownTo),
+                new StreamTopic.SubjectMapping<>("plan", PlanJob::id),
+                StreamTopic.Audience.of("whoever asked for it, and sees all of its drones", PlanService::isShownTo),
                 (job, who) -> new StreamMessage.PlanChanged(PlanViewMapper.whole(job)),
                 desk::everybodys,
-                new Topic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new),
+                new StreamTopic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new),
                 feed -> desk.addListener(new PlanUpdates(desk, feed)));
     }
 
-    private record PlanUpdates(PlanJobExecutor desk, TopicSink<PlanJob> feed) implements PlanListener {
+    private record PlanUpdates(PlanJobExecutor desk, StreamTopicSink<PlanJob> feed) implements PlanListener {
         @Override
         public void changed(PlanJob job) {
             feed.changed(job.id(), () -> desk.find(job.id()));
@@ -184,12 +190,12 @@ final class StreamTopics {
         }
     }
 
-    private static Topic<Snapshot<RunState>> runs(RunService runs) {
-        return new Topic<>(
+    private static StreamTopic<Snapshot<RunState>> runs(RunService runs) {
+        return new StreamTopic<>(
                 StreamMessage.RunChanged.class,
                 FOUR_A_SECOND,
-                new Topic.SubjectMapping<>("run", run -> run.saved().id().value()),
-                Topic.Audience.of("the organisation, whoever sees all drones of the run", RunService::isShownTo),
+                new StreamTopic.SubjectMapping<>("run", run -> run.saved().id().value()),
+                StreamTopic.Audience.of("the organisation, whoever sees all drones of the run", RunService::isShownTo),
                 (run, who) -> new StreamMessage.RunChanged(RunViewMapper.view(run)),
                 runs::underWay,
                 null,
@@ -197,13 +203,13 @@ final class StreamTopics {
                         (operation, why) -> feed.changed(operation.id().value(), () -> runs.picture(operation))));
     }
 
-    private static Topic<Snapshot<FollowState>> follows(FollowService follows) {
-        return new Topic<>(
+    private static StreamTopic<Snapshot<FollowState>> follows(FollowService follows) {
+        return new StreamTopic<>(
                 StreamMessage.FollowChanged.class,
                 FOUR_A_SECOND,
-                new Topic.SubjectMapping<>(
+                new StreamTopic.SubjectMapping<>(
                         "follow", follow -> follow.saved().id().value()),
-                Topic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
+                StreamTopic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
                 (follow, who) -> new StreamMessage.FollowChanged(follows.view(follow)),
                 follows::underWay,
                 null,
@@ -211,13 +217,13 @@ final class StreamTopics {
                         (operation, why) -> feed.changed(operation.id().value(), () -> follows.picture(operation))));
     }
 
-    private static Topic<Snapshot<FollowState>> followsNow(FollowService follows, CloudEventRouter news) {
-        return new Topic<>(
+    private static StreamTopic<Snapshot<FollowState>> followsNow(FollowService follows, StreamEventRouter news) {
+        return new StreamTopic<>(
                 StreamMessage.FollowNow.class,
                 FOUR_A_SECOND,
-                new Topic.SubjectMapping<>(
+                new StreamTopic.SubjectMapping<>(
                         "followNow", follow -> follow.saved().id().value()),
-                Topic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
+                StreamTopic.Audience.of("the organisation, whoever sees the drone", FollowService::isShownTo),
                 (follow, who) -> new StreamMessage.FollowNow(
                         follow.saved().id().value(), follows.view(follow).now()),
                 List::of,
@@ -227,26 +233,26 @@ final class StreamTopics {
                         .forEach(follow -> feed.changed(follow.saved().id().value(), () -> Optional.of(follow)))));
     }
 
-    private static Topic<CommandRecord> commands(CloudEventRouter news) {
-        return new Topic<>(
+    private static StreamTopic<CommandRecord> commands(StreamEventRouter news) {
+        return new StreamTopic<>(
                 StreamMessage.Command.class,
                 EVERY_CHANGE,
-                new Topic.SubjectMapping<>(
-                        MessageSubject.DRONE, command -> command.drone().value()),
-                Topic.Audience.of("whoever sees the drone", (who, command) -> who.sees(command.drone())),
+                new StreamTopic.SubjectMapping<>(
+                        StreamMessageSubject.DRONE, command -> command.drone().value()),
+                StreamTopic.Audience.of("whoever sees the drone", (who, command) -> who.sees(command.drone())),
                 (command, who) -> new StreamMessage.Command(CommandView.of(command)),
                 List::of,
                 null,
                 feed -> news.onCommand(feed::publish));
     }
 
-    private static Topic<CloudEventRouter.ControlEvent> controls(CloudEventRouter news) {
-        return new Topic<>(
+    private static StreamTopic<StreamEventRouter.ControlEvent> controls(StreamEventRouter news) {
+        return new StreamTopic<>(
                 StreamMessage.Control.class,
                 EVERY_CHANGE,
-                new Topic.SubjectMapping<>(
-                        MessageSubject.DRONE, told -> told.drone().value()),
-                Topic.Audience.of("whoever sees the drone", (who, told) -> who.sees(told.drone())),
+                new StreamTopic.SubjectMapping<>(
+                        StreamMessageSubject.DRONE, told -> told.drone().value()),
+                StreamTopic.Audience.of("whoever sees the drone", (who, told) -> who.sees(told.drone())),
                 (told, who) -> new StreamMessage.Control(
                         told.drone().value(), ControlView.of(told.now()), ControlView.ChangeView.of(told.change())),
                 List::of,

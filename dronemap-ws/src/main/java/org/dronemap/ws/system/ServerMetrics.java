@@ -18,8 +18,8 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.history.HistoryHealth;
 import org.dronemap.ws.budget.WorkKind;
 import org.dronemap.ws.link.EndpointView;
-import org.dronemap.ws.link.TrafficView;
-import org.dronemap.ws.link.VehicleLinkGateway;
+import org.dronemap.ws.link.LinkTrafficView;
+import org.dronemap.ws.link.VehicleEndpointGateway;
 import org.dronemap.ws.outlet.OutletMetrics;
 import org.dronemap.ws.outlet.OutletView;
 import org.dronemap.ws.reading.WireNames;
@@ -28,7 +28,7 @@ import org.jspecify.annotations.Nullable;
 /** Metrics of the server, gathered when a monitoring system asks. Any thread. */
 public final class ServerMetrics {
     private final CloudManager cloud;
-    private final VehicleLinkGateway links;
+    private final VehicleEndpointGateway links;
     private final Supplier<Refusals> refusals;
     private final Supplier<HistoryHealth> history;
     private final Supplier<OutletView> outlet;
@@ -43,7 +43,7 @@ public final class ServerMetrics {
 
     public ServerMetrics(
             CloudManager cloud,
-            VehicleLinkGateway links,
+            VehicleEndpointGateway links,
             Supplier<Refusals> refusals,
             Supplier<HistoryHealth> history,
             Supplier<OutletView> outlet) {
@@ -80,7 +80,7 @@ public final class ServerMetrics {
     }
 
     private void endpoints(List<MetricSnapshot> all) {
-        List<VehicleLinkGateway.Status> now = links.all();
+        List<VehicleEndpointGateway.Status> now = links.all();
         all.add(endpointGauge(
                 "up", "1 while it is open.", now, status -> status.state().equals("open") ? 1 : 0));
         all.add(endpointGauge(
@@ -120,15 +120,15 @@ public final class ServerMetrics {
     }
 
     private void vehicles(List<MetricSnapshot> all, Principal principal) {
-        List<TrafficView> now = links.traffic().stream()
+        List<LinkTrafficView> now = links.traffic().stream()
                 .filter(traffic -> isSeen(traffic.drone(), principal))
                 .toList();
-        all.add(vehicleCounter("received", "Messages received.", now, TrafficView::received));
-        all.add(vehicleCounter("sent", "Messages sent.", now, TrafficView::sent));
-        all.add(vehicleCounter("doubled", "Copies of messages.", now, TrafficView::doubled));
-        all.add(vehicleCounter("dropped", "Messages that found no room inside.", now, TrafficView::dropped));
-        all.add(vehicleGauge("lost", "Messages missing from sequence numbers.", now, TrafficView::lost));
-        all.add(vehicleGauge("queue", "Messages that wait inside.", now, TrafficView::queue));
+        all.add(vehicleCounter("received", "Messages received.", now, LinkTrafficView::received));
+        all.add(vehicleCounter("sent", "Messages sent.", now, LinkTrafficView::sent));
+        all.add(vehicleCounter("doubled", "Copies of messages.", now, LinkTrafficView::doubled));
+        all.add(vehicleCounter("dropped", "Messages that found no room inside.", now, LinkTrafficView::dropped));
+        all.add(vehicleGauge("lost", "Messages missing from sequence numbers.", now, LinkTrafficView::lost));
+        all.add(vehicleGauge("queue", "Messages that wait inside.", now, LinkTrafficView::queue));
     }
 
     /** What has not become a drone yet is the server's. */
@@ -202,8 +202,8 @@ public final class ServerMetrics {
     private static MetricSnapshot endpointGauge(
             String name,
             String help,
-            List<VehicleLinkGateway.Status> all,
-            ToDoubleFunction<VehicleLinkGateway.Status> value) {
+            List<VehicleEndpointGateway.Status> all,
+            ToDoubleFunction<VehicleEndpointGateway.Status> value) {
         GaugeSnapshot.Builder gauge =
                 GaugeSnapshot.builder().name("dronemap_endpoint_" + name).help(help);
         all.forEach(status -> gauge.dataPoint(point(value.applyAsDouble(status), endpointLabels(status))));
@@ -213,7 +213,7 @@ public final class ServerMetrics {
     private static MetricSnapshot endpointCounter(
             String name,
             String help,
-            List<VehicleLinkGateway.Status> all,
+            List<VehicleEndpointGateway.Status> all,
             ToDoubleFunction<EndpointView.Counts> value) {
         CounterSnapshot.Builder counter =
                 CounterSnapshot.builder().name("dronemap_endpoint_" + name).help(help);
@@ -221,12 +221,12 @@ public final class ServerMetrics {
         return counter.build();
     }
 
-    private static Labels endpointLabels(VehicleLinkGateway.Status status) {
+    private static Labels endpointLabels(VehicleEndpointGateway.Status status) {
         return Labels.of("endpoint", status.id(), "url", status.url());
     }
 
     private static MetricSnapshot vehicleCounter(
-            String name, String help, List<TrafficView> all, ToDoubleFunction<TrafficView> value) {
+            String name, String help, List<LinkTrafficView> all, ToDoubleFunction<LinkTrafficView> value) {
         CounterSnapshot.Builder counter =
                 CounterSnapshot.builder().name("dronemap_vehicle_" + name).help(help);
         all.forEach(traffic -> counter.dataPoint(count(value.applyAsDouble(traffic), vehicleLabels(traffic))));
@@ -234,14 +234,14 @@ public final class ServerMetrics {
     }
 
     private static MetricSnapshot vehicleGauge(
-            String name, String help, List<TrafficView> all, ToDoubleFunction<TrafficView> value) {
+            String name, String help, List<LinkTrafficView> all, ToDoubleFunction<LinkTrafficView> value) {
         GaugeSnapshot.Builder gauge =
                 GaugeSnapshot.builder().name("dronemap_vehicle_" + name).help(help);
         all.forEach(traffic -> gauge.dataPoint(point(value.applyAsDouble(traffic), vehicleLabels(traffic))));
         return gauge.build();
     }
 
-    private static Labels vehicleLabels(TrafficView traffic) {
+    private static Labels vehicleLabels(LinkTrafficView traffic) {
         String drone = traffic.drone();
         return Labels.of(
                 "drone",

@@ -5,7 +5,7 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.ResourceScope;
-import org.dronemap.ws.history.HistoryService;
+import org.dronemap.ws.history.HistoryStatusService;
 import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -18,10 +18,10 @@ import org.springframework.web.bind.annotation.RestController;
 @Tag(name = "Server", description = "Health and settings.")
 public class SystemController {
     private final SystemService system;
-    private final HistoryService history;
+    private final HistoryStatusService history;
     private final CurrentPrincipal current;
 
-    public SystemController(SystemService system, HistoryService history, CurrentPrincipal current) {
+    public SystemController(SystemService system, HistoryStatusService history, CurrentPrincipal current) {
         this.system = system;
         this.history = history;
         this.current = current;
@@ -50,7 +50,7 @@ public class SystemController {
     @GetMapping("/history")
     @Access(from = AccessLevel.ADMINISTRATOR, about = ResourceScope.SERVER)
     @Operation(operationId = "getHistory", summary = "Is all that drones do written down? (administrator)")
-    public HistoryService.HistoryView history() {
+    public HistoryStatusService.HistoryView history() {
         return history.status(current.principal());
     }
 

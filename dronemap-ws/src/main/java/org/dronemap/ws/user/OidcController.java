@@ -19,7 +19,7 @@ import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.RejectionKind;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.SessionCookie;
 import org.dronemap.ws.security.oidc.OidcSignIn;
 import org.jspecify.annotations.Nullable;
@@ -88,7 +88,7 @@ public class OidcController {
         ResponseEntity.BodyBuilder answer = ResponseEntity.status(HttpStatus.FOUND)
                 .header(HttpHeaders.SET_COOKIE, cookie("", request.isSecure(), Duration.ZERO));
         try {
-            Authentication.NewSession session = oidc.finish(new OidcSignIn.SignInCallback(code, state, browser));
+            CallerAuthenticator.NewSession session = oidc.finish(new OidcSignIn.SignInCallback(code, state, browser));
             return answer.header(HttpHeaders.SET_COOKIE, SessionCookie.issue(session.token(), request.isSecure()))
                     .location(URI.create("/"))
                     .build();

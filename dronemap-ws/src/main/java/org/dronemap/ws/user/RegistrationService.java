@@ -16,7 +16,7 @@ import org.dronemap.ws.account.InitialPassword;
 import org.dronemap.ws.account.PasswordHashing;
 import org.dronemap.ws.account.PasswordRule;
 import org.dronemap.ws.account.UserNameRules;
-import org.dronemap.ws.budget.Throttle;
+import org.dronemap.ws.budget.AttemptLimiter;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
@@ -43,7 +43,7 @@ public final class RegistrationService {
     private final InitialPassword firstPassword;
     private final RegistrationPolicy policy;
     private final Clock clock;
-    private final Throttle throttle;
+    private final AttemptLimiter throttle;
 
     /** What a person asks for; the invitation is the code from its link. */
     @Schema(name = "RegistrationRequest")
@@ -75,7 +75,7 @@ public final class RegistrationService {
         this.firstPassword = firstPassword;
         this.policy = policy;
         this.clock = clock;
-        this.throttle = new Throttle(clock, TIMES, WITHIN);
+        this.throttle = new AttemptLimiter(clock, TIMES, WITHIN);
     }
 
     /** Whether and how a page should offer it. */

@@ -11,7 +11,7 @@ import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.access.WithoutSoap;
 import org.dronemap.ws.http.ResponseStatuses;
 import org.dronemap.ws.security.AuthenticatedCaller;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.SessionCookie;
 import org.springframework.http.HttpHeaders;
@@ -28,11 +28,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1/session")
 @Tag(name = "Session", description = "Sign in by name and password; the answer's cookie is the session.")
 public class SessionController {
-    private final Authentication authentication;
+    private final CallerAuthenticator authentication;
     private final AccountService account;
     private final CurrentPrincipal current;
 
-    public SessionController(Authentication authentication, AccountService account, CurrentPrincipal current) {
+    public SessionController(CallerAuthenticator authentication, AccountService account, CurrentPrincipal current) {
         this.authentication = authentication;
         this.account = account;
         this.current = current;
@@ -52,9 +52,9 @@ public class SessionController {
             operationId = "signIn",
             summary = "Sign in",
             description = "After five wrong passwords in a row: 429 for 30 s.")
-    public ResponseEntity<Authentication.SessionView> signIn(
-            @RequestBody Authentication.Credentials credentials, HttpServletRequest request) {
-        Authentication.NewSession session = authentication.signIn(credentials, request.getRemoteAddr());
+    public ResponseEntity<CallerAuthenticator.SessionView> signIn(
+            @RequestBody CallerAuthenticator.Credentials credentials, HttpServletRequest request) {
+        CallerAuthenticator.NewSession session = authentication.signIn(credentials, request.getRemoteAddr());
         return ResponseEntity.ok()
                 .header(HttpHeaders.SET_COOKIE, SessionCookie.issue(session.token(), request.isSecure()))
                 .body(session.view());
@@ -64,7 +64,7 @@ public class SessionController {
     @Access(from = AccessLevel.SIGNED_IN, about = ResourceScope.OWN)
     @ResponseStatuses(never = 403)
     @Operation(operationId = "getSession", summary = "Who is signed in")
-    public Authentication.SessionView session() {
+    public CallerAuthenticator.SessionView session() {
         return authentication.session(current.signedIn());
     }
 

@@ -93,7 +93,7 @@ public final class VirtualDroneService {
                 principal.name(),
                 principal.account(),
                 principal.organisation(),
-                NeedsReader.read(request.needs()),
+                DroneRequirementsReader.read(request.needs()),
                 mission(request.items()),
                 null,
                 List.of(),
@@ -109,7 +109,7 @@ public final class VirtualDroneService {
     public VirtualDroneView replace(Principal principal, String id, VirtualDroneRequest request) {
         VirtualDroneId known = allowed(principal, id, VirtualAction.PLAN);
         String name = name(request);
-        DroneRequirements needs = NeedsReader.read(request.needs());
+        DroneRequirements needs = DroneRequirementsReader.read(request.needs());
         Mission mission = mission(request.items());
         return views.view(
                 conducted(known, () -> virtuals.edit(known, now -> now.with(name, needs, mission))), principal);

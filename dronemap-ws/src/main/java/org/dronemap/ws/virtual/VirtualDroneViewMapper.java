@@ -15,11 +15,11 @@ import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.operation.Objection;
-import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.DroneChoice;
 import org.dronemap.core.virtual.VirtualDrone;
-import org.dronemap.core.virtual.VirtualObjection;
+import org.dronemap.core.virtual.VirtualDroneObjection;
 import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunAssignment;
 import org.dronemap.core.virtual.VirtualRunStage;
 import org.dronemap.ws.drone.DroneView;
 import org.dronemap.ws.drone.DroneViewMapper;
@@ -50,7 +50,7 @@ public final class VirtualDroneViewMapper {
                 drone.id().value(),
                 drone.name(),
                 drone.owner(),
-                NeedsReader.view(drone.needs()),
+                DroneRequirementsReader.view(drone.needs()),
                 drone.mission() == null
                         ? null
                         : MissionItemView.of(drone.mission().items()),
@@ -61,7 +61,7 @@ public final class VirtualDroneViewMapper {
 
     private VirtualDroneView.RunView run(VirtualDrone drone, VirtualRun run, Principal principal) {
         DroneId bound = drone.boundTo();
-        Assignment assignment = run.assignment();
+        VirtualRunAssignment assignment = run.assignment();
         return new VirtualDroneView.RunView(
                 WireNames.camel(run.stage()),
                 note(run),
@@ -186,28 +186,28 @@ public final class VirtualDroneViewMapper {
                 case PLAN -> Optional.empty();
                 case START ->
                     drone.mission() == null
-                            ? why(VirtualObjection.NO_MISSION, "Plan its mission first.")
+                            ? why(VirtualDroneObjection.NO_MISSION, "Plan its mission first.")
                             : drone.isUnderWay()
-                                    ? why(VirtualObjection.UNDER_WAY, "Its mission is under way already.")
+                                    ? why(VirtualDroneObjection.UNDER_WAY, "Its mission is under way already.")
                                     : Optional.empty();
                 case STOP ->
                     drone.isUnderWay()
                             ? Optional.empty()
-                            : why(VirtualObjection.NOT_UNDER_WAY, "Its mission is not under way.");
+                            : why(VirtualDroneObjection.NOT_UNDER_WAY, "Its mission is not under way.");
                 case RESUME ->
                     run != null
                                     && List.of(VirtualRunStage.SUSPENDED, VirtualRunStage.FAILED)
                                             .contains(run.stage())
                             ? Optional.empty()
-                            : why(VirtualObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
+                            : why(VirtualDroneObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
                 case REMOVE ->
                     drone.isUnderWay()
-                            ? why(VirtualObjection.UNDER_WAY, "Its mission is under way; stop it first.")
+                            ? why(VirtualDroneObjection.UNDER_WAY, "Its mission is under way; stop it first.")
                             : Optional.empty();
             };
         }
 
-        private static Optional<Objection> why(VirtualObjection code, String sentence) {
+        private static Optional<Objection> why(VirtualDroneObjection code, String sentence) {
             return Optional.of(Objection.of(code, sentence));
         }
     }

@@ -9,7 +9,7 @@ import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.conduct.VirtualDroneMatch;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.virtual.Against;
+import org.dronemap.core.virtual.UnfitReason;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.ws.access.RoleChecks;
@@ -83,8 +83,8 @@ public final class WarehouseService {
                 shown ? waiting.owner() : null,
                 run == null ? 0 : run.total() - run.flown(),
                 prospect.whyNot().isEmpty(),
-                prospect.whyNot().map(Against::sentence).orElse(null),
-                prospect.whyNot().map(Against::code).orElse(null));
+                prospect.whyNot().map(UnfitReason::sentence).orElse(null),
+                prospect.whyNot().map(UnfitReason::code).orElse(null));
     }
 
     public WarehouseView put(Principal principal, String id) {

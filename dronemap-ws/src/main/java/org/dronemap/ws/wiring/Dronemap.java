@@ -13,7 +13,7 @@ import org.dronemap.ws.server.MaintenanceTasks;
 import org.dronemap.ws.server.ServerBuilder;
 import org.dronemap.ws.server.ServerComponents;
 import org.dronemap.ws.server.ShutdownSequence;
-import org.dronemap.ws.server.StartFailure;
+import org.dronemap.ws.server.StartFailureMessage;
 import org.dronemap.ws.settings.ServerSettings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -42,7 +42,7 @@ public final class Dronemap {
             start(settings, environment, closing);
         } catch (RuntimeException | LinkageError e) {
             closing.close();
-            System.err.println(StartFailure.sentence(e));
+            System.err.println(StartFailureMessage.sentence(e));
             return 1;
         }
         return waitForTheEnd(closing);

@@ -1,10 +1,10 @@
 package org.dronemap.ws.wiring;
 
 import org.dronemap.core.time.Time;
-import org.dronemap.ws.follow.AccountRights;
 import org.dronemap.ws.follow.FollowController;
 import org.dronemap.ws.follow.FollowReliefScheduler;
 import org.dronemap.ws.follow.FollowService;
+import org.dronemap.ws.follow.OwnerRightsCache;
 import org.dronemap.ws.server.ServerComponents;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -24,7 +24,7 @@ public class FollowConfiguration {
         FollowReliefScheduler reliefs = new FollowReliefScheduler(
                 conduct(house),
                 house.virtuals()::warehouse,
-                new AccountRights(house.access(), house.grantBook(), time),
+                new OwnerRightsCache(house.access(), house.grantBook(), time),
                 time);
         reliefs.start();
         return reliefs;

@@ -31,7 +31,7 @@ import org.dronemap.ws.limit.BoundedHttpProtocol;
 import org.dronemap.ws.limit.CanonicalUriFilter;
 import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.limit.HostConcurrencyFilter;
-import org.dronemap.ws.link.LinkController;
+import org.dronemap.ws.link.EndpointController;
 import org.dronemap.ws.link.LinkSecurityController;
 import org.dronemap.ws.log.OnboardLogController;
 import org.dronemap.ws.mission.MissionController;
@@ -49,12 +49,12 @@ import org.dronemap.ws.organisation.GroupController;
 import org.dronemap.ws.organisation.OrganisationController;
 import org.dronemap.ws.outlet.OutletController;
 import org.dronemap.ws.parameter.ParameterController;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.recording.RecordingController;
 import org.dronemap.ws.recording.ReplayController;
 import org.dronemap.ws.robotkey.RobotKeyController;
 import org.dronemap.ws.security.AccessFilter;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.security.TomcatErrorValve;
 import org.dronemap.ws.server.BuildVersion;
@@ -113,7 +113,7 @@ import tools.jackson.databind.DeserializationFeature;
     OutletController.class,
     RecordingController.class,
     ReplayController.class,
-    LinkController.class,
+    EndpointController.class,
     RobotKeyController.class,
     MetricsController.class,
     SensingController.class,
@@ -142,12 +142,12 @@ public class RestConfiguration {
     }
 
     @Bean
-    ProblemWriter problemWriter(JsonReader json) {
+    ProblemWriter problemWriter(JsonCodec json) {
         return new ProblemWriter(json);
     }
 
     @Bean
-    WebServerFactoryCustomizer<ConfigurableTomcatWebServerFactory> refusedByTomcat(JsonReader json) {
+    WebServerFactoryCustomizer<ConfigurableTomcatWebServerFactory> refusedByTomcat(JsonCodec json) {
         return factory -> factory.addContextCustomizers(
                 context -> context.getParent().getPipeline().addValve(new TomcatErrorValve(json)));
     }
@@ -218,7 +218,7 @@ public class RestConfiguration {
 
     @Bean
     FilterRegistrationBean<OncePerRequestFilter> access(
-            RestOperations operations, Authentication authentication, Budgets budgets, ProblemWriter problems) {
+            RestOperations operations, CallerAuthenticator authentication, Budgets budgets, ProblemWriter problems) {
         return first(new AccessFilter(operations, authentication, budgets, problems), 6);
     }
 

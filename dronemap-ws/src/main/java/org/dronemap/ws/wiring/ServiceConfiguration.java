@@ -22,13 +22,13 @@ import org.dronemap.ws.drone.UnrestoredParameterService;
 import org.dronemap.ws.enrol.EnrolmentService;
 import org.dronemap.ws.fence.FenceService;
 import org.dronemap.ws.history.FlightService;
-import org.dronemap.ws.history.HistoryService;
+import org.dronemap.ws.history.HistoryStatusService;
 import org.dronemap.ws.history.TelemetryExporter;
 import org.dronemap.ws.history.TelemetryService;
 import org.dronemap.ws.key.AccessKeyService;
 import org.dronemap.ws.link.DtlsKeyService;
+import org.dronemap.ws.link.EndpointService;
 import org.dronemap.ws.link.LinkSecurityService;
-import org.dronemap.ws.link.LinkService;
 import org.dronemap.ws.log.OnboardLogArchive;
 import org.dronemap.ws.log.OnboardLogService;
 import org.dronemap.ws.mission.MissionService;
@@ -37,14 +37,14 @@ import org.dronemap.ws.organisation.OrganisationService;
 import org.dronemap.ws.outlet.OutletService;
 import org.dronemap.ws.parameter.ParameterService;
 import org.dronemap.ws.place.PlaceNames;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.recording.RecordingService;
 import org.dronemap.ws.recording.ReplayOwners;
 import org.dronemap.ws.recording.ReplayService;
 import org.dronemap.ws.recording.TlogExporter;
 import org.dronemap.ws.robotkey.RobotKeyService;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.InitialAdministrator;
 import org.dronemap.ws.security.oidc.OidcSettings;
@@ -97,7 +97,7 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    Authentication authentication(
+    CallerAuthenticator authentication(
             ServerComponents house,
             PasswordHashing passwords,
             SecretGenerator secrets,
@@ -105,9 +105,9 @@ public class ServiceConfiguration {
             ServerSettings settings,
             Clock clock) {
         String localKey = InitialAdministrator.localKey(secrets, settings.dataDirectory());
-        return new Authentication(
+        return new CallerAuthenticator(
                 house.access(),
-                new Authentication.Verifiers(passwords, secrets, localKey, house.grantBook()),
+                new CallerAuthenticator.Verifiers(passwords, secrets, localKey, house.grantBook()),
                 firstPassword,
                 clock);
     }
@@ -132,7 +132,7 @@ public class ServiceConfiguration {
             ServerComponents house,
             AccountChanges accounts,
             PasswordHashing passwords,
-            Authentication authentication,
+            CallerAuthenticator authentication,
             InitialPassword firstPassword) {
         return new AccountService(house.access(), accounts, passwords, authentication, firstPassword);
     }
@@ -162,7 +162,7 @@ public class ServiceConfiguration {
             ServerComponents house,
             AccountChanges accounts,
             PasswordHashing passwords,
-            Authentication authentication,
+            CallerAuthenticator authentication,
             ServerSettings settings) {
         OidcSettings oidc = settings.oidc();
         ExternalUsers users = new ExternalUsers(house.access(), accounts, passwords, new SecretGenerator());
@@ -199,8 +199,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    JsonReader jsonReader() {
-        return new JsonReader();
+    JsonCodec jsonReader() {
+        return new JsonCodec();
     }
 
     @Bean
@@ -337,8 +337,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    HistoryService historyService(ServerComponents house) {
-        return new HistoryService(house.history());
+    HistoryStatusService historyService(ServerComponents house) {
+        return new HistoryStatusService(house.history());
     }
 
     @Bean
@@ -352,8 +352,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    LinkService linkService(ServerComponents house, Clock clock) {
-        return new LinkService(house.links().vehicles(), house.links().store(), clock);
+    EndpointService linkService(ServerComponents house, Clock clock) {
+        return new EndpointService(house.links().vehicles(), house.links().store(), clock);
     }
 
     @Bean

@@ -8,11 +8,11 @@ import org.apache.cxf.Bus;
 import org.apache.cxf.bus.extension.ExtensionManagerBus;
 import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
 import org.dronemap.ws.plainhttp.OriginalAddressFilter;
-import org.dronemap.ws.reading.JsonReader;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.reading.JsonCodec;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.settings.ServerSettings;
-import org.dronemap.ws.soap.RestDispatcher;
+import org.dronemap.ws.soap.InProcessRestClient;
 import org.dronemap.ws.soap.SoapAuthentication;
 import org.dronemap.ws.soap.SoapCallExecutor;
 import org.dronemap.ws.soap.SoapContract;
@@ -40,24 +40,28 @@ public class SoapConfiguration {
 
     /** A call passes the filters that judge and note requests; those that bound connections have seen it already. */
     @Bean
-    RestDispatcher restCalls(
+    InProcessRestClient restCalls(
             DispatcherServlet dispatcher,
             FilterRegistrationBean<OncePerRequestFilter> audit,
             FilterRegistrationBean<OncePerRequestFilter> plainAddress,
             FilterRegistrationBean<OncePerRequestFilter> access,
             ProblemWriter problems) {
-        return new RestDispatcher(
+        return new InProcessRestClient(
                 dispatcher, List.of(audit.getFilter(), plainAddress.getFilter(), access.getFilter()), problems);
     }
 
     @Bean
-    SoapContract soapContract(RestDispatcher rest, JsonReader json, ServletContext context) {
+    SoapContract soapContract(InProcessRestClient rest, JsonCodec json, ServletContext context) {
         return new SoapContract(() -> json.mapper().readTree(rest.read(context, DESCRIPTION)));
     }
 
     @Bean
     SoapCallExecutor soapCalls(
-            SoapContract contract, RestDispatcher rest, Authentication authentication, Clock clock, JsonReader json) {
+            SoapContract contract,
+            InProcessRestClient rest,
+            CallerAuthenticator authentication,
+            Clock clock,
+            JsonCodec json) {
         return new SoapCallExecutor(
                 contract, new SoapAuthentication(authentication, new UsernameTokenReader(clock)), rest, json);
     }

@@ -22,10 +22,10 @@ import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.follow.FollowService;
 import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.plan.PlanJobExecutor;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.run.RunService;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.server.BuildVersion;
 import org.dronemap.ws.server.ReloadableCertificate;
@@ -33,7 +33,7 @@ import org.dronemap.ws.server.ServerComponents;
 import org.dronemap.ws.settings.ServerSettings;
 import org.dronemap.ws.stream.StreamClientRegistry;
 import org.dronemap.ws.stream.StreamFace;
-import org.dronemap.ws.stream.Topic;
+import org.dronemap.ws.stream.StreamTopic;
 import org.dronemap.ws.stream.description.StreamDescription;
 import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.jspecify.annotations.Nullable;
@@ -63,7 +63,7 @@ public class StreamConfiguration {
 
     @Bean
     StreamFace.AccessServices streamEntrance(
-            Authentication authentication,
+            CallerAuthenticator authentication,
             StreamTickets tickets,
             AccountChanges accounts,
             StreamFace.Limits bounds,
@@ -79,7 +79,7 @@ public class StreamConfiguration {
             StreamFace.ViewServices pictures,
             CommandService commands,
             StreamFace.ControlServices reins,
-            JsonReader json) {
+            JsonCodec json) {
         return new StreamFace.Services(entrance, drones, pictures, commands, reins, json);
     }
 
@@ -114,7 +114,7 @@ public class StreamConfiguration {
     StreamFace streamFace(
             ServerComponents house,
             StreamFace.Services services,
-            ObjectProvider<Topic<?>> topics,
+            ObjectProvider<StreamTopic<?>> topics,
             ServerSettings settings,
             BoundedWebSocketFactory door,
             Clock clock) {
@@ -125,7 +125,7 @@ public class StreamConfiguration {
     }
 
     @Bean
-    StreamDescription streamDescription(StreamFace face, List<OpenApiCustomizer> customizers, JsonReader json) {
+    StreamDescription streamDescription(StreamFace face, List<OpenApiCustomizer> customizers, JsonCodec json) {
         return new StreamDescription(face, customizers, json, BuildVersion.current());
     }
 

@@ -9,7 +9,7 @@ import java.util.List;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Zone;
@@ -141,12 +141,12 @@ public record ZoneFeature(
                         null));
     }
 
-    private static String kind(FenceZone shape) {
+    private static String kind(FenceArea shape) {
         return shape.inside() ? "inclusion" : "exclusion";
     }
 
-    private static @Nullable Double radius(FenceZone shape) {
-        return shape instanceof FenceZone.Circle circle ? Double.valueOf(circle.radiusMeters()) : null;
+    private static @Nullable Double radius(FenceArea shape) {
+        return shape instanceof FenceArea.Circle circle ? Double.valueOf(circle.radiusMeters()) : null;
     }
 
     private static ZoneProperties properties(Zone zone, boolean namesMaker) {

@@ -6,7 +6,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.reading.AreaReader;
 import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
@@ -23,7 +23,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
 @Schema(name = "ZoneGeometry", description = "A geometry of GeoJSON.")
 public sealed interface ZoneGeometry extends ZoneImport.Geometry {
     /** Throws {@link InvalidInput} where the coordinates cannot be used; {@code radius}: of a circle, in metres. */
-    FenceZone shape(AreaReader reader, boolean inside, @Nullable Double radius);
+    FenceArea shape(AreaReader reader, boolean inside, @Nullable Double radius);
 
     /** An area within corners. */
     @Schema(name = "PolygonGeometry", description = "An area of 3 to 100 corners.")
@@ -36,7 +36,7 @@ public sealed interface ZoneGeometry extends ZoneImport.Geometry {
             List<List<List<Double>>> coordinates)
             implements ZoneGeometry {
         @Override
-        public FenceZone shape(AreaReader reader, boolean inside, @Nullable Double radius) {
+        public FenceArea shape(AreaReader reader, boolean inside, @Nullable Double radius) {
             return reader.polygon(inside, coordinates);
         }
     }
@@ -49,19 +49,19 @@ public sealed interface ZoneGeometry extends ZoneImport.Geometry {
             List<Double> coordinates)
             implements ZoneGeometry {
         @Override
-        public FenceZone shape(AreaReader reader, boolean inside, @Nullable Double radius) {
+        public FenceArea shape(AreaReader reader, boolean inside, @Nullable Double radius) {
             return reader.circle(inside, coordinates, radius);
         }
     }
 
-    static ZoneGeometry of(FenceZone shape) {
-        return shape instanceof FenceZone.Circle circle
+    static ZoneGeometry of(FenceArea shape) {
+        return shape instanceof FenceArea.Circle circle
                 ? new Point(position(circle.center()))
-                : new Polygon(rings((FenceZone.Polygon) shape));
+                : new Polygon(rings((FenceArea.Polygon) shape));
     }
 
     /** One, which ends where it began. */
-    static List<List<List<Double>>> rings(FenceZone.Polygon polygon) {
+    static List<List<List<Double>>> rings(FenceArea.Polygon polygon) {
         List<List<Double>> ring = new ArrayList<>();
         polygon.corners().forEach(corner -> ring.add(position(corner)));
         ring.add(ring.get(0));

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.DeserializationFeature;
@@ -15,7 +15,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Reads zones from GeoJSON or KML files made by other programs: ignores what is unknown and splits multipolygons. */
 final class ZoneImport {
-    private static final JsonReader LENIENT = new JsonReader(JsonMapper.builder()
+    private static final JsonCodec LENIENT = new JsonCodec(JsonMapper.builder()
             .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
             .build());
     private static final String TYPES = "FeatureCollection or Feature";

@@ -4,11 +4,11 @@ import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.core.zone.ZoneValidity;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.AltitudeBandReader;
@@ -46,7 +46,7 @@ public final class ZoneReader {
         return NameRules.checked(at + "properties.name", properties.name(), LONGEST_NAME);
     }
 
-    public FenceZone shape() {
+    public FenceArea shape() {
         boolean inside = switch (properties.kind() == null ? "exclusion" : properties.kind()) {
             case "exclusion" -> false;
             case "inclusion" -> true;
@@ -89,7 +89,7 @@ public final class ZoneReader {
     }
 
     /** One that is over already would guard nothing. */
-    Validity validity(Instant now) {
+    ZoneValidity validity(Instant now) {
         Instant from = moment("from", properties.from());
         Instant until = moment("until", properties.until());
         if (from != null && until != null && !from.isBefore(until)) {
@@ -100,7 +100,7 @@ public final class ZoneReader {
             throw InvalidInput.outside(
                     ValueProblem.VALUE_OUT_OF_RANGE, at + "properties.until", "later than now", until);
         }
-        return new Validity(from, until);
+        return new ZoneValidity(from, until);
     }
 
     private @Nullable Instant moment(String field, @Nullable String text) {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import org.dronemap.ws.problem.Throttled;
+import org.dronemap.ws.problem.RateLimitRejection;
 import org.junit.jupiter.api.Test;
 
 class BudgetsTest {
@@ -18,7 +18,7 @@ class BudgetsTest {
             try {
                 budgets.charge(WorkKind.COMMAND, user);
                 times++;
-            } catch (Throttled refused) {
+            } catch (RateLimitRejection refused) {
                 assertThat(refused.retryAfterSeconds()).isEqualTo(1);
                 return times;
             }

@@ -28,13 +28,13 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.parameter.ParameterSet;
 import org.dronemap.ws.mission.MissionItemView;
 import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.reading.WireNames;
 import org.junit.jupiter.api.Test;
@@ -72,7 +72,7 @@ class CommandKindsTest {
             null,
             null,
             null,
-            Payload.UNKNOWN,
+            PayloadState.UNKNOWN,
             MissionProgress.UNKNOWN,
             List.of(),
             Instant.EPOCH,
@@ -127,7 +127,7 @@ class CommandKindsTest {
     @ParameterizedTest
     @MethodSource("types")
     void readsWhatItTellsClientsThatThereIs(String type) {
-        CommandRequest request = new JsonReader().read("{\"type\":\"" + type + "\"}", CommandRequest.class);
+        CommandRequest request = new JsonCodec().read("{\"type\":\"" + type + "\"}", CommandRequest.class);
         ParameterSet held = ParameterSet.of(List.of(), Instant.EPOCH);
 
         assertThat(WireNames.lowerFirst(request.kind().word())).isEqualTo(type);

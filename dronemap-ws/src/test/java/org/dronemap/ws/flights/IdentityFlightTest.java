@@ -10,7 +10,7 @@ import java.util.Objects;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.ws.command.CommandRequest;
@@ -160,7 +160,7 @@ class IdentityFlightTest {
         lab.until(
                 "the proof counts",
                 Duration.ofSeconds(5),
-                () -> only(drone).standing().strongest() == Evidence.SIGNATURE);
+                () -> only(drone).standing().strongest() == IdentityEvidence.SIGNATURE);
         real.setSilent(true);
         lab.until("it is lost", Duration.ofSeconds(6), () -> isLost(drone));
 

@@ -212,14 +212,14 @@ class OnBoardMissionsTest {
         String id = drone.id().value();
         FenceService fences = lab.server().fences();
         DirectGroundStation station = new DirectGroundStation(lab, drone);
-        FenceView.TelemetryPointView corner = new FenceView.TelemetryPointView(47.39, 8.54);
+        FenceView.FencePointView corner = new FenceView.FencePointView(47.39, 8.54);
         FenceView fence = new FenceView(List.of(
                 new FenceView.PolygonView(
                         true,
                         List.of(
                                 corner,
-                                new FenceView.TelemetryPointView(47.41, 8.54),
-                                new FenceView.TelemetryPointView(47.4, 8.56))),
+                                new FenceView.FencePointView(47.41, 8.54),
+                                new FenceView.FencePointView(47.4, 8.56))),
                 new FenceView.CircleView(false, corner, 50.0)));
         FenceView.RallyView rally = new FenceView.RallyView(List.of(new FenceView.RallyPointView(47.395, 8.545, 25.0)));
         assertThat(fences.fence(ann.principal(), id).zones()).isNull();
@@ -243,7 +243,7 @@ class OnBoardMissionsTest {
     @MethodSource(AUTOPILOTS)
     void aBrokenFenceIsRefusedByNameAndLeavesTheOldOne(VehicleSpec kit) {
         LabDrone drone = drone(kit);
-        FenceView.TelemetryPointView center = new FenceView.TelemetryPointView(47.39, 8.54);
+        FenceView.FencePointView center = new FenceView.FencePointView(47.39, 8.54);
         FenceView fence = new FenceView(List.of(new FenceView.CircleView(false, center, 50.0)));
         FenceView broken = new FenceView(List.of(new FenceView.CircleView(true, null, null)));
         FenceService fences = lab.server().fences();

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.mavlink.message.ParamSet;
-import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.lab.LabDrone;
@@ -68,7 +68,7 @@ class OnBoardParametersTest {
 
     /** What the vehicle truly has. */
     private static Map<String, Double> held(LabDrone drone) {
-        Parameters all = drone.vehicle().autopilot().parameters();
+        SimulatedParameters all = drone.vehicle().autopilot().parameters();
         Map<String, Double> held = new TreeMap<>();
         IntStream.range(0, all.size())
                 .forEach(index -> held.put(all.at(index).name(), all.at(index).value()));

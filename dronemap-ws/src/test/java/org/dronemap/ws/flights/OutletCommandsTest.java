@@ -116,7 +116,7 @@ class OutletCommandsTest {
     void whoHasNoControlIsRefusedAndToldWhoHas() {
         Pilot holder = administrator.granted("holder", Role.OPERATOR, second);
         Pilot other = administrator.granted("other", Role.OPERATOR, second);
-        holder.controls(second, new ControlRequest.Take());
+        holder.controls(second, new ControlRequest.TakeControl());
         GroundStation ground = station(other, 255);
         int number = ground.hears(1).get(0);
         assertThat(ground.command(number, SET_MODE, 1, GUIDED)).isEqualTo(DENIED);

@@ -16,7 +16,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.GlobalPositionInt;
-import org.dronemap.ws.drone.EventView;
+import org.dronemap.ws.drone.DroneEventView;
 import org.dronemap.ws.history.FlightSearchRequest;
 import org.dronemap.ws.history.FlightView;
 import org.dronemap.ws.history.TelemetrySearchRequest;
@@ -97,7 +97,7 @@ class RememberedFlightTest {
         assertThat(points.size()).isGreaterThan((int) flight.seconds());
         points.forEach(
                 point -> assertThat(metersOff(log, point)).as("%s", point).isLessThan(METERS));
-        List<EventView> events = lab.until(
+        List<DroneEventView> events = lab.until(
                 "its end is told",
                 Duration.ofSeconds(10),
                 () -> Optional.of(telemetry().events(subject(flight), ALL).events())
@@ -107,7 +107,7 @@ class RememberedFlightTest {
             assertThat(event.text()).isEqualTo("take off to 8 m");
             assertThat(event.result()).isEqualTo("succeeded");
         });
-        assertThat(events).extracting(EventView::kind).contains("armed", "disarmed", "mode");
+        assertThat(events).extracting(DroneEventView::kind).contains("armed", "disarmed", "mode");
         double highest = points.stream()
                 .mapToDouble(point -> Objects.requireNonNull(point.altitudeAboveHome()))
                 .max()

@@ -114,7 +114,7 @@ class RobotsLeftAloneTest {
     }
 
     private void takes(LabRobot robot) {
-        ann.controls(id(robot), new ControlRequest.Take());
+        ann.controls(id(robot), new ControlRequest.TakeControl());
     }
 
     private void begin(LabRobot robot, CommandRequest what) {

@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.sim.robot.BridgeQuirk;
-import org.dronemap.sim.robot.RobotFleet;
 import org.dronemap.sim.robot.SimulatedRobot;
+import org.dronemap.sim.robot.SimulatedRobotFleet;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.drone.DroneView;
@@ -113,7 +113,7 @@ public final class LabRobot {
     }
 
     /** What is true of it. */
-    public RobotFleet.GroundTruth truth() {
+    public SimulatedRobotFleet.GroundTruth truth() {
         return robot.truth();
     }
 

@@ -97,7 +97,7 @@ public final class Pilot {
     }
 
     public ControlView takesControl(LabDrone drone) {
-        return controls(drone, new ControlRequest.Take());
+        return controls(drone, new ControlRequest.TakeControl());
     }
 
     public ControlView takesOver(String drone, String reason) {

@@ -3,7 +3,7 @@ package org.dronemap.ws.lab;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.dronemap.sim.autopilot.AutopilotKind;
-import org.dronemap.sim.autopilot.VehicleSettings;
+import org.dronemap.sim.autopilot.SimulatedVehicleSettings;
 import org.dronemap.sim.autopilot.arducopter.SimulatedArduCopter;
 import org.dronemap.sim.autopilot.px4.SimulatedPx4;
 
@@ -74,8 +74,8 @@ public record VehicleSpec(
         return kind.name();
     }
 
-    VehicleSettings settings(int systemId, int hardware, long epochMicros) {
-        return new VehicleSettings(
+    SimulatedVehicleSettings settings(int systemId, int hardware, long epochMicros) {
+        return new SimulatedVehicleSettings(
                 systemId, hardware, mavlinkVersion, BY_ITSELF, MIDDLE, epochMicros, usb, parameters, presets);
     }
 }

@@ -3,10 +3,10 @@ package org.dronemap.ws.plan;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.TimedPlace;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.plan.TourLeg;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.Place;
@@ -41,7 +41,7 @@ class PlanMissionWriterTest {
                         fix(HOME, top, leaves + 100),
                         fix(HOME, HOME_METERS, leaves + 200)),
                 1);
-        return new Tour(new DroneId("d1"), List.of(new Stop("w", way, way.arrivesSeconds(), leaves, 1)), back, 2);
+        return new Tour(new DroneId("d1"), List.of(new TourStop("w", way, way.arrivesSeconds(), leaves, 1)), back, 2);
     }
 
     private static Tour plain(double top, double leaves) {

@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.Objective.Measure;
 import org.dronemap.ws.problem.Rejection;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -18,7 +18,7 @@ class PlanObjectiveRequestTest {
     private static final String WEIGHTS = "\"kind\":\"weighted\",\"longestWeight\":2,\"sumWeight\":3";
 
     private static Objective read(String members) {
-        PlanRequest request = new JsonReader().read("{\"objective\":{" + members + "}}", PlanRequest.class);
+        PlanRequest request = new JsonCodec().read("{\"objective\":{" + members + "}}", PlanRequest.class);
         return Objects.requireNonNull(request.objective()).read("objective.");
     }
 

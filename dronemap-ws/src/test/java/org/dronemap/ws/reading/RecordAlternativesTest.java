@@ -33,7 +33,7 @@ class RecordAlternativesTest {
 
     record Drawing(@Nullable Shape frame, @Nullable List<Shape> shapes) {}
 
-    private final JsonReader json = new JsonReader();
+    private final JsonCodec json = new JsonCodec();
 
     private InvalidInput wrong(String text, Class<?> type) {
         return catchThrowableOfType(InvalidInput.class, () -> json.read(text, type));

@@ -6,14 +6,14 @@ import java.time.Clock;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.util.concurrent.TimeUnit;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.junit.jupiter.api.Test;
 
 /** The sign of life by which pages know that their line stands. */
 class StreamHeartbeatTest {
     private static final Clock NOON = Clock.fixed(Instant.parse("2026-01-01T12:00:00Z"), ZoneOffset.UTC);
 
-    private final StreamHeartbeat beat = new StreamHeartbeat(new JsonReader(), NOON, 0);
+    private final StreamHeartbeat beat = new StreamHeartbeat(new JsonCodec(), NOON, 0);
 
     @Test
     void isDueOnceASecondSoThatACutLineCanBeToldWithinThree() {

@@ -8,7 +8,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.ws.environment.SetupException;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.RecordAlternatives;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -39,27 +39,33 @@ class StreamMessageCatalogueTest {
     @JsonTypeName("nameless")
     record Nameless(String id) implements StreamMessage.OfUseCase {}
 
-    private static Topic<String> topic(
-            Class<? extends StreamMessage> message, String kind, TopicRate rate, Topic.@Nullable Removal removal) {
-        return new Topic<>(
+    private static StreamTopic<String> topic(
+            Class<? extends StreamMessage> message,
+            String kind,
+            StreamTopicRate rate,
+            StreamTopic.@Nullable Removal removal) {
+        return new StreamTopic<>(
                 message,
                 rate,
-                new Topic.SubjectMapping<>(kind, thing -> thing),
-                Topic.Audience.of("everybody", (who, thing) -> true),
+                new StreamTopic.SubjectMapping<>(kind, thing -> thing),
+                StreamTopic.Audience.of("everybody", (who, thing) -> true),
                 (thing, who) -> new Painted(thing, "red"),
                 List::of,
                 removal,
                 told -> {});
     }
 
-    private static Topic<String> newest(Class<? extends StreamMessage> message, String kind) {
-        return topic(message, kind, new TopicRate.Newest(2), null);
+    private static StreamTopic<String> newest(Class<? extends StreamMessage> message, String kind) {
+        return topic(message, kind, new StreamTopicRate.Newest(2), null);
     }
 
     @Test
     void areThoseOfTheCloudAndThoseOfTopics() {
-        Topic<String> painted = topic(
-                Painted.class, "wall", new TopicRate.EveryChange(), new Topic.Removal(Unpainted.class, Unpainted::new));
+        StreamTopic<String> painted = topic(
+                Painted.class,
+                "wall",
+                new StreamTopicRate.EveryChange(),
+                new StreamTopic.Removal(Unpainted.class, Unpainted::new));
         StreamMessageCatalogue said = StreamMessageCatalogue.of(List.of(painted));
 
         assertThat(said.ofUseCases())
@@ -74,7 +80,7 @@ class StreamMessageCatalogueTest {
 
     @Test
     void areWrittenWithTheirTypeLikeAllOthers() {
-        JsonReader json = new JsonReader();
+        JsonCodec json = new JsonCodec();
 
         assertThat(json.write(new Painted("a", "red")))
                 .isEqualTo("{\"type\":\"painted\",\"id\":\"a\",\"colour\":\"red\"}");
@@ -84,14 +90,14 @@ class StreamMessageCatalogueTest {
 
     @Test
     void mayBeOfADroneThatOtherTopicsAreAboutToo() {
-        List<Topic<?>> topics = List.of(
+        List<StreamTopic<?>> topics = List.of(
                 newest(StreamMessage.Drone.class, "drone"),
-                topic(Painted.class, "drone", new TopicRate.EveryChange(), null));
+                topic(Painted.class, "drone", new StreamTopicRate.EveryChange(), null));
 
         assertThat(StreamMessageCatalogue.of(topics).ofUseCases()).containsOnlyKeys("painted");
     }
 
-    record Faulty(List<Topic<?>> topics, String sentence) {}
+    record Faulty(List<StreamTopic<?>> topics, String sentence) {}
 
     static Stream<Faulty> faulty() {
         String here = StreamMessageCatalogueTest.class.getName() + "$";

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSigningPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.link.LinkSecurityGateway;
 import org.dronemap.ws.link.LinkSecurityView;
@@ -16,13 +16,13 @@ import org.jspecify.annotations.Nullable;
 /** Link security that takes every key, and lets no change succeed that nobody vouched for. */
 final class FakeLinkSecurityGateway implements LinkSecurityGateway {
     private final Map<DroneId, LinkKey> keys = new ConcurrentHashMap<>();
-    private final Map<DroneId, LinkPolicy> policies = new ConcurrentHashMap<>();
+    private final Map<DroneId, LinkSigningPolicy> policies = new ConcurrentHashMap<>();
 
     @Override
     public LinkSecurityView view(DroneId drone) {
         LinkKey key = keys.get(drone);
         return new LinkSecurityView(
-                WireNames.camel(policies.getOrDefault(drone, LinkPolicy.OFF)),
+                WireNames.camel(policies.getOrDefault(drone, LinkSigningPolicy.OFF)),
                 key == null ? null : new LinkSecurityView.Key(key.fingerprint(), false),
                 null,
                 null,
@@ -31,7 +31,7 @@ final class FakeLinkSecurityGateway implements LinkSecurityGateway {
     }
 
     @Override
-    public Optional<Fault> policy(DroneId drone, LinkPolicy policy) {
+    public Optional<Fault> policy(DroneId drone, LinkSigningPolicy policy) {
         policies.put(drone, policy);
         return Optional.empty();
     }

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dronemap.ws.link.EndpointView;
-import org.dronemap.ws.link.TrafficView;
-import org.dronemap.ws.link.VehicleLinkGateway;
+import org.dronemap.ws.link.LinkTrafficView;
+import org.dronemap.ws.link.VehicleEndpointGateway;
 
 /** Opens nothing: lists what it was told to keep, one configured endpoint before it. */
-public final class FakeVehicleLinkGateway implements VehicleLinkGateway {
+public final class FakeVehicleLinkGateway implements VehicleEndpointGateway {
     public static final String CONFIGURED = "udpserver://127.0.0.1:14550";
 
     private final Map<String, String> kept = new LinkedHashMap<>(Map.of("configured-1", CONFIGURED));
@@ -62,10 +62,10 @@ public final class FakeVehicleLinkGateway implements VehicleLinkGateway {
     }
 
     @Override
-    public List<TrafficView> traffic() {
+    public List<LinkTrafficView> traffic() {
         return List.of(
-                new TrafficView("drone-1", "127.0.0.1", 14601, 1, "udp", 100, 50, 3, 2, 1, 0),
-                new TrafficView("drone-2", "127.0.0.1", 14602, 1, "udp", 1, 0, 0, 0, 0, 0));
+                new LinkTrafficView("drone-1", "127.0.0.1", 14601, 1, "udp", 100, 50, 3, 2, 1, 0),
+                new LinkTrafficView("drone-2", "127.0.0.1", 14602, 1, "udp", 1, 0, 0, 0, 0, 0));
     }
 
     @Override

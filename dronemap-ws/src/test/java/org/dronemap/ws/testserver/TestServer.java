@@ -54,7 +54,7 @@ import org.dronemap.store.secret.HmacKeyedHash;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.account.PasswordHashing;
 import org.dronemap.ws.budget.BudgetRates;
-import org.dronemap.ws.follow.AccountRights;
+import org.dronemap.ws.follow.OwnerRightsCache;
 import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.link.DtlsKeyRing;
 import org.dronemap.ws.reading.SecretGenerator;
@@ -147,7 +147,7 @@ public final class TestServer implements AutoCloseable {
         recorder = startedRecorder();
         history = history();
         virtuals = virtuals();
-        AccountRights rights = new AccountRights(access, grants, time);
+        OwnerRightsCache rights = new OwnerRightsCache(access, grants, time);
         runs = OperationComponents.of(cloud, stores.operations, rights, FollowSeparation.USUAL, time);
         runs.operations().restore();
         runs.operations().goOn();
@@ -180,7 +180,7 @@ public final class TestServer implements AutoCloseable {
                 cloud,
                 stores.virtuals,
                 new VirtualRunMachine(VirtualRunMachine.USUAL_SILENCE),
-                new AccountRights(access, grants, time),
+                new OwnerRightsCache(access, grants, time),
                 RHYTHM_OF_VIRTUALS,
                 time);
         made.addListener(new BindingAuditListener(audit.store(), Clock.systemUTC(), made.all()));

@@ -8,11 +8,11 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.stream.StreamFace;
 import org.dronemap.ws.stream.StreamMessage;
-import org.dronemap.ws.stream.Topic;
+import org.dronemap.ws.stream.StreamTopic;
 import org.dronemap.ws.testserver.RecordingStreamClient;
 import org.dronemap.ws.testserver.SharedServer;
 import org.dronemap.ws.testserver.TestHttpClient;
@@ -26,7 +26,7 @@ import tools.jackson.databind.json.JsonMapper;
 /** Each kind of message of the stream, with each of its members, read off the records that it is written from. */
 class StreamWireTest {
     private static final String PACKAGE = "org.dronemap.ws.stream.";
-    private final JsonMapper json = new JsonReader().mapper();
+    private final JsonMapper json = new JsonCodec().mapper();
 
     @Test
     void saysWhatIsApproved() {
@@ -62,7 +62,7 @@ class StreamWireTest {
                 .containsExactlyInAnyOrderElementsOf(
                         Stream.concat(records.values().stream(), Stream.of(StreamMessage.OfUseCase.class))
                                 .toList());
-        for (Topic<?> topic : SharedServer.get().bean(StreamFace.class).topics()) {
+        for (StreamTopic<?> topic : SharedServer.get().bean(StreamFace.class).topics()) {
             for (Class<?> message : topic.messages()) {
                 records.put(RecordAlternatives.with(message).orElseThrow().nameOf(message), message);
             }

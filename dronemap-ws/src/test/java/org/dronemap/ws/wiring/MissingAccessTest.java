@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.dronemap.ws.http.FallbackErrorController;
-import org.dronemap.ws.server.StartFailure;
+import org.dronemap.ws.server.StartFailureMessage;
 import org.dronemap.ws.violation.HandlerViolations;
 import org.junit.jupiter.api.Test;
 import org.springframework.boot.autoconfigure.EnableAutoConfiguration;
@@ -23,9 +23,10 @@ class MissingAccessTest {
     void keepsTheServerFromStarting() {
         assertThatThrownBy(() -> start(HandlerViolations.Forgetful.class))
                 .hasMessage(
-                        "The handler org.dronemap.ws.violation.HandlerViolations$Forgetful.forgotten has no @Access; say"
+                        "The handler org.dronemap.ws.violation.HandlerViolations$Forgetful$forgotten has no @Access; say"
                                 + " there who may call it, and what it is about.")
-                .satisfies(failure -> assertThat(StartFailure.sentence(failure)).contains("Forgetful.forgotten"));
+                .satisfies(failure ->
+                        assertThat(StartFailureMessage.sentence(failure)).contains("Forgetful.forgotten"));
     }
 
     @Test

@@ -21,7 +21,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.concurrent.TimeUnit;
-import org.dronemap.core.link.SavedLink;
+import org.dronemap.core.link.SavedEndpoint;
 import org.dronemap.core.process.ActivePeers;
 import org.dronemap.core.process.PeerCrashGuard;
 import org.dronemap.core.process.ProcessCrash;
@@ -109,9 +109,9 @@ class RestoredFirstTest {
         webSocket = freePort();
         robotsWebSocket = freePort();
         dtls = freeDatagramPort();
-        kept.links().addLink(new SavedLink("stored", callers.get(1).url(), "ann", Instant.EPOCH));
+        kept.links().addLink(new SavedEndpoint("stored", callers.get(1).url(), "ann", Instant.EPOCH));
         kept.links()
-                .addLink(new SavedLink(
+                .addLink(new SavedEndpoint(
                         "dialled", "tcpclient://127.0.0.1:" + dialled.getLocalPort(), "ann", Instant.EPOCH));
     }
 

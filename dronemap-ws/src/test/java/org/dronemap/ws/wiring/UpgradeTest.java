@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.OrganisationDirectory;
 import org.dronemap.core.access.User;
-import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.core.history.FlightQuery;
 import org.dronemap.core.operation.JournalReplay;
 import org.dronemap.core.operation.OperationKind;
@@ -30,10 +30,10 @@ import org.dronemap.store.postgres.PostgresStores;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
 import org.dronemap.ws.audit.AuditReceiptView;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.security.AuthenticatedCaller;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.server.OperationComponents;
 import org.dronemap.ws.server.ServerComponents;
 import org.dronemap.ws.settings.ServerSettings;
@@ -155,7 +155,7 @@ class UpgradeTest {
         SecretGenerator secrets = services.secrets();
         ServerComponents house = now.house();
         ServerSettings settings = now.settings();
-        Authentication door = services.authentication(
+        CallerAuthenticator door = services.authentication(
                 house,
                 house.passwords(),
                 secrets,
@@ -192,7 +192,7 @@ class UpgradeTest {
     @MethodSource("versions")
     void theRecordsOfWhatWasDoneAreAsTheyWereWritten(String version) {
         UpgradedServer now = VERSIONS.get(version);
-        SignedHead receipt = new JsonReader()
+        SignedAuditHead receipt = new JsonCodec()
                 .read(UpgradedServer.read(now.receipt()), AuditReceiptView.class)
                 .signedHead();
 

@@ -8,13 +8,13 @@ import java.util.Set;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Zone;
 import org.junit.jupiter.api.Test;
 
 class ZoneFeatureTest {
-    private static final FenceZone CIRCLE = new FenceZone.Circle(false, new Geodetic(47.4, 8.5), 20);
+    private static final FenceArea CIRCLE = new FenceArea.Circle(false, new Geodetic(47.4, 8.5), 20);
 
     @Test
     void ofWhatEverybodyKeepsToIsOneAndNamesNobody() {

@@ -10,7 +10,7 @@ import org.dronemap.cognitive.allocate.ParallelSearch;
 import org.dronemap.cognitive.cost.AllocationDrone;
 import org.dronemap.cognitive.cost.AllocationObjective;
 import org.dronemap.cognitive.cost.AllocationProblem;
-import org.dronemap.cognitive.cost.Visit;
+import org.dronemap.cognitive.cost.AllocationWaypoint;
 
 /** Our own search, at a speed of one unit a second; with several threads each searches by itself, and the best counts. */
 final class DronemapSolver implements Solver {
@@ -38,7 +38,7 @@ final class DronemapSolver implements Solver {
     static AllocationProblem instance(TourProblem problem) {
         BitSet all = new BitSet();
         all.set(0, problem.drones());
-        Visit visit = new Visit(0, 0, 1, 0, Double.POSITIVE_INFINITY, all);
+        AllocationWaypoint visit = new AllocationWaypoint(0, 0, 1, 0, Double.POSITIVE_INFINITY, all);
         AllocationDrone carrier = new AllocationDrone(0, 0, Double.POSITIVE_INFINITY);
         AllocationObjective aim = problem.longest()
                 ? AllocationObjective.minMax()

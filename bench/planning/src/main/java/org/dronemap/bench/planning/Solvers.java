@@ -6,9 +6,9 @@ import java.util.function.Supplier;
 import org.dronemap.bench.planning.library.JspritSolver;
 import org.dronemap.bench.planning.library.OrToolsSolver;
 import org.dronemap.bench.planning.library.TimefoldSolver;
-import org.dronemap.cognitive.allocate.GivenOrder;
-import org.dronemap.cognitive.allocate.MoveAndImprove;
-import org.dronemap.cognitive.allocate.NearestNeighbour;
+import org.dronemap.cognitive.allocate.GivenOrderBaseline;
+import org.dronemap.cognitive.allocate.MoveAndImproveBaseline;
+import org.dronemap.cognitive.allocate.NearestNeighbourBaseline;
 
 /** A registry of the solvers by name; loads only the one that is asked for. */
 final class Solvers {
@@ -17,9 +17,9 @@ final class Solvers {
             "ortools", OrToolsSolver::new,
             "timefold", TimefoldSolver::new,
             "jsprit", JspritSolver::new,
-            "given-order", () -> new BaselineSolver("waypoints as they come, cut into equal stretches", new GivenOrder()),
-            "nearest-neighbour", () -> new BaselineSolver("the shortest tour goes on to the nearest", new NearestNeighbour()),
-            "move-and-improve", () -> new BaselineSolver("market of drones after Koubaa et al.", new MoveAndImprove())));
+            "given-order", () -> new BaselineSolver("waypoints as they come, cut into equal stretches", new GivenOrderBaseline()),
+            "nearest-neighbour", () -> new BaselineSolver("the shortest tour goes on to the nearest", new NearestNeighbourBaseline()),
+            "move-and-improve", () -> new BaselineSolver("market of drones after Koubaa et al.", new MoveAndImproveBaseline())));
 
     private Solvers() {}
 

@@ -28,7 +28,7 @@ final class FollowGuidance implements OperationGuidance<FollowState> {
     private final PhoneClockOffset clock = new PhoneClockOffset();
     private final Geodetic near;
     private final FollowSeparation apart;
-    private final Map<DroneId, FollowSteering> leads = new HashMap<>();
+    private final Map<DroneId, FollowDroneGuidance> leads = new HashMap<>();
 
     /** {@code near}: where the phone was when it asked. */
     FollowGuidance(Geodetic near, FollowSeparation apart) {
@@ -70,8 +70,8 @@ final class FollowGuidance implements OperationGuidance<FollowState> {
         return said;
     }
 
-    private FollowSteering steering(FollowState one) {
-        return leads.computeIfAbsent(one.drone(), drone -> new FollowSteering(target, near, apart));
+    private FollowDroneGuidance steering(FollowState one) {
+        return leads.computeIfAbsent(one.drone(), drone -> new FollowDroneGuidance(target, near, apart));
     }
 
     /** All but that one; the follow's own are among them. */

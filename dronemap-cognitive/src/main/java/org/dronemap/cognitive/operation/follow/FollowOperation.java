@@ -271,15 +271,15 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
                     : state.to(FollowStage.OVER, at, name + " has landed" + FollowCommands.IT_IS_OVER);
         }
         Integer percent = look.batteryPercent();
-        double back = look.homeMeters() == null ? 0 : Endurance.percentBack(look.homeMeters());
-        if (percent != null && percent < Endurance.RESERVE_PERCENT + back) {
+        double back = look.homeMeters() == null ? 0 : FollowEndurance.percentBack(look.homeMeters());
+        if (percent != null && percent < FollowEndurance.RESERVE_PERCENT + back) {
             String words = String.format(
                     Locale.ROOT,
                     "%s flies home: its battery has %d %%, the way takes some %.0f %%, and %d %% are kept.",
                     name,
                     percent,
                     back,
-                    Endurance.RESERVE_PERCENT);
+                    FollowEndurance.RESERVE_PERCENT);
             return ReliefHandover.markVacancy(state, state.to(FollowStage.RETURNING, at, words), true);
         }
         if (look.mode() != null && !look.guided()) {

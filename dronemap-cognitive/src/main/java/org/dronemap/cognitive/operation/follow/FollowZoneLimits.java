@@ -7,7 +7,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.Zone;
 
 /** Computes from zones the flyable area and the ceiling for drones that follow a phone. */
@@ -40,11 +40,11 @@ final class FollowZoneLimits {
     }
 
     /** Of a circle within which it stays the area is a little smaller, of one that it keeps out of a little larger. */
-    private static List<Geodetic> corners(FenceZone shape) {
-        if (shape instanceof FenceZone.Polygon polygon) {
+    private static List<Geodetic> corners(FenceArea shape) {
+        if (shape instanceof FenceArea.Polygon polygon) {
             return polygon.corners();
         }
-        FenceZone.Circle circle = (FenceZone.Circle) shape;
+        FenceArea.Circle circle = (FenceArea.Circle) shape;
         double radius = circle.inside() ? circle.radiusMeters() : circle.radiusMeters() / Math.cos(Math.PI / CORNERS);
         LocalPlane plane = new LocalPlane(circle.center());
         List<Geodetic> corners = new ArrayList<>();

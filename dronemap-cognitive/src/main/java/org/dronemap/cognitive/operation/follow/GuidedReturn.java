@@ -27,7 +27,8 @@ final class GuidedReturn {
                 && guided
                 && homeMeters != null
                 && homeMeters > NEAR_METERS
-                && (percent == null || percent >= Endurance.RESERVE_PERCENT + Endurance.percentBack(homeMeters))
+                && (percent == null
+                        || percent >= FollowEndurance.RESERVE_PERCENT + FollowEndurance.percentBack(homeMeters))
                 && at.isBefore(one.since().plus(LONGEST));
     }
 }

@@ -18,7 +18,7 @@ import org.dronemap.cognitive.problem.Separation;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 
 /** Turns drones that hover where a mission run cannot move them into barriers, so that new plans lead round them. */
@@ -63,7 +63,7 @@ final class DroneObstacles {
                 .collect(Collectors.toSet());
         return new Barrier(
                 drone.name() + ", which stands in the air there,",
-                new FenceZone.Circle(false, place.point(), radius),
+                new FenceArea.Circle(false, place.point(), radius),
                 new AltitudeBand(low, high, Altitude.Reference.AMSL),
                 bound);
     }

@@ -244,7 +244,7 @@ final class FlightHealth {
         if (left == null || place == null || left - joulesHome(drone, place) >= least) {
             return true;
         }
-        if (WaypointArrival.isDue(draft, drone, look)) {
+        if (WaypointProximity.isDue(draft, drone, look)) {
             return false;
         }
         String words = "The battery of " + drone.name() + " (" + look.batteryPercent()

@@ -3,8 +3,8 @@ package org.dronemap.cognitive.operation.run;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.operation.run.model.Sortie;
-import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.LocalPlane;
@@ -134,7 +134,7 @@ final class MissionLegs {
         if (done == tour.stops().size()) {
             return 0;
         }
-        Stop stop = tour.stops().get(done);
+        TourStop stop = tour.stops().get(done);
         double length = Geodesy.distanceMeters(
                 stop.way().from().point(), stop.way().to().point());
         double left = Geodesy.distanceMeters(at.point(), stop.way().to().point());

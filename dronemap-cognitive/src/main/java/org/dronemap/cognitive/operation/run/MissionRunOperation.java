@@ -76,7 +76,7 @@ public final class MissionRunOperation implements Operation<RunState, RunInput> 
         } else if (input instanceof RunInput.CommandEnded ended) {
             RunCommandResults.ended(draft, ended);
         } else if (input instanceof RunInput.ReplanEnded replanned) {
-            PlanAdoption.planComputed(draft, replanned);
+            ReplanAdoption.planComputed(draft, replanned);
         } else if (input instanceof RunInput.Restarted) {
             RunDroneMonitor.restarted(draft, GRACE);
         } else if (input instanceof RunInput.UserRequest wish

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Map;
 import org.dronemap.cognitive.operation.run.model.DroneObservation;
 import org.dronemap.cognitive.operation.run.model.PendingReplan;
-import org.dronemap.cognitive.operation.run.model.PlanProposal;
 import org.dronemap.cognitive.operation.run.model.ReplanCause;
+import org.dronemap.cognitive.operation.run.model.ReplanProposal;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
@@ -112,7 +112,7 @@ final class ReplanScheduler {
 
     private static void request(
             RunTransition draft, List<DroneObservation> looks, List<Craft> crafts, List<Waypoint> open) {
-        PlanProposal replaced = draft.proposal();
+        ReplanProposal replaced = draft.proposal();
         if (replaced != null) {
             draft.causes().addAll(0, replaced.causes());
             draft.proposal(null);
@@ -245,6 +245,6 @@ final class ReplanScheduler {
         if (drone.stage() == RunDroneStage.FLYING && drone.next() == null) {
             return LostDrones.reached(draft, drone, here, horizon);
         }
-        return here == null || !drone.stage().mayFly() ? List.of() : WaypointArrival.stoppedAt(draft, drone, here);
+        return here == null || !drone.stage().mayFly() ? List.of() : WaypointProximity.stoppedAt(draft, drone, here);
     }
 }

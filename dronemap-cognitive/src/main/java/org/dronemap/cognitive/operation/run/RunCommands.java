@@ -170,7 +170,7 @@ final class RunCommands {
         if (next == null
                 || !look.isOnMission()
                 || CraftSnapshots.isTakingOff(drone)
-                || WaypointArrival.isBefore(draft, drone, next, look)) {
+                || WaypointProximity.isBefore(draft, drone, next, look)) {
             return;
         }
         if (WaypointTransfer.gives(drone, next) || WaypointTransfer.isFree(draft, drone, next)) {
@@ -252,7 +252,7 @@ final class RunCommands {
     private static boolean leavesOutWhatIsDone(
             RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
         Place place = look.place();
-        Optional<Sortie> left = place == null ? Optional.empty() : TourAssignment.remaining(draft, drone, next, place);
+        Optional<Sortie> left = place == null ? Optional.empty() : TourAssigner.remaining(draft, drone, next, place);
         left.ifPresent(sortie -> draft.put(drone.withNext(sortie)));
         return left.isPresent();
     }

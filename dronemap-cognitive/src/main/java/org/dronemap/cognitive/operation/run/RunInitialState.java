@@ -12,8 +12,8 @@ import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.operation.run.model.RunSettings;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.cognitive.operation.run.model.Sortie;
-import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.plan.UnservedWaypoint;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Task;
@@ -86,7 +86,7 @@ final class RunInitialState {
 
     private static RunDrone flying(RunDrone drone, Tour tour, int number, Function<String, Task> tasks) {
         return drone.withNext(Sortie.of(number, drone.profile(), tour, drone.since(), tasks))
-                .withOrders(tour.stops().stream().map(Stop::waypoint).toList())
+                .withOrders(tour.stops().stream().map(TourStop::waypoint).toList())
                 .to(RunDroneStage.UPLOADING, drone.since());
     }
 }

@@ -17,7 +17,7 @@ import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionComparison;
@@ -70,8 +70,8 @@ final class RunObservations {
                 seen.sway().transfer());
     }
 
-    private static Payload payload(@Nullable Sortie sortie, DroneState state) {
-        return sortie == null || sortie.tasks().isEmpty() ? Payload.UNKNOWN : state.payload();
+    private static PayloadState payload(@Nullable Sortie sortie, DroneState state) {
+        return sortie == null || sortie.tasks().isEmpty() ? PayloadState.UNKNOWN : state.payload();
     }
 
     /** The mode in which it can be armed; empty when it is in one. */

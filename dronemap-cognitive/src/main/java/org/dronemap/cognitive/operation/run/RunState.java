@@ -3,12 +3,12 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
-import org.dronemap.cognitive.operation.run.model.Explanation;
 import org.dronemap.cognitive.operation.run.model.PendingReplan;
-import org.dronemap.cognitive.operation.run.model.PlanProposal;
 import org.dronemap.cognitive.operation.run.model.ReplanCause;
+import org.dronemap.cognitive.operation.run.model.ReplanProposal;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunExplanation;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.operation.run.model.RunSettings;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
@@ -38,8 +38,8 @@ public record RunState(
         Counts counts,
         @Nullable PendingReplan request,
         List<ReplanCause> causes,
-        @Nullable PlanProposal proposal,
-        List<Explanation> explanations,
+        @Nullable ReplanProposal proposal,
+        List<RunExplanation> explanations,
         boolean stopping,
         @Nullable String end) {
     public static final int MOST_EXPLANATIONS = 50;

@@ -6,11 +6,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.dronemap.cognitive.operation.run.model.Explanation;
 import org.dronemap.cognitive.operation.run.model.PendingReplan;
-import org.dronemap.cognitive.operation.run.model.PlanProposal;
 import org.dronemap.cognitive.operation.run.model.ReplanCause;
+import org.dronemap.cognitive.operation.run.model.ReplanProposal;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunExplanation;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunSettings;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
@@ -35,14 +35,14 @@ final class RunTransition {
     private final Map<String, RunWaypoint> targets = new LinkedHashMap<>();
     private final Map<DroneId, RunDrone> drones = new LinkedHashMap<>();
     private final List<ReplanCause> causes;
-    private final List<Explanation> explanations;
+    private final List<RunExplanation> explanations;
     private final List<OperationAction<RunInput>> actions = new ArrayList<>();
     private final List<String> texts = new ArrayList<>();
     private RunCounters tally;
     private RunSettings setting;
     private RunState.Clock clock;
     private @Nullable PendingReplan request;
-    private @Nullable PlanProposal proposal;
+    private @Nullable ReplanProposal proposal;
     private boolean stopping;
     private @Nullable String end;
 
@@ -96,11 +96,11 @@ final class RunTransition {
     }
 
     @Nullable
-    PlanProposal proposal() {
+    ReplanProposal proposal() {
         return proposal;
     }
 
-    void proposal(@Nullable PlanProposal other) {
+    void proposal(@Nullable ReplanProposal other) {
         proposal = other;
     }
 
@@ -174,12 +174,12 @@ final class RunTransition {
 
     /** Something was decided without a plan. */
     void explain(RunTrigger trigger, @Nullable DroneId drone, String words) {
-        add(new Explanation(tally.explanation(), now, trigger, drone, List.of(), null, null, words));
+        add(new RunExplanation(tally.explanation(), now, trigger, drone, List.of(), null, null, words));
     }
 
     /** A plan was decided on. */
     void explain(ReplanCause cause, ReplanResult plan, String words) {
-        add(new Explanation(
+        add(new RunExplanation(
                 tally.explanation(),
                 now,
                 cause.trigger(),
@@ -190,7 +190,7 @@ final class RunTransition {
                 words));
     }
 
-    private void add(Explanation explanation) {
+    private void add(RunExplanation explanation) {
         explanations.add(explanation);
         if (explanations.size() > RunState.MOST_EXPLANATIONS) {
             explanations.remove(0);

@@ -1,7 +1,7 @@
 package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
-import org.dronemap.cognitive.operation.run.model.PlanProposal;
+import org.dronemap.cognitive.operation.run.model.ReplanProposal;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
@@ -78,7 +78,7 @@ final class RunUserRequests {
     }
 
     private static void answer(RunTransition draft, RunInput.AnswerProposal answer) {
-        PlanProposal proposal = draft.proposal();
+        ReplanProposal proposal = draft.proposal();
         if (proposal == null || proposal.number() != answer.proposal()) {
             return;
         }

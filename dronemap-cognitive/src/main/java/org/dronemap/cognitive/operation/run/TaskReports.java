@@ -15,7 +15,7 @@ import org.dronemap.cognitive.operation.run.model.RunWaypoint.Report.Result;
 import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.plan.TaskItem;
 import org.dronemap.cognitive.problem.Place;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.WaypointTask;
@@ -56,7 +56,7 @@ final class TaskReports {
     }
 
     /** One task of one drone, as far as it is seen now. */
-    private record ObservedTask(RunTransition draft, RunDrone drone, TaskItem task, Payload payload) {
+    private record ObservedTask(RunTransition draft, RunDrone drone, TaskItem task, PayloadState payload) {
         Optional<Report> report(RunWaypoint target) {
             Report before = target.report(task.part()).orElse(null);
             boolean others = before != null && !before.drone().equals(drone.id());
@@ -86,7 +86,7 @@ final class TaskReports {
         }
 
         private Optional<Report> photo(RunWaypoint target, @Nullable Report before) {
-            Payload.Photo photo = payload.photo();
+            PayloadState.Photo photo = payload.photo();
             if (photo != null && isOf(target, photo, before)) {
                 Geodetic point = photo.point();
                 String where = point == null
@@ -106,7 +106,7 @@ final class TaskReports {
                     : Optional.of(result(Result.NOT_KNOWN, before, "It was told to, and told of no photo."));
         }
 
-        private boolean isOf(RunWaypoint target, Payload.Photo photo, @Nullable Report before) {
+        private boolean isOf(RunWaypoint target, PayloadState.Photo photo, @Nullable Report before) {
             Instant since = before == null ? draft.now() : before.at();
             Geodetic point = photo.point();
             Place place = target.waypoint().place();
@@ -119,7 +119,7 @@ final class TaskReports {
         }
 
         /** It came of another task. */
-        private boolean isTaken(Payload.Photo photo) {
+        private boolean isTaken(PayloadState.Photo photo) {
             return draft.targets().stream()
                     .flatMap(any -> any.reports().stream())
                     .anyMatch(report ->

@@ -3,7 +3,7 @@ package org.dronemap.cognitive.operation.run;
 import java.util.List;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.Sortie;
-import org.dronemap.cognitive.plan.Stop;
+import org.dronemap.cognitive.plan.TourStop;
 
 /** Keeps a waypoint that passes from one drone of a mission run to another from being flown to by both. */
 final class WaypointTransfer {
@@ -11,7 +11,8 @@ final class WaypointTransfer {
 
     /** Whether nobody else who is under way still heads for what it is to get. */
     static boolean isFree(RunTransition draft, RunDrone drone, Sortie next) {
-        List<String> wanted = next.tour().stops().stream().map(Stop::waypoint).toList();
+        List<String> wanted =
+                next.tour().stops().stream().map(TourStop::waypoint).toList();
         return draft.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()) && isUnderWay(other))
                 .noneMatch(other -> other.sortie() != null
@@ -30,7 +31,7 @@ final class WaypointTransfer {
 
     /** Whether it has something on board that is not its own any more. */
     static boolean gives(RunDrone drone, Sortie next) {
-        List<String> kept = next.tour().stops().stream().map(Stop::waypoint).toList();
+        List<String> kept = next.tour().stops().stream().map(TourStop::waypoint).toList();
         Sortie sortie = drone.sortie();
         return sortie != null && !kept.containsAll(sortie.ahead(drone.passed()));
     }

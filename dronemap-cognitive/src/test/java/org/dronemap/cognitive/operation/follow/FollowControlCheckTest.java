@@ -19,7 +19,7 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -174,7 +174,7 @@ class FollowControlCheckTest extends FollowTestBase {
                 null,
                 null,
                 null,
-                Payload.UNKNOWN,
+                PayloadState.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),
                 ZERO,

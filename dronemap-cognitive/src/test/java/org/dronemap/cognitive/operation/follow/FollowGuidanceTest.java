@@ -24,22 +24,22 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.operation.AirspaceSnapshot;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.TargetReport;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.core.zone.ZoneValidity;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -100,7 +100,7 @@ class FollowGuidanceTest {
                 null,
                 new Home(HOME, 488),
                 null,
-                Payload.UNKNOWN,
+                PayloadState.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),
                 at,
@@ -109,12 +109,20 @@ class FollowGuidanceTest {
     }
 
     private static Zone circle(Geodetic center, double meters) {
-        return zone(new FenceZone.Circle(false, center, meters), AltitudeBand.ALL);
+        return zone(new FenceArea.Circle(false, center, meters), AltitudeBand.ALL);
     }
 
-    private static Zone zone(FenceZone shape, AltitudeBand band) {
+    private static Zone zone(FenceArea shape, AltitudeBand band) {
         return new Zone(
-                "z1", "the stage", shape, band, ZoneBinding.EVERYBODY, Validity.ALWAYS, BreachAction.HOLD, "ann", ZERO);
+                "z1",
+                "the stage",
+                shape,
+                band,
+                ZoneBinding.EVERYBODY,
+                ZoneValidity.ALWAYS,
+                BreachAction.HOLD,
+                "ann",
+                ZERO);
     }
 
     @Test
@@ -193,10 +201,10 @@ class FollowGuidanceTest {
     @Test
     void leadsTheOtherOneNoHigherThanTheZonesThatItStaysIn() {
         AltitudeBand low = new AltitudeBand(null, 25.0, Altitude.Reference.HOME);
-        zones = List.of(zone(new FenceZone.Circle(true, PHONE, 500), low));
+        zones = List.of(zone(new FenceArea.Circle(true, PHONE, 500), low));
         assertThat(waitingHeight()).isCloseTo(25 - 2, within(0.1));
         zones = List.of(
-                zone(new FenceZone.Circle(true, PHONE, 500), new AltitudeBand(null, 510.0, Altitude.Reference.AMSL)));
+                zone(new FenceArea.Circle(true, PHONE, 500), new AltitudeBand(null, 510.0, Altitude.Reference.AMSL)));
         assertThat(waitingHeight()).isCloseTo(22 - 2, within(0.1));
     }
 

@@ -6,9 +6,9 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import org.dronemap.cognitive.operation.run.model.Explanation;
-import org.dronemap.cognitive.operation.run.model.PlanProposal;
 import org.dronemap.cognitive.operation.run.model.ReplanCause;
+import org.dronemap.cognitive.operation.run.model.ReplanProposal;
+import org.dronemap.cognitive.operation.run.model.RunExplanation;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
@@ -30,7 +30,7 @@ class ExplanationsTest {
         for (int i = 0; i < fleet.journal.size(); i++) {
             RunState after = fleet.decisions.get(i).next();
             if (fleet.journal.get(i) instanceof RunInput.ReplanEnded input && input.result() != null) {
-                for (Explanation each : since(before, after)) {
+                for (RunExplanation each : since(before, after)) {
                     told.add(each.trigger());
                     tells(each, before, input.result());
                 }
@@ -49,7 +49,7 @@ class ExplanationsTest {
                 .allMatch(each -> each.moved().isEmpty() && each.before() == null && each.after() == null);
     }
 
-    private static void tells(Explanation told, RunState before, ReplanResult result) {
+    private static void tells(RunExplanation told, RunState before, ReplanResult result) {
         ReplanCause first = before.request().first();
         assertThat(told.trigger()).isEqualTo(first.trigger());
         assertThat(told.drone()).isEqualTo(first.drone());
@@ -65,9 +65,9 @@ class ExplanationsTest {
         result.changes().moved().forEach(moved -> assertThat(told.words()).contains(moved.waypoint()));
     }
 
-    private static List<Explanation> since(RunState before, RunState after) {
+    private static List<RunExplanation> since(RunState before, RunState after) {
         int last = before.explanations().stream()
-                .mapToInt(Explanation::number)
+                .mapToInt(RunExplanation::number)
                 .max()
                 .orElse(0);
         return after.explanations().stream()
@@ -91,7 +91,7 @@ class ExplanationsTest {
     private static void answered(RunTestBench fleet, double seconds) {
         for (double t = 0; t < seconds; t++) {
             fleet.fly(1);
-            PlanProposal open = fleet.state.proposal();
+            ReplanProposal open = fleet.state.proposal();
             if (open != null) {
                 fleet.wish(new RunInput.AnswerProposal(fleet.now, "Ann", open.number(), true));
             }

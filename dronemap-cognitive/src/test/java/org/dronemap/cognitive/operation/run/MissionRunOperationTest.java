@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.PlanningFixtures;
-import org.dronemap.cognitive.operation.run.model.Explanation;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunExplanation;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
@@ -33,7 +33,7 @@ class MissionRunOperationTest {
     }
 
     static List<RunTrigger> triggers(RunTestBench fleet) {
-        return fleet.state.explanations().stream().map(Explanation::trigger).collect(Collectors.toList());
+        return fleet.state.explanations().stream().map(RunExplanation::trigger).collect(Collectors.toList());
     }
 
     @Test

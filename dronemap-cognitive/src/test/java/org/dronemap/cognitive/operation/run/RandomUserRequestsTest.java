@@ -17,7 +17,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodesy;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -45,7 +45,7 @@ class RandomUserRequestsTest {
 
     private static boolean isFenced(RunTestBench fleet, RunWaypoint target) {
         return fleet.state.setting().barriers().stream()
-                .map(barrier -> (FenceZone.Circle) barrier.shape())
+                .map(barrier -> (FenceArea.Circle) barrier.shape())
                 .anyMatch(circle -> Geodesy.distanceMeters(
                                 circle.center(), target.waypoint().place().point())
                         < circle.radiusMeters() + 2);
@@ -115,7 +115,7 @@ class RandomUserRequestsTest {
                     "Ann",
                     new Barrier(
                             "the no-fly zone “Crane " + number + "”",
-                            new FenceZone.Circle(false, PlanningFixtures.point(east, north), radius),
+                            new FenceArea.Circle(false, PlanningFixtures.point(east, north), radius),
                             AltitudeBand.ALL,
                             Set.of())));
         }

@@ -15,7 +15,7 @@ import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -138,7 +138,7 @@ class ReturnHeightOverrideTest {
         PlanningProblem problem = RunFixtures.problem(4, 12, 1, false);
         Barrier ceiling = new Barrier(
                 "the zone “Field”",
-                new FenceZone.Circle(true, PlanningFixtures.point(0, 0), 2_000),
+                new FenceArea.Circle(true, PlanningFixtures.point(0, 0), 2_000),
                 new AltitudeBand(null, 460.0, Altitude.Reference.AMSL),
                 Set.of());
         PlanningProblem below = new PlanningProblem(

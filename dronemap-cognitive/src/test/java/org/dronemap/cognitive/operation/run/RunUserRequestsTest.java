@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Set;
 import org.dronemap.cognitive.PlanningFixtures;
-import org.dronemap.cognitive.operation.run.model.Explanation;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
+import org.dronemap.cognitive.operation.run.model.RunExplanation;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
@@ -18,7 +18,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -35,7 +35,7 @@ class RunUserRequestsTest {
         return flying(RunOrder.ApprovalMode.AUTOMATIC);
     }
 
-    private static Explanation last(RunTestBench fleet, RunTrigger trigger) {
+    private static RunExplanation last(RunTestBench fleet, RunTrigger trigger) {
         return fleet.state.explanations().stream()
                 .filter(each -> each.trigger() == trigger)
                 .reduce((one, other) -> other)
@@ -49,7 +49,7 @@ class RunUserRequestsTest {
         fleet.fly(1);
 
         assertThat(fleet.state.target("n1").orElseThrow().state()).isEqualTo(RunWaypoint.State.ASSIGNED);
-        Explanation told = last(fleet, RunTrigger.WAYPOINTS_ADDED);
+        RunExplanation told = last(fleet, RunTrigger.WAYPOINTS_ADDED);
         assertThat(told.words()).startsWith("Ann added 2 waypoints: n1, n2.").contains("from nobody to Drone");
         assertThat(told.moved()).hasSize(2);
         assertThat(told.after()).isNotNull();
@@ -87,7 +87,7 @@ class RunUserRequestsTest {
         RunTestBench fleet = flying();
         Barrier barrier = new Barrier(
                 "the no-fly zone “Crane”",
-                new FenceZone.Circle(false, PlanningFixtures.point(-250, 0), 60),
+                new FenceArea.Circle(false, PlanningFixtures.point(-250, 0), 60),
                 AltitudeBand.ALL,
                 Set.of());
         fleet.wish(new RunInput.AddBarrier(fleet.now, "Ann", barrier));
@@ -187,7 +187,7 @@ class RunUserRequestsTest {
                 "Ann",
                 new Barrier(
                         "the no-fly zone “Crane”",
-                        new FenceZone.Circle(
+                        new FenceArea.Circle(
                                 false,
                                 fleet.state
                                         .target(fenced)

@@ -17,7 +17,7 @@ import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -100,7 +100,7 @@ class SeparationGuardTest {
                 "Ann",
                 new Barrier(
                         "the flight area “Low”",
-                        new FenceZone.Circle(true, PlanningFixtures.point(0, 0), 1_000),
+                        new FenceArea.Circle(true, PlanningFixtures.point(0, 0), 1_000),
                         new AltitudeBand(
                                 TestVehicle.GROUND - 10, UP + 0.5, org.dronemap.core.mission.Altitude.Reference.AMSL),
                         Set.of())));

@@ -31,7 +31,7 @@ import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.VehicleKind;
@@ -259,11 +259,11 @@ final class TestVehicle {
         }
     }
 
-    private Payload payload(Instant now) {
-        Payload payload = Payload.UNKNOWN;
+    private PayloadState payload(Instant now) {
+        PayloadState payload = PayloadState.UNKNOWN;
         if (!photos.isEmpty() && tellsPhotos) {
             photoHeard.putIfAbsent(photos.size(), now);
-            payload = payload.with(new Payload.Photo(
+            payload = payload.with(new PayloadState.Photo(
                     photos.size(),
                     Objects.requireNonNull(photoHeard.get(photos.size())),
                     photos.get(photos.size() - 1)));
@@ -273,7 +273,7 @@ final class TestVehicle {
             moved.forEach(servo -> outputs.set(servo.output() - 1, servo.pulseMicros()));
             payload = payload.withOutputs(outputs);
         }
-        return reading == null ? payload : payload.with(new Payload.Reading("temp", reading, now));
+        return reading == null ? payload : payload.with(new PayloadState.Reading("temp", reading, now));
     }
 
     private void passed(boolean done) {

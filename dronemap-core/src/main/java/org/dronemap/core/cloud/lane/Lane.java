@@ -31,7 +31,7 @@ public final class Lane implements AutoCloseable {
     private static final int AT_ONCE = 256;
 
     /** Something that wants to be called at every tick, on the lane's thread. */
-    public interface Ticker {
+    public interface PeriodicTask {
         void advance();
 
         /** The process has stood still for longer than anybody waits; before anything else is done. */
@@ -51,7 +51,7 @@ public final class Lane implements AutoCloseable {
     private volatile boolean closed;
     // Owned by the lane's thread.
     private final ArrayDeque<Runnable> batch = new ArrayDeque<>(AT_ONCE);
-    private final List<Ticker> tickers = new ArrayList<>();
+    private final List<PeriodicTask> tickers = new ArrayList<>();
     private long lastTickNanos;
     private volatile Turn turn;
 
@@ -85,12 +85,12 @@ public final class Lane implements AutoCloseable {
     }
 
     /** Adds a ticker; from the lane's thread only. */
-    public void addPeriodicTask(Ticker ticker) {
+    public void addPeriodicTask(PeriodicTask ticker) {
         tickers.add(ticker);
     }
 
     /** Removes a ticker; from the lane's thread only. */
-    public void removePeriodicTask(Ticker ticker) {
+    public void removePeriodicTask(PeriodicTask ticker) {
         tickers.remove(ticker);
     }
 
@@ -159,7 +159,7 @@ public final class Lane implements AutoCloseable {
             return;
         }
         lastTickNanos += gap;
-        for (Ticker ticker : List.copyOf(tickers)) {
+        for (PeriodicTask ticker : List.copyOf(tickers)) {
             guard(ticker::advance);
         }
     }

@@ -6,7 +6,7 @@ import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.core.command.Outcome;
 
 /** Ends a command with an unknown outcome when nothing was heard of it for 90 seconds. Owned by the drone's lane. */
-public final class CommandTimeoutWatch implements Lane.Ticker {
+public final class CommandTimeoutWatch implements Lane.PeriodicTask {
     /** No command goes without a sign for longer than this. */
     private static final long LONGEST_SILENCE_NANOS = Duration.ofSeconds(90).toNanos();
 

@@ -1,8 +1,8 @@
 package org.dronemap.proxy.mavlink.procedure;
 
 import java.util.BitSet;
-import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.LogData;
@@ -12,13 +12,13 @@ import org.jspecify.annotations.Nullable;
 
 /** Downloads one onboard log of a vehicle block by block, and resumes after a break of the link. */
 public final class LogDownload implements Exchange {
-    private static final int PIECE = LogSink.PIECE_BYTES;
+    private static final int PIECE = VehicleLogSink.PIECE_BYTES;
     private static final int BLOCK_PIECES = 512;
     private static final long IDLE_NANOS = 500_000_000L;
 
     private final MavlinkTarget target;
     private final VehicleLog log;
-    private final LogSink sink;
+    private final VehicleLogSink sink;
     private final ExchangeObserver observer;
     private final TransferTimeout patience = new TransferTimeout();
     private final BitSet got;
@@ -30,7 +30,7 @@ public final class LogDownload implements Exchange {
     private boolean completed;
     private @Nullable Outcome outcome;
 
-    public LogDownload(MavlinkTarget target, VehicleLog log, LogSink sink, ExchangeObserver observer) {
+    public LogDownload(MavlinkTarget target, VehicleLog log, VehicleLogSink sink, ExchangeObserver observer) {
         this.target = target;
         this.log = log;
         this.sink = sink;
@@ -141,11 +141,11 @@ public final class LogDownload implements Exchange {
         if (outcome != null) {
             return;
         }
-        if (sink.state() == LogSink.State.WRITTEN) {
+        if (sink.state() == VehicleLogSink.State.WRITTEN) {
             end(new Outcome.Succeeded());
             return;
         }
-        if (sink.state() == LogSink.State.FAILED) {
+        if (sink.state() == VehicleLogSink.State.FAILED) {
             end(new Outcome.Failed("The server cannot write the log to its disk."));
             return;
         }

@@ -9,7 +9,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.RestoreParameters;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -77,17 +77,17 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             Capability.PAUSE_MISSION);
 
     private final VehicleKind kind;
-    private final ModeTable table;
+    private final ArduPilotModeTable table;
 
     ArduPilotAdapter(int type) {
         kind = VehicleType.kind(type);
         table = switch (kind) {
-            case MULTICOPTER, HELICOPTER -> ModeTable.COPTER;
-            case FIXED_WING, VTOL -> ModeTable.PLANE;
-            case ROVER, BOAT -> ModeTable.ROVER;
-            case SUBMARINE -> ModeTable.SUB;
-            case AIRSHIP -> ModeTable.BLIMP;
-            case UNKNOWN -> ModeTable.EMPTY;
+            case MULTICOPTER, HELICOPTER -> ArduPilotModeTable.COPTER;
+            case FIXED_WING, VTOL -> ArduPilotModeTable.PLANE;
+            case ROVER, BOAT -> ArduPilotModeTable.ROVER;
+            case SUBMARINE -> ArduPilotModeTable.SUB;
+            case AIRSHIP -> ArduPilotModeTable.BLIMP;
+            case UNKNOWN -> ArduPilotModeTable.EMPTY;
         };
     }
 
@@ -131,8 +131,8 @@ final class ArduPilotAdapter implements AutopilotAdapter {
 
     /** What is not here it cannot. */
     private Set<Capability> can() {
-        boolean copter = table == ModeTable.COPTER;
-        boolean led = copter || table == ModeTable.ROVER;
+        boolean copter = table == ArduPilotModeTable.COPTER;
+        boolean led = copter || table == ArduPilotModeTable.ROVER;
         Map<Capability, Boolean> by = Map.of(
                 Capability.GO_TO,
                 table.has(GUIDED),
@@ -149,7 +149,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                 Capability.TRACK,
                 led,
                 Capability.STICKS,
-                led || table == ModeTable.PLANE || table == ModeTable.SUB);
+                led || table == ArduPilotModeTable.PLANE || table == ArduPilotModeTable.SUB);
         EnumSet<Capability> can = EnumSet.copyOf(ALWAYS);
         by.forEach((capability, does) -> {
             if (does) {
@@ -175,7 +175,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     /** Copter and Plane call standing on the ground STANDBY and flying ACTIVE; the others mean something else. */
     @Override
     public @Nullable FlightPhase phase(Heartbeat heartbeat) {
-        if (table != ModeTable.COPTER && table != ModeTable.PLANE) {
+        if (table != ArduPilotModeTable.COPTER && table != ArduPilotModeTable.PLANE) {
             return null;
         }
         return switch (heartbeat.systemStatus()) {
@@ -207,7 +207,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             case RETURN_ON_LOSS -> CloudLossExchanges.comeHome(cockpit, kind, CLOUD_LOSS);
             case SET_CLOUD_LOSS ->
                 CloudLossExchanges.set(
-                        cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
+                        cockpit, (SetCloudLossAction) command, policy(((SetCloudLossAction) command).afterSeconds()));
             case RESTORE_PARAMETERS -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
             case ARM -> BasicExchanges.arm(cockpit);
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());

@@ -15,7 +15,7 @@ import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
 import org.dronemap.proxy.mavlink.procedure.FallbackExchange;
 import org.dronemap.proxy.mavlink.procedure.ImmediateExchange;
 import org.dronemap.proxy.mavlink.procedure.MavCommandRequest;
-import org.dronemap.proxy.mavlink.procedure.ParameterChange;
+import org.dronemap.proxy.mavlink.procedure.ParameterUpdateExchange;
 
 /** Makes the exchanges (arm, change mode, take a picture) that the adapters of all autopilots share. */
 final class BasicExchanges {
@@ -124,7 +124,7 @@ final class BasicExchanges {
     }
 
     /** Sets a parameter if the vehicle has it; goes on with a warning if not. */
-    static ExchangeSequence.Step setParameterStep(CommandContext cockpit, ParameterChange.Wanted wanted) {
+    static ExchangeSequence.Step setParameterStep(CommandContext cockpit, ParameterUpdateExchange.Wanted wanted) {
         Predicate<Outcome> goesOn = outcome -> {
             if (!(outcome instanceof Outcome.Succeeded)) {
                 cockpit.warning()
@@ -133,7 +133,7 @@ final class BasicExchanges {
             }
             return true;
         };
-        return new ExchangeSequence.Step(() -> new ParameterChange(cockpit.target(), wanted), goesOn);
+        return new ExchangeSequence.Step(() -> new ParameterUpdateExchange(cockpit.target(), wanted), goesOn);
     }
 
     /** The gate lets nothing through that the autopilot does not declare; whatever comes all the same is not carried out. */

@@ -9,7 +9,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.ParameterOverrideRecorder;
 import org.dronemap.core.command.RestoreParameters;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.parameter.OverriddenParameter;
 import org.dronemap.core.parameter.Parameter;
@@ -18,8 +18,8 @@ import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
 import org.dronemap.proxy.mavlink.procedure.FutureExchange;
 import org.dronemap.proxy.mavlink.procedure.ImmediateExchange;
-import org.dronemap.proxy.mavlink.procedure.ParameterChange;
 import org.dronemap.proxy.mavlink.procedure.ParameterRead;
+import org.dronemap.proxy.mavlink.procedure.ParameterUpdateExchange;
 import org.dronemap.proxy.mavlink.procedure.ParameterWrite;
 import org.jspecify.annotations.Nullable;
 
@@ -41,16 +41,16 @@ final class CloudLossExchanges {
             return BasicExchanges.refuse(
                     OutcomeCode.NOT_SETTABLE, "What this vehicle does when the cloud falls silent cannot be set.");
         }
-        return new ParameterChange(
+        return new ParameterUpdateExchange(
                 cockpit.target(),
-                new ParameterChange.Wanted(
+                new ParameterUpdateExchange.Wanted(
                         setting.name(),
                         old -> setting.stays().contains(old) ? setting.comesHome() : old,
                         setting.bytewise()));
     }
 
     /** Reads, has the owner's values kept, writes and reads back. {@code policy}: null where there is nothing to set. */
-    static Exchange set(CommandContext cockpit, SetCloudLoss command, @Nullable CloudLossParameters policy) {
+    static Exchange set(CommandContext cockpit, SetCloudLossAction command, @Nullable CloudLossParameters policy) {
         if (policy == null) {
             return BasicExchanges.refuse(
                     OutcomeCode.NOT_SETTABLE, "What this vehicle does without the cloud cannot be set.");
@@ -88,7 +88,7 @@ final class CloudLossExchanges {
     }
 
     private static ParameterOverrideRecorder.OverridePlan plan(
-            SetCloudLoss command, CloudLossParameters policy, ParameterRead reading) {
+            SetCloudLossAction command, CloudLossParameters policy, ParameterRead reading) {
         List<OverriddenParameter> values = new ArrayList<>();
         Map<String, Double> shown = new HashMap<>();
         Map<String, Double> owners = new HashMap<>();
@@ -112,7 +112,7 @@ final class CloudLossExchanges {
     }
 
     private static @Nullable Double height(
-            SetCloudLoss command,
+            SetCloudLossAction command,
             ReturnHeightExchanges.@Nullable Setting setting,
             ParameterRead reading,
             List<OverriddenParameter> values) {
@@ -131,7 +131,7 @@ final class CloudLossExchanges {
     }
 
     /** What the vehicle shows may be what the cloud had written earlier. */
-    private static double owners(SetCloudLoss command, Parameter shown) {
+    private static double owners(SetCloudLossAction command, Parameter shown) {
         return command.kept().stream()
                 .filter(kept -> kept.name().equals(shown.name()) && kept.isAsLeft(shown.value()))
                 .map(kept -> kept.putBack(shown.value()))

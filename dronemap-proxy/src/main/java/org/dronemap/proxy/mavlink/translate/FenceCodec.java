@@ -3,7 +3,7 @@ package org.dronemap.proxy.mavlink.translate;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MavMissionType;
@@ -20,16 +20,16 @@ public final class FenceCodec {
 
     private FenceCodec() {}
 
-    public static List<MissionItemInt> fenceToWire(List<FenceZone> zones, MavlinkTarget target) {
+    public static List<MissionItemInt> fenceToWire(List<FenceArea> zones, MavlinkTarget target) {
         List<MissionItemInt> items = new ArrayList<>();
-        for (FenceZone zone : zones) {
-            if (zone instanceof FenceZone.Polygon polygon) {
+        for (FenceArea zone : zones) {
+            if (zone instanceof FenceArea.Polygon polygon) {
                 int command = polygon.inside() ? POLYGON_INSIDE : POLYGON_OUTSIDE;
                 for (Geodetic corner : polygon.corners()) {
                     items.add(item(
                             target, items.size(), command, polygon.corners().size(), corner, 0));
                 }
-            } else if (zone instanceof FenceZone.Circle circle) {
+            } else if (zone instanceof FenceArea.Circle circle) {
                 int command = circle.inside() ? CIRCLE_INSIDE : CIRCLE_OUTSIDE;
                 items.add(item(target, items.size(), command, circle.radiusMeters(), circle.center(), 0));
             }
@@ -37,8 +37,8 @@ public final class FenceCodec {
         return items;
     }
 
-    public static List<FenceZone> fenceFromWire(List<MissionItemInt> items) {
-        List<FenceZone> zones = new ArrayList<>();
+    public static List<FenceArea> fenceFromWire(List<MissionItemInt> items) {
+        List<FenceArea> zones = new ArrayList<>();
         List<Geodetic> corners = new ArrayList<>();
         for (MissionItemInt item : items) {
             switch (item.command()) {
@@ -46,14 +46,14 @@ public final class FenceCodec {
                     corners.add(point(item));
                     if (corners.size() == Math.round(item.param1())) {
                         if (corners.size() >= 3 && corners.size() <= 100) {
-                            zones.add(new FenceZone.Polygon(item.command() == POLYGON_INSIDE, corners));
+                            zones.add(new FenceArea.Polygon(item.command() == POLYGON_INSIDE, corners));
                         }
                         corners.clear();
                     }
                 }
                 case CIRCLE_INSIDE, CIRCLE_OUTSIDE -> {
                     double radius = Math.max(1, Math.min(100_000, Math.round(item.param1() * 1000.0) / 1000.0));
-                    zones.add(new FenceZone.Circle(item.command() == CIRCLE_INSIDE, point(item), radius));
+                    zones.add(new FenceArea.Circle(item.command() == CIRCLE_INSIDE, point(item), radius));
                 }
                 default -> {}
             }

@@ -14,7 +14,7 @@ import org.dronemap.proxy.mavlink.procedure.MavMissionType;
 import org.dronemap.proxy.mavlink.procedure.MissionClear;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
-import org.dronemap.proxy.mavlink.procedure.PartialProgress;
+import org.dronemap.proxy.mavlink.procedure.StepProgressObserver;
 
 /** Makes the exchanges that upload fences and rally points to a vehicle, or read them back and compare them. */
 final class FenceExchanges {
@@ -69,12 +69,12 @@ final class FenceExchanges {
             Consumer<List<MissionItemInt>> found) {
         int steps = 2 * items.size();
         MissionDownload readBack = MissionDownload.whole(
-                cockpit.target(), kind, new PartialProgress(cockpit.observer(), items.size(), steps));
+                cockpit.target(), kind, new StepProgressObserver(cockpit.observer(), items.size(), steps));
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> items.isEmpty()
                         ? new MissionClear(cockpit.target(), kind)
                         : new MissionUpload(
-                                cockpit.target(), kind, items, new PartialProgress(cockpit.observer(), 0, steps))),
+                                cockpit.target(), kind, items, new StepProgressObserver(cockpit.observer(), 0, steps))),
                 ExchangeSequence.Step.of(() -> readBack),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
                     found.accept(readBack.items());

@@ -17,7 +17,7 @@ import org.dronemap.proxy.mavlink.procedure.MissionClear;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload.Span;
-import org.dronemap.proxy.mavlink.procedure.PartialProgress;
+import org.dronemap.proxy.mavlink.procedure.StepProgressObserver;
 
 /**
  * Makes the exchanges that upload a mission to a vehicle, whole or only where it differs, verify or clear it. Made for
@@ -60,7 +60,9 @@ final class MissionExchanges {
     private Exchange verified(List<MissionItem> mission, List<MissionItemInt> wire, Span span) {
         int steps = span.size() + wire.size();
         MissionDownload readBack = MissionDownload.whole(
-                cockpit.target(), MavMissionType.MISSION, new PartialProgress(cockpit.observer(), span.size(), steps));
+                cockpit.target(),
+                MavMissionType.MISSION,
+                new StepProgressObserver(cockpit.observer(), span.size(), steps));
         if (itemsInAnyOrder) {
             readBack.inAnyOrder();
         }
@@ -70,7 +72,7 @@ final class MissionExchanges {
                         MavMissionType.MISSION,
                         wire,
                         span,
-                        new PartialProgress(cockpit.observer(), 0, steps))),
+                        new StepProgressObserver(cockpit.observer(), 0, steps))),
                 ExchangeSequence.Step.of(() -> readBack),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> compare(mission, readBack)))));
     }

@@ -11,8 +11,8 @@ import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ExchangeObserver;
 import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
 import org.dronemap.proxy.mavlink.procedure.MavCommandRequest;
-import org.dronemap.proxy.mavlink.procedure.ParameterChange;
-import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
+import org.dronemap.proxy.mavlink.procedure.ParameterUpdateExchange;
+import org.dronemap.proxy.mavlink.procedure.SetCurrentItemExchange;
 
 /** Makes the exchanges that start or resume the mission on an ArduPilot vehicle. */
 final class MissionStartExchanges {
@@ -28,12 +28,12 @@ final class MissionStartExchanges {
         List<ExchangeSequence.Step> steps = new ArrayList<>(cloudLoss(cockpit, start.onCloudLoss(), kind));
         if (start.anew() && !fromGround) {
             // It would go on with the number of the item that it had, whatever is there now.
-            steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItem(
+            steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItemExchange(
                     cockpit.target(), ArduPilotAdapter.HOME_ITEMS, seq -> seq == ArduPilotAdapter.HOME_ITEMS)));
         } else if (fromGround || cockpit.status().missionFinished()) {
             // Who does not say so begins at item 1 by itself; this one answer more is no reason to stay on the ground.
             steps.add(new ExchangeSequence.Step(
-                    () -> new SetCurrentItem(cockpit.target(), 0, seq -> seq <= 1), any -> true));
+                    () -> new SetCurrentItemExchange(cockpit.target(), 0, seq -> seq <= 1), any -> true));
         }
         boolean copterOnGround = fromGround && (kind == VehicleKind.MULTICOPTER || kind == VehicleKind.HELICOPTER);
         steps.add(ExchangeSequence.Step.of(
@@ -62,7 +62,8 @@ final class MissionStartExchanges {
         return switch (kind) {
             case MULTICOPTER, HELICOPTER ->
                 List.of(BasicExchanges.setParameterStep(
-                        cockpit, new ParameterChange.Wanted("FS_OPTIONS", old -> goOn ? old | 2 : old & ~2, false)));
+                        cockpit,
+                        new ParameterUpdateExchange.Wanted("FS_OPTIONS", old -> goOn ? old | 2 : old & ~2, false)));
             case FIXED_WING, VTOL, ROVER, BOAT -> {
                 if (goOn) {
                     cockpit.warning()

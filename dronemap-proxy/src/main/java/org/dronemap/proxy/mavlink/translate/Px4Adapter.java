@@ -11,7 +11,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.RestoreParameters;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -29,8 +29,8 @@ import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
 import org.dronemap.proxy.mavlink.procedure.MavCommandRequest;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
-import org.dronemap.proxy.mavlink.procedure.ParameterChange;
-import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
+import org.dronemap.proxy.mavlink.procedure.ParameterUpdateExchange;
+import org.dronemap.proxy.mavlink.procedure.SetCurrentItemExchange;
 import org.jspecify.annotations.Nullable;
 
 /** The adapter for PX4 vehicles: translates commands into exchanges that suit PX4's modes and altitudes. */
@@ -207,7 +207,7 @@ final class Px4Adapter implements AutopilotAdapter {
             case RETURN_ON_LOSS -> CloudLossExchanges.comeHome(cockpit, kind, CLOUD_LOSS);
             case SET_CLOUD_LOSS ->
                 CloudLossExchanges.set(
-                        cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
+                        cockpit, (SetCloudLossAction) command, policy(((SetCloudLossAction) command).afterSeconds()));
             case RESTORE_PARAMETERS -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
             case ARM -> BasicExchanges.arm(cockpit);
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
@@ -312,15 +312,15 @@ final class Px4Adapter implements AutopilotAdapter {
         List<ExchangeSequence.Step> steps = new ArrayList<>();
         steps.add(BasicExchanges.setParameterStep(
                 cockpit,
-                new ParameterChange.Wanted(
+                new ParameterUpdateExchange.Wanted(
                         "COM_DLL_EXCEPT",
                         old -> goOn ? old | COM_DLL_EXCEPT_MISSION : old & ~COM_DLL_EXCEPT_MISSION,
                         true)));
         if (start.anew() && cockpit.status().airborne()) {
-            steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0)));
+            steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItemExchange(cockpit.target(), 0, seq -> seq == 0)));
         } else if (!cockpit.status().airborne() || cockpit.status().missionFinished()) {
             steps.add(new ExchangeSequence.Step(
-                    () -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0), any -> true));
+                    () -> new SetCurrentItemExchange(cockpit.target(), 0, seq -> seq == 0), any -> true));
         }
         steps.add(ExchangeSequence.Step.of(() -> mode(cockpit, MISSION)));
         return new ExchangeSequence(steps);

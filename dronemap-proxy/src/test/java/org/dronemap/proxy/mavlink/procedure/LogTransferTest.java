@@ -3,8 +3,8 @@ package org.dronemap.proxy.mavlink.procedure;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
-import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.mavlink.message.LogRequestData;
 import org.dronemap.mavlink.message.LogRequestEnd;
@@ -114,7 +114,7 @@ class LogTransferTest {
         LogDownload download = download();
         download.start(wire.now());
         assertThat(wire.run(download, 60)).isNull();
-        memory.state = LogSink.State.WRITTEN;
+        memory.state = VehicleLogSink.State.WRITTEN;
 
         assertThat(wire.run(download, 1)).isEqualTo(DONE);
     }
@@ -125,7 +125,7 @@ class LogTransferTest {
         LogDownload download = download();
         download.start(wire.now());
         wire.run(download, 60);
-        memory.state = LogSink.State.FAILED;
+        memory.state = VehicleLogSink.State.FAILED;
 
         assertThat(wire.run(download, 1)).isInstanceOf(Outcome.Failed.class);
         assertThat(memory.interrupted).isTrue();

@@ -3,7 +3,7 @@ package org.dronemap.proxy.mavlink.procedure;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Random;
-import org.dronemap.core.command.LogSink;
+import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.LogData;
 import org.dronemap.mavlink.message.LogEntry;
@@ -41,9 +41,9 @@ final class LogVehicle {
 
     private void pour(TestWire wire, LogRequestData data) {
         long end = Math.min(content.length, data.ofs() + data.count());
-        for (long offset = data.ofs(); offset < end; offset += LogSink.PIECE_BYTES) {
-            int length = (int) Math.min(LogSink.PIECE_BYTES, end - offset);
-            int[] piece = new int[LogSink.PIECE_BYTES];
+        for (long offset = data.ofs(); offset < end; offset += VehicleLogSink.PIECE_BYTES) {
+            int length = (int) Math.min(VehicleLogSink.PIECE_BYTES, end - offset);
+            int[] piece = new int[VehicleLogSink.PIECE_BYTES];
             for (int i = 0; i < length; i++) {
                 piece[i] = content[(int) offset + i] & 0xFF;
             }
@@ -53,7 +53,7 @@ final class LogVehicle {
     }
 
     /** Keeps a log in memory. */
-    static final class Memory implements LogSink {
+    static final class Memory implements VehicleLogSink {
         final BitSet kept = new BitSet();
         byte[] content = new byte[0];
         State state = State.OPEN;

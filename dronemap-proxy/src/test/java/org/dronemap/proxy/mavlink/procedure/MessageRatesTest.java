@@ -20,7 +20,7 @@ class MessageRatesTest {
             new GlobalPositionInt(1, 474_000_000, 85_000_000, 500_000, 0, 0, 0, 0, 0);
 
     private final TestWire wire = new TestWire();
-    private final MessageRates rates = new MessageRates(wire.target());
+    private final MessageRateRequester rates = new MessageRateRequester(wire.target());
     private long now = 1_000 * SECOND;
 
     /** Lets time pass in which these come four times a second. */

@@ -20,8 +20,9 @@ class ParameterChangeTest {
         w.answer(new ParamValue("FS_OPTIONS", value, type, 1, 0));
     }
 
-    private ParameterChange change(boolean bytewise) {
-        return new ParameterChange(wire.target(), new ParameterChange.Wanted("FS_OPTIONS", old -> old | 2, bytewise));
+    private ParameterUpdateExchange change(boolean bytewise) {
+        return new ParameterUpdateExchange(
+                wire.target(), new ParameterUpdateExchange.Wanted("FS_OPTIONS", old -> old | 2, bytewise));
     }
 
     @Test

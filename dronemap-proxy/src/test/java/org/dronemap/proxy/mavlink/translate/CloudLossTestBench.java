@@ -12,7 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ParameterOverrideRecorder;
 import org.dronemap.core.command.RestoreParameters;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.parameter.OverriddenParameter;
 import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.mavlink.Message;
@@ -118,7 +118,7 @@ abstract class CloudLossTestBench {
 
     @Nullable
     Outcome set(OverriddenParameter... kept) {
-        return bench().perform(new SetCloudLoss(20, List.of(kept), keeper));
+        return bench().perform(new SetCloudLossAction(20, List.of(kept), keeper));
     }
 
     @Nullable

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
@@ -12,10 +12,10 @@ import org.junit.jupiter.api.Test;
 
 class FenceCodecTest {
     private static final MavlinkTarget TARGET = new MavlinkTarget(1, 1, message -> {});
-    private static final List<FenceZone> ZONES = List.of(
-            new FenceZone.Polygon(true, List.of(point(0), point(1), point(2), point(3))),
-            new FenceZone.Circle(false, point(4), 25.5),
-            new FenceZone.Polygon(false, List.of(point(5), point(6), point(7))));
+    private static final List<FenceArea> ZONES = List.of(
+            new FenceArea.Polygon(true, List.of(point(0), point(1), point(2), point(3))),
+            new FenceArea.Circle(false, point(4), 25.5),
+            new FenceArea.Polygon(false, List.of(point(5), point(6), point(7))));
 
     private static Geodetic point(int number) {
         return new Geodetic(47 + number / 1000.0, 8 - number / 1000.0);

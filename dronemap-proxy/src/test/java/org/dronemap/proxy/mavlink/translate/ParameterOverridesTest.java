@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.command.Outcome;
-import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.command.SetCloudLossAction;
 import org.dronemap.core.parameter.OverriddenParameter;
 import org.dronemap.core.parameter.ParameterValue;
 import org.junit.jupiter.api.Test;
@@ -28,7 +28,8 @@ class ParameterOverridesTest extends CloudLossTestBench {
         isACopter();
         keeper.kept = new CompletableFuture<>();
 
-        assertThat(bench().perform(new SetCloudLoss(20, List.of(), keeper), 2)).isNull();
+        assertThat(bench().perform(new SetCloudLossAction(20, List.of(), keeper), 2))
+                .isNull();
         assertThat(written()).isEmpty();
     }
 
@@ -103,6 +104,7 @@ class ParameterOverridesTest extends CloudLossTestBench {
     void isNotHeldUpForLongByAVehicleThatTellsNothing() {
         bench(AutopilotTestBench.ARDUCOPTER);
 
-        assertThat(bench().perform(new SetCloudLoss(20, List.of(), keeper), 4)).isInstanceOf(Outcome.TimedOut.class);
+        assertThat(bench().perform(new SetCloudLossAction(20, List.of(), keeper), 4))
+                .isInstanceOf(Outcome.TimedOut.class);
     }
 }

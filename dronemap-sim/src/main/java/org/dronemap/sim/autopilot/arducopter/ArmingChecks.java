@@ -2,19 +2,19 @@ package org.dronemap.sim.autopilot.arducopter;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.NavigationEstimator;
-import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.SimulatedMission;
+import org.dronemap.sim.flight.SimulatedParameters;
 
 /** The pre-arm checks of the simulated ArduCopter, in ArduCopter's own words without "Arm: " or "PreArm: ". */
 final class ArmingChecks {
     private final SimulatedCraft craft;
-    private final Parameters parameters;
-    private final FlightPlan plan;
+    private final SimulatedParameters parameters;
+    private final SimulatedMission plan;
     private final BatteryFailsafe battery;
 
-    ArmingChecks(SimulatedCraft craft, Parameters parameters, FlightPlan plan, BatteryFailsafe battery) {
+    ArmingChecks(SimulatedCraft craft, SimulatedParameters parameters, SimulatedMission plan, BatteryFailsafe battery) {
         this.craft = craft;
         this.parameters = parameters;
         this.plan = plan;

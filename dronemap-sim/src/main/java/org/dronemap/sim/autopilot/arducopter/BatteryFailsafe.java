@@ -1,8 +1,8 @@
 package org.dronemap.sim.autopilot.arducopter;
 
 import java.util.Locale;
-import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.jspecify.annotations.Nullable;
 
 /** The battery fail-safe of the simulated ArduCopter: low and critical each trip once, after BATT_LOW_TIMER seconds. */
@@ -11,13 +11,13 @@ final class BatteryFailsafe {
     record Trip(String text, int action) {}
 
     private final SimulatedCraft craft;
-    private final Parameters parameters;
+    private final SimulatedParameters parameters;
     private long lowSince = -1;
     private long criticalSince = -1;
     private boolean low;
     private boolean critical;
 
-    BatteryFailsafe(SimulatedCraft craft, Parameters parameters) {
+    BatteryFailsafe(SimulatedCraft craft, SimulatedParameters parameters) {
         this.craft = craft;
         this.parameters = parameters;
     }

@@ -4,10 +4,10 @@ import java.util.function.Consumer;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
-import org.dronemap.sim.autopilot.CommandResult;
 import org.dronemap.sim.autopilot.MavCmd;
 import org.dronemap.sim.autopilot.MavCommand;
-import org.dronemap.sim.autopilot.TelemetryBuilder;
+import org.dronemap.sim.autopilot.SimulatedCommandResult;
+import org.dronemap.sim.autopilot.SimulatedTelemetry;
 import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.GoTo;
 import org.dronemap.sim.flight.MovingTargetManoeuvre;
@@ -43,37 +43,38 @@ final class CopterCommands {
         this.out = out;
     }
 
-    CommandResult execute(MavCommand order) {
+    SimulatedCommandResult execute(MavCommand order) {
         return switch (order.command()) {
             case MavCmd.ARM_DISARM -> armOrDisarm(order);
             case MavCmd.SET_MODE -> copter.setMode((int) order.param1(), (long) order.param2());
-            case MavCmd.TAKEOFF -> CommandResult.acceptedIf(takeOff(order));
-            case MavCmd.LAND -> CommandResult.acceptedIf(copter.change(CopterMode.LAND));
-            case MavCmd.RETURN_TO_LAUNCH -> CommandResult.acceptedIf(copter.change(CopterMode.RTL));
-            case MavCmd.LOITER_UNLIMITED -> CommandResult.acceptedIf(copter.change(CopterMode.LOITER));
+            case MavCmd.TAKEOFF -> SimulatedCommandResult.acceptedIf(takeOff(order));
+            case MavCmd.LAND -> SimulatedCommandResult.acceptedIf(copter.change(CopterMode.LAND));
+            case MavCmd.RETURN_TO_LAUNCH -> SimulatedCommandResult.acceptedIf(copter.change(CopterMode.RTL));
+            case MavCmd.LOITER_UNLIMITED -> SimulatedCommandResult.acceptedIf(copter.change(CopterMode.LOITER));
             case MavCmd.REPOSITION -> reposition(order);
             case MavCmd.CONDITION_YAW -> turn(order);
             case MavCmd.CHANGE_SPEED -> changeSpeed(order);
             case MavCmd.PAUSE_CONTINUE -> pauseOrContinue(order);
             case MavCmd.MISSION_START -> startMission(order);
-            case MavCmd.SET_MISSION_CURRENT -> CommandResult.acceptedIf(copter.setCurrentItem((int) order.param1()));
+            case MavCmd.SET_MISSION_CURRENT ->
+                SimulatedCommandResult.acceptedIf(copter.setCurrentItem((int) order.param1()));
             case MavCmd.SET_HOME -> setHome(order);
             case MavCmd.IMAGE_START_CAPTURE -> picture(order.param3() == 1);
             case MavCmd.DIGICAM_CONTROL -> picture(order.shoots());
             case MavCmd.SET_RELAY -> copter.payload().setRelay((int) order.param1(), (int) order.param2());
             case MavCmd.RUN_PREARM_CHECKS -> runChecks();
-            default -> CommandResult.UNSUPPORTED;
+            default -> SimulatedCommandResult.UNSUPPORTED;
         };
     }
 
-    private CommandResult armOrDisarm(MavCommand order) {
+    private SimulatedCommandResult armOrDisarm(MavCommand order) {
         if (order.param1() == 1) {
             return copter.arm(order.param2() == FORCE_ARM);
         }
         if (order.param1() == 0) {
             return copter.disarm(order.param2() == MavCmd.FORCE);
         }
-        return CommandResult.UNSUPPORTED;
+        return SimulatedCommandResult.UNSUPPORTED;
     }
 
     private boolean takeOff(MavCommand order) {
@@ -85,22 +86,22 @@ final class CopterCommands {
         return true;
     }
 
-    private CommandResult reposition(MavCommand order) {
+    private SimulatedCommandResult reposition(MavCommand order) {
         if (!order.withFrame()) {
-            return CommandResult.UNSUPPORTED;
+            return SimulatedCommandResult.UNSUPPORTED;
         }
         boolean mayChangeMode = ((int) order.param2() & 1) != 0;
         if (!order.isOnEarth() || (flight.mode() != CopterMode.GUIDED && !mayChangeMode)) {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         if (!copter.change(CopterMode.GUIDED)) {
-            return CommandResult.FAILED;
+            return SimulatedCommandResult.FAILED;
         }
         goTo(order.latitude(), order.longitude(), order.altitude(), order.isAmsl());
         if (order.param1() > 0) {
             flight.cruise().setHorizontal(order.param1());
         }
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
     private void goTo(double latitude, double longitude, double altitude, boolean amsl) {
@@ -115,9 +116,9 @@ final class CopterCommands {
         }
     }
 
-    private CommandResult turn(MavCommand order) {
+    private SimulatedCommandResult turn(MavCommand order) {
         if (craft.landed() || flight.mode() != CopterMode.GUIDED) {
-            return CommandResult.acceptedIf(craft.landed() || flight.mode() == CopterMode.AUTO);
+            return SimulatedCommandResult.acceptedIf(craft.landed() || flight.mode() == CopterMode.AUTO);
         }
         double angle = Math.toRadians(order.param1());
         flight.follow(
@@ -125,7 +126,7 @@ final class CopterCommands {
                         ? new GoTo(craft.body().stoppingPoint(), flight.cruise(), angle)
                         : new TurnOnSpot(
                                 craft, flight.cruise(), order.param3() < 0 ? -angle : angle, rate(order.param2())));
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
     /** Radians a second; 0 asks for as quick as it may. */
@@ -133,17 +134,17 @@ final class CopterCommands {
         return Math.toRadians(degreesPerSecond > 0 ? Math.min(degreesPerSecond, QUICKEST_TURN) : QUICKEST_TURN);
     }
 
-    private CommandResult picture(boolean single) {
+    private SimulatedCommandResult picture(boolean single) {
         if (!single) {
-            return CommandResult.FAILED;
+            return SimulatedCommandResult.FAILED;
         }
         out.accept(copter.takePicture());
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
-    private CommandResult changeSpeed(MavCommand order) {
+    private SimulatedCommandResult changeSpeed(MavCommand order) {
         if (!(order.param2() > 0)) {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         CruiseSpeeds cruise = flight.cruise();
         switch ((int) order.param1()) {
@@ -151,40 +152,40 @@ final class CopterCommands {
             case 2 -> cruise.setClimb(order.param2());
             case 3 -> cruise.setSink(order.param2());
             default -> {
-                return CommandResult.DENIED;
+                return SimulatedCommandResult.DENIED;
             }
         }
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
-    private CommandResult pauseOrContinue(MavCommand order) {
+    private SimulatedCommandResult pauseOrContinue(MavCommand order) {
         boolean pause = order.param1() == 0;
         if (pause ? flight.pause() : flight.resume()) {
-            return CommandResult.ACCEPTED;
+            return SimulatedCommandResult.ACCEPTED;
         }
         copter.sendText(TextSeverity.INFO, pause ? "Failed to pause" : "Failed to resume");
-        return CommandResult.FAILED;
+        return SimulatedCommandResult.FAILED;
     }
 
-    private CommandResult startMission(MavCommand order) {
+    private SimulatedCommandResult startMission(MavCommand order) {
         if (order.param1() != 0 || order.param2() != 0) {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         if (!copter.change(CopterMode.AUTO)) {
-            return CommandResult.FAILED;
+            return SimulatedCommandResult.FAILED;
         }
         flight.letAutoStart();
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
-    private CommandResult setHome(MavCommand order) {
+    private SimulatedCommandResult setHome(MavCommand order) {
         if (order.param1() == 1) {
             if (!craft.navigation().hasEstimate()) {
-                return CommandResult.FAILED;
+                return SimulatedCommandResult.FAILED;
             }
             craft.setHomeHere();
         } else if (!order.isOnEarth()) {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         } else {
             // A COMMAND_LONG has no frame: ArduPilot takes a home's altitude as AMSL.
             boolean amsl = order.isAmsl() || !order.withFrame();
@@ -192,19 +193,19 @@ final class CopterCommands {
             craft.setHome(new LocalFrame(order.latitude(), order.longitude(), altitude));
         }
         sendHome();
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
-    private CommandResult runChecks() {
+    private SimulatedCommandResult runChecks() {
         if (craft.armed()) {
-            return CommandResult.TEMPORARILY_REJECTED;
+            return SimulatedCommandResult.TEMPORARILY_REJECTED;
         }
         copter.reportComplaintsNow();
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
     void sendHome() {
-        out.accept(TelemetryBuilder.home(craft));
+        out.accept(SimulatedTelemetry.home(craft));
     }
 
     void steer(SetPositionTargetGlobalInt target) {

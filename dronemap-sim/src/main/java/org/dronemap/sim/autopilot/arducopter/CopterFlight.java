@@ -3,18 +3,18 @@ package org.dronemap.sim.autopilot.arducopter;
 import java.util.function.Consumer;
 import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.FlightEvent;
-import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.GoTo;
 import org.dronemap.sim.flight.Grounded;
 import org.dronemap.sim.flight.Hover;
 import org.dronemap.sim.flight.Landing;
 import org.dronemap.sim.flight.Manoeuvre;
-import org.dronemap.sim.flight.MissionFlight;
+import org.dronemap.sim.flight.MissionManoeuvre;
 import org.dronemap.sim.flight.MovingTargetManoeuvre;
-import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.ReturnHome;
 import org.dronemap.sim.flight.SimulatedCraft;
-import org.dronemap.sim.flight.StoredMissionItem;
+import org.dronemap.sim.flight.SimulatedMission;
+import org.dronemap.sim.flight.SimulatedMissionItem;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.flight.TakeOff;
 import org.dronemap.sim.flight.VelocityManoeuvre;
 import org.dronemap.sim.physics.MotionSetpoint;
@@ -28,13 +28,13 @@ final class CopterFlight {
     private static final VelocityManoeuvre.Wanted STANDING = new VelocityManoeuvre.Wanted(true, 0, 0, 0, Double.NaN, 0);
 
     private final SimulatedCraft craft;
-    private final FlightPlan plan;
-    private final Parameters parameters;
+    private final SimulatedMission plan;
+    private final SimulatedParameters parameters;
     private final Consumer<FlightEvent> events;
     private final CruiseSpeeds cruise = new CruiseSpeeds(10, 2.5, 1.5, 0.5);
     private CopterMode mode = CopterMode.STABILIZE;
     private Manoeuvre manoeuvre = new Grounded();
-    private @Nullable MissionFlight mission;
+    private @Nullable MissionManoeuvre mission;
     private @Nullable Manoeuvre paused;
     private int resumeItem;
     private boolean completed;
@@ -43,7 +43,8 @@ final class CopterFlight {
     private final ManualControlInput joystick;
     private boolean manualSetpoint;
 
-    CopterFlight(SimulatedCraft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
+    CopterFlight(
+            SimulatedCraft craft, SimulatedMission plan, SimulatedParameters parameters, Consumer<FlightEvent> events) {
         this.craft = craft;
         this.plan = plan;
         this.parameters = parameters;
@@ -128,7 +129,7 @@ final class CopterFlight {
             return new Grounded();
         }
         completed = false;
-        mission = new MissionFlight(plan, cruise, returnHeight(), Math.max(1, resumeItem), this::handle);
+        mission = new MissionManoeuvre(plan, cruise, returnHeight(), Math.max(1, resumeItem), this::handle);
         return mission;
     }
 
@@ -248,7 +249,7 @@ final class CopterFlight {
 
     boolean startsWithTakeOff() {
         int first = Math.max(1, resumeItem);
-        return first < plan.size() && plan.item(first).command() == StoredMissionItem.TAKEOFF;
+        return first < plan.size() && plan.item(first).command() == SimulatedMissionItem.TAKEOFF;
     }
 
     boolean takingOff() {
@@ -257,7 +258,7 @@ final class CopterFlight {
     }
 
     private boolean isTakeOff(int index) {
-        return index < plan.size() && plan.item(index).command() == StoredMissionItem.TAKEOFF;
+        return index < plan.size() && plan.item(index).command() == SimulatedMissionItem.TAKEOFF;
     }
 
     boolean landing() {

@@ -1,18 +1,18 @@
 package org.dronemap.sim.autopilot.arducopter;
 
-import static org.dronemap.sim.flight.Parameters.INT16;
-import static org.dronemap.sim.flight.Parameters.INT32;
-import static org.dronemap.sim.flight.Parameters.INT8;
-import static org.dronemap.sim.flight.Parameters.REAL32;
+import static org.dronemap.sim.flight.SimulatedParameters.INT16;
+import static org.dronemap.sim.flight.SimulatedParameters.INT32;
+import static org.dronemap.sim.flight.SimulatedParameters.INT8;
+import static org.dronemap.sim.flight.SimulatedParameters.REAL32;
 
-import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedParameters;
 
 /** The parameters that the simulated ArduCopter heeds, with ArduCopter's defaults. */
 final class CopterParameters {
     private CopterParameters() {}
 
-    static Parameters defaults(int systemId, double batteryMilliampHours) {
-        return new Parameters()
+    static SimulatedParameters defaults(int systemId, double batteryMilliampHours) {
+        return new SimulatedParameters()
                 .add("SYSID_THISMAV", INT16, systemId)
                 .add("SYSID_MYGCS", INT16, 255)
                 .add("FS_GCS_ENABLE", INT8, 0)

@@ -1,7 +1,7 @@
 package org.dronemap.sim.autopilot.arducopter;
 
 import org.dronemap.mavlink.message.ManualControl;
-import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.flight.VelocityManoeuvre;
 import org.jspecify.annotations.Nullable;
 
@@ -12,11 +12,11 @@ final class ManualControlInput {
     private static final double HALF = 500;
     private static final double DEAD_ZONE = 0.05;
 
-    private final Parameters parameters;
+    private final SimulatedParameters parameters;
     private @Nullable ManualControl latest;
     private long receivedAt;
 
-    ManualControlInput(Parameters parameters) {
+    ManualControlInput(SimulatedParameters parameters) {
         this.parameters = parameters;
     }
 

@@ -7,15 +7,15 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
-import org.dronemap.sim.autopilot.CommandResult;
 import org.dronemap.sim.autopilot.MavCommand;
 import org.dronemap.sim.autopilot.MissionProtocolStyle;
 import org.dronemap.sim.autopilot.SimulatedAutopilot;
+import org.dronemap.sim.autopilot.SimulatedCommandResult;
 import org.dronemap.sim.autopilot.SimulatedPayload;
 import org.dronemap.sim.flight.FlightEvent;
-import org.dronemap.sim.flight.FlightPlan;
-import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.SimulatedMission;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.flight.TextSeverity;
 
 /**
@@ -29,8 +29,8 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     private static final long PREARM_TEXT_MILLIS = 30_000;
 
     private final SimulatedCraft craft;
-    private final Parameters parameters;
-    private final FlightPlan plan = new FlightPlan();
+    private final SimulatedParameters parameters;
+    private final SimulatedMission plan = new SimulatedMission();
     private final SimulatedPayload payload = new SimulatedPayload();
     private final Consumer<FlightEvent> events;
     private final CopterFlight flight;
@@ -113,19 +113,19 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
         checks.complaints(flight.mode()).forEach(text -> sendText(TextSeverity.CRITICAL, "PreArm: " + text));
     }
 
-    CommandResult arm(boolean force) {
+    SimulatedCommandResult arm(boolean force) {
         if (craft.armed()) {
-            return CommandResult.ACCEPTED;
+            return SimulatedCommandResult.ACCEPTED;
         }
         if (!force) {
             List<String> complaints = checks.complaints(flight.mode());
             complaints.forEach(text -> sendText(TextSeverity.CRITICAL, "Arm: " + text));
             if (complaints.isEmpty() && !flight.mode().armable) {
                 sendText(TextSeverity.CRITICAL, "Arm: " + flight.mode() + " mode not armable");
-                return CommandResult.FAILED;
+                return SimulatedCommandResult.FAILED;
             }
             if (!complaints.isEmpty()) {
-                return CommandResult.FAILED;
+                return SimulatedCommandResult.FAILED;
             }
         }
         if (craft.navigation().hasEstimate()) {
@@ -140,17 +140,17 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
         idleSince = now;
         landedSince = now;
         sendText(TextSeverity.INFO, "Arming motors");
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
-    CommandResult disarm(boolean force) {
+    SimulatedCommandResult disarm(boolean force) {
         if (craft.armed()) {
             if (!force && !craft.landed()) {
-                return CommandResult.FAILED;
+                return SimulatedCommandResult.FAILED;
             }
             disarmNow();
         }
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
     private void disarmNow() {
@@ -195,21 +195,21 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     }
 
     @Override
-    public CommandResult execute(MavCommand order) {
+    public SimulatedCommandResult execute(MavCommand order) {
         return orders.execute(order);
     }
 
     @Override
-    public CommandResult setMode(int baseMode, long customMode) {
+    public SimulatedCommandResult setMode(int baseMode, long customMode) {
         if ((baseMode & 1) == 0) {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         CopterMode mode = CopterMode.of(customMode);
         if (mode == null) {
             sendText(TextSeverity.WARNING, "No such mode " + customMode);
-            return CommandResult.FAILED;
+            return SimulatedCommandResult.FAILED;
         }
-        return CommandResult.acceptedIf(change(mode));
+        return SimulatedCommandResult.acceptedIf(change(mode));
     }
 
     @Override
@@ -275,7 +275,7 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     }
 
     @Override
-    public FlightPlan plan() {
+    public SimulatedMission plan() {
         return plan;
     }
 
@@ -296,7 +296,7 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     }
 
     @Override
-    public Parameters parameters() {
+    public SimulatedParameters parameters() {
         return parameters;
     }
 
@@ -330,9 +330,9 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     }
 
     @Override
-    public CommandResult refuseInterval(int messageId) {
+    public SimulatedCommandResult refuseInterval(int messageId) {
         sendText(TextSeverity.INFO, "No ap_message for mavlink id (" + messageId + ")");
-        return CommandResult.DENIED;
+        return SimulatedCommandResult.DENIED;
     }
 
     @Override

@@ -2,10 +2,10 @@ package org.dronemap.sim.autopilot.px4;
 
 import java.util.function.Consumer;
 import org.dronemap.mavlink.Message;
-import org.dronemap.sim.autopilot.CommandResult;
 import org.dronemap.sim.autopilot.MavCmd;
 import org.dronemap.sim.autopilot.MavCommand;
-import org.dronemap.sim.autopilot.TelemetryBuilder;
+import org.dronemap.sim.autopilot.SimulatedCommandResult;
+import org.dronemap.sim.autopilot.SimulatedTelemetry;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
 import org.dronemap.sim.physics.LocalFrame;
@@ -25,7 +25,7 @@ final class Px4Commands {
         this.out = out;
     }
 
-    CommandResult execute(MavCommand order) {
+    SimulatedCommandResult execute(MavCommand order) {
         return switch (order.command()) {
             case MavCmd.ARM_DISARM -> armOrDisarm(order);
             case MavCmd.SET_MODE -> px4.setMode((int) order.param1(), (int) order.param2(), (int) order.param3());
@@ -37,41 +37,42 @@ final class Px4Commands {
             case MavCmd.CHANGE_SPEED -> changeSpeed(order);
             case MavCmd.PAUSE_CONTINUE -> pauseOrContinue(order);
             case MavCmd.MISSION_START -> startMission(order);
-            case MavCmd.SET_MISSION_CURRENT -> CommandResult.acceptedIf(px4.setCurrentItem((int) order.param1()));
+            case MavCmd.SET_MISSION_CURRENT ->
+                SimulatedCommandResult.acceptedIf(px4.setCurrentItem((int) order.param1()));
             case MavCmd.SET_HOME -> setHome(order);
             case MavCmd.DIGICAM_CONTROL -> picture(order.shoots());
-            case MavCmd.RUN_PREARM_CHECKS -> CommandResult.ACCEPTED;
-            default -> CommandResult.UNSUPPORTED;
+            case MavCmd.RUN_PREARM_CHECKS -> SimulatedCommandResult.ACCEPTED;
+            default -> SimulatedCommandResult.UNSUPPORTED;
         };
     }
 
-    private CommandResult armOrDisarm(MavCommand order) {
+    private SimulatedCommandResult armOrDisarm(MavCommand order) {
         if (order.param1() == 1) {
             return px4.arm(order.param2() == MavCmd.FORCE);
         }
-        return order.param1() == 0 ? px4.disarm(order.param2() == MavCmd.FORCE) : CommandResult.UNSUPPORTED;
+        return order.param1() == 0 ? px4.disarm(order.param2() == MavCmd.FORCE) : SimulatedCommandResult.UNSUPPORTED;
     }
 
-    private CommandResult takeOff(MavCommand order) {
+    private SimulatedCommandResult takeOff(MavCommand order) {
         double above = order.altitude() - craft.home().altitudeAmsl();
         if (!Double.isNaN(above) && above <= craft.aboveHome()) {
             px4.sendText(TextSeverity.CRITICAL, "Already higher than takeoff altitude");
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         flight.setTakeOffHeight(above);
         return px4.changed(Px4Mode.TAKEOFF);
     }
 
-    private CommandResult reposition(MavCommand order) {
+    private SimulatedCommandResult reposition(MavCommand order) {
         boolean mayChangeMode = ((int) order.param2() & 1) != 0;
         if (!mayChangeMode && flight.mode() != Px4Mode.HOLD) {
-            return CommandResult.UNSUPPORTED;
+            return SimulatedCommandResult.UNSUPPORTED;
         }
         if (!order.isOnEarth()) {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         if (!px4.change(Px4Mode.HOLD)) {
-            return CommandResult.TEMPORARILY_REJECTED;
+            return SimulatedCommandResult.TEMPORARILY_REJECTED;
         }
         if (order.param1() > 0) {
             flight.cruise().setHorizontal(order.param1());
@@ -84,60 +85,60 @@ final class Px4Commands {
             NeuPosition target = craft.locate(order.latitude(), order.longitude(), height);
             flight.goTo(target, order.param4());
         }
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
-    private CommandResult changeSpeed(MavCommand order) {
+    private SimulatedCommandResult changeSpeed(MavCommand order) {
         if (!(order.param2() > 0) || order.param1() > 1) {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         flight.cruise().setHorizontal(order.param2());
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
-    private CommandResult pauseOrContinue(MavCommand order) {
+    private SimulatedCommandResult pauseOrContinue(MavCommand order) {
         return px4.changed(order.param1() == 0 ? Px4Mode.HOLD : Px4Mode.MISSION);
     }
 
-    private CommandResult startMission(MavCommand order) {
+    private SimulatedCommandResult startMission(MavCommand order) {
         if (px4.plan().size() == 0) {
             px4.sendText(TextSeverity.CRITICAL, "Mission start denied! No valid mission");
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         if (order.param1() > 0) {
             px4.setCurrentItem((int) order.param1());
         }
         if (!px4.change(Px4Mode.MISSION)) {
-            return CommandResult.TEMPORARILY_REJECTED;
+            return SimulatedCommandResult.TEMPORARILY_REJECTED;
         }
         return px4.arm(false);
     }
 
     /** Altitudes are AMSL whatever frame is named. */
-    private CommandResult setHome(MavCommand order) {
+    private SimulatedCommandResult setHome(MavCommand order) {
         if (order.param1() > 0.5) {
             if (!craft.navigation().hasEstimate()) {
-                return CommandResult.TEMPORARILY_REJECTED;
+                return SimulatedCommandResult.TEMPORARILY_REJECTED;
             }
             craft.setHomeHere();
         } else if (order.isOnEarth() && Float.isFinite(order.altitude())) {
             craft.setHome(new LocalFrame(order.latitude(), order.longitude(), order.altitude()));
         } else {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         sendHome();
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
-    private CommandResult picture(boolean single) {
+    private SimulatedCommandResult picture(boolean single) {
         if (!single) {
-            return CommandResult.DENIED;
+            return SimulatedCommandResult.DENIED;
         }
         out.accept(px4.takePicture());
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
     void sendHome() {
-        out.accept(TelemetryBuilder.home(craft));
+        out.accept(SimulatedTelemetry.home(craft));
     }
 }

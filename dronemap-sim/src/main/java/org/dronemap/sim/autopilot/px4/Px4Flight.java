@@ -3,16 +3,16 @@ package org.dronemap.sim.autopilot.px4;
 import java.util.function.Consumer;
 import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.FlightEvent;
-import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.GoTo;
 import org.dronemap.sim.flight.Grounded;
 import org.dronemap.sim.flight.Hover;
 import org.dronemap.sim.flight.Landing;
 import org.dronemap.sim.flight.Manoeuvre;
-import org.dronemap.sim.flight.MissionFlight;
-import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.MissionManoeuvre;
 import org.dronemap.sim.flight.ReturnHome;
 import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.SimulatedMission;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.flight.TakeOff;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
@@ -21,21 +21,22 @@ import org.jspecify.annotations.Nullable;
 /** The current mode of the simulated PX4 vehicle, and the manoeuvre that it flies in it. */
 final class Px4Flight {
     private final SimulatedCraft craft;
-    private final FlightPlan plan;
-    private final Parameters parameters;
+    private final SimulatedMission plan;
+    private final SimulatedParameters parameters;
     private final Consumer<FlightEvent> events;
     private final CruiseSpeeds cruise = new CruiseSpeeds(5, 3, 1.5, 0.7);
     private final CruiseSpeeds takeOffCruise = new CruiseSpeeds(5, 1.5, 1.5, 0.7);
     private Px4Mode mode = Px4Mode.HOLD;
     private Manoeuvre manoeuvre = new Grounded();
-    private @Nullable MissionFlight mission;
+    private @Nullable MissionManoeuvre mission;
     private double takeOffHeight = Double.NaN;
     private int nextItem;
     private boolean completed;
     private boolean flown;
     private boolean holdDue;
 
-    Px4Flight(SimulatedCraft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
+    Px4Flight(
+            SimulatedCraft craft, SimulatedMission plan, SimulatedParameters parameters, Consumer<FlightEvent> events) {
         this.craft = craft;
         this.plan = plan;
         this.parameters = parameters;
@@ -99,7 +100,7 @@ final class Px4Flight {
     private Manoeuvre startMission() {
         completed = false;
         int first = nextItem < plan.size() ? nextItem : 0;
-        mission = new MissionFlight(plan, cruise, parameters.value("RTL_RETURN_ALT"), first, this::handle);
+        mission = new MissionManoeuvre(plan, cruise, parameters.value("RTL_RETURN_ALT"), first, this::handle);
         return mission;
     }
 

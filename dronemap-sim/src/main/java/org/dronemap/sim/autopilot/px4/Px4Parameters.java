@@ -1,16 +1,16 @@
 package org.dronemap.sim.autopilot.px4;
 
-import static org.dronemap.sim.flight.Parameters.INT32;
-import static org.dronemap.sim.flight.Parameters.REAL32;
+import static org.dronemap.sim.flight.SimulatedParameters.INT32;
+import static org.dronemap.sim.flight.SimulatedParameters.REAL32;
 
-import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.SimulatedParameters;
 
 /** The parameters that the simulated PX4 heeds, with PX4's defaults. */
 final class Px4Parameters {
     private Px4Parameters() {}
 
-    static Parameters defaults(int systemId) {
-        return new Parameters()
+    static SimulatedParameters defaults(int systemId) {
+        return new SimulatedParameters()
                 .add("MAV_SYS_ID", INT32, systemId)
                 .add("MIS_TAKEOFF_ALT", REAL32, 2.5)
                 .add("NAV_DLL_ACT", INT32, 0)

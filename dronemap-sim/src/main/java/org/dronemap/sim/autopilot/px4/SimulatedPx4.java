@@ -14,15 +14,15 @@ import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.VfrHud;
-import org.dronemap.sim.autopilot.CommandResult;
 import org.dronemap.sim.autopilot.MavCommand;
 import org.dronemap.sim.autopilot.MissionProtocolStyle;
 import org.dronemap.sim.autopilot.SimulatedAutopilot;
+import org.dronemap.sim.autopilot.SimulatedCommandResult;
 import org.dronemap.sim.autopilot.SimulatedPayload;
 import org.dronemap.sim.flight.FlightEvent;
-import org.dronemap.sim.flight.FlightPlan;
-import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.SimulatedMission;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.flight.TextSeverity;
 
 /** A simulated PX4 multicopter: the commands it accepts, its flight modes and fail-safes. */
@@ -32,8 +32,8 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     private static final long FIRMWARE = 1L << 24 | 14 << 16 | 3 << 8 | 255;
 
     private final SimulatedCraft craft;
-    private final Parameters parameters;
-    private final FlightPlan plan = new FlightPlan();
+    private final SimulatedParameters parameters;
+    private final SimulatedMission plan = new SimulatedMission();
     private final SimulatedPayload payload = new SimulatedPayload();
     private final Consumer<FlightEvent> events;
     private final Runnable modeAnnouncer;
@@ -90,14 +90,14 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
         }
     }
 
-    CommandResult arm(boolean force) {
+    SimulatedCommandResult arm(boolean force) {
         if (craft.armed()) {
-            return CommandResult.ACCEPTED;
+            return SimulatedCommandResult.ACCEPTED;
         }
         if (!force && !readyToArm()) {
             sendText(TextSeverity.CRITICAL, "Preflight Fail: " + complaint());
             sendText(TextSeverity.CRITICAL, "Arming denied: Resolve system health failures first");
-            return CommandResult.TEMPORARILY_REJECTED;
+            return SimulatedCommandResult.TEMPORARILY_REJECTED;
         }
         if (craft.navigation().hasEstimate()) {
             craft.setHomeHere();
@@ -107,7 +107,7 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
         flight.armed();
         flightlessSince = now;
         sendText(TextSeverity.INFO, "Armed by external command");
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
     private String complaint() {
@@ -123,15 +123,15 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
         return craft.crashed() || craft.motorFailed() ? "Motor failure" : "";
     }
 
-    CommandResult disarm(boolean force) {
+    SimulatedCommandResult disarm(boolean force) {
         if (craft.armed()) {
             if (!force && !craft.landed()) {
                 sendText(TextSeverity.CRITICAL, "Disarming denied: not landed");
-                return CommandResult.TEMPORARILY_REJECTED;
+                return SimulatedCommandResult.TEMPORARILY_REJECTED;
             }
             disarmNow("Disarmed by external command");
         }
-        return CommandResult.ACCEPTED;
+        return SimulatedCommandResult.ACCEPTED;
     }
 
     private void disarmNow(String text) {
@@ -169,25 +169,25 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     }
 
     @Override
-    public CommandResult execute(MavCommand order) {
+    public SimulatedCommandResult execute(MavCommand order) {
         return orders.execute(order);
     }
 
     @Override
-    public CommandResult setMode(int baseMode, long customMode) {
+    public SimulatedCommandResult setMode(int baseMode, long customMode) {
         return setMode(baseMode, (int) (customMode >> 16) & 0xFF, (int) (customMode >> 24) & 0xFF);
     }
 
-    CommandResult setMode(int baseMode, int main, int sub) {
+    SimulatedCommandResult setMode(int baseMode, int main, int sub) {
         Px4Mode mode = Px4Mode.of(main, sub);
         if ((baseMode & 1) == 0 || mode == null) {
-            return CommandResult.UNSUPPORTED;
+            return SimulatedCommandResult.UNSUPPORTED;
         }
         return changed(mode);
     }
 
-    CommandResult changed(Px4Mode mode) {
-        return change(mode) ? CommandResult.ACCEPTED : CommandResult.TEMPORARILY_REJECTED;
+    SimulatedCommandResult changed(Px4Mode mode) {
+        return change(mode) ? SimulatedCommandResult.ACCEPTED : SimulatedCommandResult.TEMPORARILY_REJECTED;
     }
 
     @Override
@@ -237,7 +237,7 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     }
 
     @Override
-    public FlightPlan plan() {
+    public SimulatedMission plan() {
         return plan;
     }
 
@@ -258,7 +258,7 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     }
 
     @Override
-    public Parameters parameters() {
+    public SimulatedParameters parameters() {
         return parameters;
     }
 
@@ -283,8 +283,8 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     }
 
     @Override
-    public CommandResult refuseInterval(int messageId) {
-        return CommandResult.FAILED;
+    public SimulatedCommandResult refuseInterval(int messageId) {
+        return SimulatedCommandResult.FAILED;
     }
 
     @Override

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.stored.StoredNames;
 import org.dronemap.core.zone.AltitudeBand;
 import org.jspecify.annotations.Nullable;
@@ -16,12 +16,12 @@ import tools.jackson.databind.node.ObjectNode;
 final class ShapeJson {
     private ShapeJson() {}
 
-    static void write(FenceZone shape, ObjectNode to) {
+    static void write(FenceArea shape, ObjectNode to) {
         to.put("inside", shape.inside());
-        if (shape instanceof FenceZone.Circle circle) {
+        if (shape instanceof FenceArea.Circle circle) {
             point(circle.center(), to.putObject("center"));
             to.put("radiusMeters", circle.radiusMeters());
-        } else if (shape instanceof FenceZone.Polygon polygon) {
+        } else if (shape instanceof FenceArea.Polygon polygon) {
             ArrayNode corners = to.putArray("corners");
             polygon.corners().forEach(corner -> point(corner, corners.addObject()));
         }
@@ -38,17 +38,17 @@ final class ShapeJson {
         to.put("longitudeDegrees", point.longitudeDegrees());
     }
 
-    static FenceZone shape(JsonNode from) {
+    static FenceArea shape(JsonNode from) {
         boolean inside = from.required("inside").booleanValue();
         if (from.has("center")) {
-            return new FenceZone.Circle(
+            return new FenceArea.Circle(
                     inside,
                     point(from.required("center")),
                     from.required("radiusMeters").doubleValue());
         }
         List<Geodetic> corners = new ArrayList<>();
         from.required("corners").forEach(corner -> corners.add(point(corner)));
-        return new FenceZone.Polygon(inside, corners);
+        return new FenceArea.Polygon(inside, corners);
     }
 
     static AltitudeBand band(JsonNode from) {

@@ -16,7 +16,6 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.stored.StoredNames;
-import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.DroneChoice;
 import org.dronemap.core.virtual.DroneRequirements;
 import org.dronemap.core.virtual.RequiredArea;
@@ -24,6 +23,7 @@ import org.dronemap.core.virtual.SelectionCriterion;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualRun;
+import org.dronemap.core.virtual.VirtualRunAssignment;
 import org.dronemap.core.virtual.VirtualRunStage;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
@@ -130,7 +130,7 @@ public final class VirtualDroneJson {
         to.put("onCloudLoss", StoredNames.of(run.onCloudLoss()));
         to.put("flown", run.flown());
         to.put("stage", StoredNames.of(run.stage()));
-        Assignment assignment = run.assignment();
+        VirtualRunAssignment assignment = run.assignment();
         if (assignment != null) {
             assignment(assignment, to.putObject("assignment"));
         }
@@ -163,7 +163,7 @@ public final class VirtualDroneJson {
                 moment(from, "changedAt"));
     }
 
-    private static void assignment(Assignment assignment, ObjectNode to) {
+    private static void assignment(VirtualRunAssignment assignment, ObjectNode to) {
         choice(assignment.choice(), to.putObject("choice"));
         to.put("first", assignment.first());
         to.put("takeOffMeters", assignment.takeOffMeters());
@@ -173,8 +173,8 @@ public final class VirtualDroneJson {
         to.put("changedAt", assignment.changedAt().toString());
     }
 
-    private static Assignment assignment(JsonNode from) {
-        return new Assignment(
+    private static VirtualRunAssignment assignment(JsonNode from) {
+        return new VirtualRunAssignment(
                 choice(from.required("choice")),
                 from.required("first").intValue(),
                 from.hasNonNull("takeOffMeters")

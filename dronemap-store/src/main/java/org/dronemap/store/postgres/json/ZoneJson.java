@@ -6,9 +6,9 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.stored.StoredNames;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.Validity;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBinding;
+import org.dronemap.core.zone.ZoneValidity;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
@@ -68,7 +68,7 @@ public final class ZoneJson {
                 ShapeJson.shape(from),
                 ShapeJson.band(from),
                 binding(from),
-                new Validity(moment(from, "from"), moment(from, "until")),
+                new ZoneValidity(moment(from, "from"), moment(from, "until")),
                 StoredNames.constant(
                         BreachAction.class, from.required("onBreach").stringValue()),
                 from.required("changedBy").stringValue(),

@@ -19,7 +19,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.reading.SecretGenerator;
-import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CallerAuthenticator;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -35,7 +35,7 @@ public final class OidcSignIn {
 
     private final OidcSettings settings;
     private final OidcProvider provider;
-    private final Authentication authentication;
+    private final CallerAuthenticator authentication;
     private final ExternalUsers users;
     private final Clock clock;
     private final SecretGenerator secrets = new SecretGenerator();
@@ -61,7 +61,7 @@ public final class OidcSignIn {
             @Nullable String state,
             @Nullable String browser) {}
 
-    public OidcSignIn(OidcSettings settings, Authentication authentication, ExternalUsers users, Clock clock) {
+    public OidcSignIn(OidcSettings settings, CallerAuthenticator authentication, ExternalUsers users, Clock clock) {
         this.settings = settings;
         this.provider = new OidcProvider(settings);
         this.authentication = authentication;
@@ -101,7 +101,7 @@ public final class OidcSignIn {
      *
      * @throws Rejection when nothing is proved, or the account may not sign in
      */
-    public Authentication.NewSession finish(SignInCallback back) {
+    public CallerAuthenticator.NewSession finish(SignInCallback back) {
         try {
             PendingSignIn start = redeem(back);
             String code = back.code();

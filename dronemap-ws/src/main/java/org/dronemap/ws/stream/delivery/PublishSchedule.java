@@ -22,25 +22,25 @@ public final class PublishSchedule<P> {
     private static final long FORGOTTEN_NANOS = 60_000_000_000L;
 
     private final long askedGapNanos;
-    private final Map<MessageSubject, P> waiting = new LinkedHashMap<>();
-    private final Map<MessageSubject, Long> sentNanos = new HashMap<>();
+    private final Map<StreamMessageSubject, P> waiting = new LinkedHashMap<>();
+    private final Map<StreamMessageSubject, Long> sentNanos = new HashMap<>();
 
     /** {@code perSecond}: not more than this of each thing. */
     public PublishSchedule(int perSecond) {
         askedGapNanos = 1_000_000_000L / perSecond;
     }
 
-    public void changed(MessageSubject id, P picture) {
+    public void changed(StreamMessageSubject id, P picture) {
         waiting.put(id, picture);
     }
 
     /** The same, and its turn is now, whenever its last one was. */
-    public void changedAtOnce(MessageSubject id, P picture) {
+    public void changedAtOnce(StreamMessageSubject id, P picture) {
         sentNanos.remove(id);
         changed(id, picture);
     }
 
-    public void removed(MessageSubject id) {
+    public void removed(StreamMessageSubject id) {
         waiting.remove(id);
         sentNanos.remove(id);
     }
@@ -54,10 +54,10 @@ public final class PublishSchedule<P> {
     public long publishDue(long nowNanos, Consumer<P> due) {
         long gap = gapNanos();
         long next = gap;
-        for (Iterator<Map.Entry<MessageSubject, P>> pictures =
+        for (Iterator<Map.Entry<StreamMessageSubject, P>> pictures =
                         waiting.entrySet().iterator();
                 pictures.hasNext(); ) {
-            Map.Entry<MessageSubject, P> picture = pictures.next();
+            Map.Entry<StreamMessageSubject, P> picture = pictures.next();
             Long sent = sentNanos.get(picture.getKey());
             long left = sent == null ? 0 : sent + gap - nowNanos;
             if (left > 0) {

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
-import org.dronemap.ws.reading.JsonReader;
+import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.RecordAlternatives;
 import org.dronemap.ws.stream.StreamAccessRules;
 import org.dronemap.ws.stream.StreamFace;
@@ -15,7 +15,7 @@ import org.dronemap.ws.stream.StreamMessageCatalogue;
 import org.dronemap.ws.stream.StreamRequest;
 import org.dronemap.ws.stream.StreamRequestKind;
 import org.dronemap.ws.stream.StreamServer;
-import org.dronemap.ws.stream.Topic;
+import org.dronemap.ws.stream.StreamTopic;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
 import org.jspecify.annotations.Nullable;
 import org.springdoc.core.customizers.OpenApiCustomizer;
@@ -29,7 +29,7 @@ public final class StreamDescription {
     private static final Map<String, Class<?>> HEARD =
             RecordAlternatives.of(StreamRequest.class).orElseThrow().records();
 
-    private final List<Topic<?>> topics;
+    private final List<StreamTopic<?>> topics;
     private final StreamMessageCatalogue said;
     private final List<OpenApiCustomizer> customizers;
     private final JsonMapper json;
@@ -38,7 +38,7 @@ public final class StreamDescription {
     private volatile @Nullable ObjectNode known;
 
     /** {@code customizers}: those of the description of REST, whose schemas are made in the same way. */
-    public StreamDescription(StreamFace face, List<OpenApiCustomizer> customizers, JsonReader json, String version) {
+    public StreamDescription(StreamFace face, List<OpenApiCustomizer> customizers, JsonCodec json, String version) {
         this.topics = face.topics();
         this.said = face.messages();
         this.customizers = customizers;

@@ -16,7 +16,7 @@ class PublishScheduleTest {
     void sendsAtOnceWhatComesSlowly() {
         PublishSchedule<String> turns = new PublishSchedule<>(50);
         for (int number = 0; number < 5; number++) {
-            turns.changed(new MessageSubject("drone", "a"), "" + number);
+            turns.changed(new StreamMessageSubject("drone", "a"), "" + number);
             turns.publishDue(number * 41 * MILLI, sent::add);
         }
         assertThat(sent).containsExactly("0", "1", "2", "3", "4");
@@ -25,11 +25,11 @@ class PublishScheduleTest {
     @Test
     void sendsTheNewestAtItsTurnOfWhatComesFast() {
         PublishSchedule<String> turns = new PublishSchedule<>(50);
-        turns.changed(new MessageSubject("drone", "a"), "" + 1);
+        turns.changed(new StreamMessageSubject("drone", "a"), "" + 1);
         turns.publishDue(0, sent::add);
-        turns.changed(new MessageSubject("drone", "a"), "" + 2);
+        turns.changed(new StreamMessageSubject("drone", "a"), "" + 2);
         assertThat(turns.publishDue(5 * MILLI, sent::add)).isEqualTo(15 * MILLI);
-        turns.changed(new MessageSubject("drone", "a"), "" + 3);
+        turns.changed(new StreamMessageSubject("drone", "a"), "" + 3);
         turns.publishDue(19 * MILLI, sent::add);
         assertThat(sent).containsExactly("1");
         turns.publishDue(20 * MILLI, sent::add);
@@ -40,7 +40,7 @@ class PublishScheduleTest {
     void givesBigFleetsFiveASecondAndNotLess() {
         PublishSchedule<String> turns = new PublishSchedule<>(50);
         for (int number = 0; number < 2_000; number++) {
-            turns.changed(new MessageSubject("drone", "d" + number), "x");
+            turns.changed(new StreamMessageSubject("drone", "d" + number), "x");
         }
         turns.publishDue(0, sent::add);
         assertThat(sent).hasSize(2_000);
@@ -57,8 +57,8 @@ class PublishScheduleTest {
     @Test
     void sendsNothingOfARemovedDrone() {
         PublishSchedule<String> turns = new PublishSchedule<>(50);
-        turns.changed(new MessageSubject("drone", "a"), "" + 1);
-        turns.removed(new MessageSubject("drone", "a"));
+        turns.changed(new StreamMessageSubject("drone", "a"), "" + 1);
+        turns.removed(new StreamMessageSubject("drone", "a"));
         turns.publishDue(0, sent::add);
         assertThat(sent).isEmpty();
     }
@@ -67,7 +67,7 @@ class PublishScheduleTest {
     void givesTheShareOfSilentDronesToTheOthers() {
         PublishSchedule<String> turns = new PublishSchedule<>(50);
         for (int number = 0; number < 100; number++) {
-            turns.changed(new MessageSubject("drone", "d" + number), "x");
+            turns.changed(new StreamMessageSubject("drone", "d" + number), "x");
         }
         turns.publishDue(0, sent::add);
         assertThat(turns.gapNanos()).isEqualTo(80 * MILLI);

@@ -25,7 +25,7 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
@@ -100,7 +100,7 @@ public final class FlownPlans {
             AltitudeBand band = random.nextBoolean()
                     ? AltitudeBand.ALL
                     : new AltitudeBand(null, ceiling, org.dronemap.core.mission.Altitude.Reference.AMSL);
-            FenceZone.Circle circle = new FenceZone.Circle(false, middle.point(), random.nextDouble(20, 60));
+            FenceArea.Circle circle = new FenceArea.Circle(false, middle.point(), random.nextDouble(20, 60));
             barriers.add(new Barrier("zone " + i, circle, band, Set.of()));
         }
         List<Craft> crafts = new ArrayList<>();

@@ -11,7 +11,7 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.sim.autopilot.AutopilotKind;
 import org.dronemap.sim.autopilot.SimulatedVehicle;
-import org.dronemap.sim.autopilot.VehicleSettings;
+import org.dronemap.sim.autopilot.SimulatedVehicleSettings;
 import org.dronemap.sim.autopilot.arducopter.SimulatedArduCopter;
 import org.dronemap.sim.flight.NavigationEstimator;
 import org.dronemap.sim.flight.SimulatedCraft;
@@ -44,15 +44,15 @@ final class SimulatedTestFlight {
     }
 
     SimulatedTestFlight(LocalFrame home, WindModel wind) {
-        VehicleSettings settings = new VehicleSettings(1, 1, 2, 0, 1_500, 0, false, 0, Map.of("DISARM_DELAY", 120.0));
+        SimulatedVehicleSettings settings = new SimulatedVehicleSettings(1, 1, 2, 0, 1_500, 0, false, 0, Map.of("DISARM_DELAY", 120.0));
         SimulatedCraft craft = new SimulatedCraft(home, new BatteryModel(CAPACITY_MILLIAMP_HOURS), wind, new NavigationEstimator(0));
         vehicle = new SimulatedVehicle(settings, COPTER, craft, bytes -> {});
     }
 
     FlightEffort fly(List<MissionItem> mission) {
         run(5_000);
-        List<org.dronemap.sim.flight.StoredMissionItem> items = new ArrayList<>();
-        items.add(org.dronemap.sim.flight.StoredMissionItem.home(vehicle.craft().home()));
+        List<org.dronemap.sim.flight.SimulatedMissionItem> items = new ArrayList<>();
+        items.add(org.dronemap.sim.flight.SimulatedMissionItem.home(vehicle.craft().home()));
         mission.forEach(item -> items.add(wire(item)));
         vehicle.autopilot().plan().replaceAll(items);
         vehicle.autopilot().missionChanged();
@@ -86,21 +86,21 @@ final class SimulatedTestFlight {
         toVehicle.read(ByteBuffer.wrap(ground.frame(order)), vehicle::receive);
     }
 
-    private static org.dronemap.sim.flight.StoredMissionItem wire(MissionItem item) {
+    private static org.dronemap.sim.flight.SimulatedMissionItem wire(MissionItem item) {
         if (item instanceof MissionItem.TakeOff takeOff) {
-            return plain(org.dronemap.sim.flight.StoredMissionItem.TAKEOFF, 0, takeOff.altitudeMeters());
+            return plain(org.dronemap.sim.flight.SimulatedMissionItem.TAKEOFF, 0, takeOff.altitudeMeters());
         }
         if (item instanceof MissionItem.Wait wait) {
-            return plain(org.dronemap.sim.flight.StoredMissionItem.DELAY, wait.seconds(), 0);
+            return plain(org.dronemap.sim.flight.SimulatedMissionItem.DELAY, wait.seconds(), 0);
         }
         if (item instanceof MissionItem.Land) {
-            return plain(org.dronemap.sim.flight.StoredMissionItem.LAND, 0, 0);
+            return plain(org.dronemap.sim.flight.SimulatedMissionItem.LAND, 0, 0);
         }
         if (item instanceof MissionItem.Waypoint waypoint
                 && waypoint.altitude().reference() == Altitude.Reference.AMSL) {
-            return new org.dronemap.sim.flight.StoredMissionItem(
-                    org.dronemap.sim.flight.StoredMissionItem.WAYPOINT,
-                    org.dronemap.sim.flight.StoredMissionItem.FRAME_AMSL,
+            return new org.dronemap.sim.flight.SimulatedMissionItem(
+                    org.dronemap.sim.flight.SimulatedMissionItem.WAYPOINT,
+                    org.dronemap.sim.flight.SimulatedMissionItem.FRAME_AMSL,
                     1,
                     (float) waypoint.holdSeconds(),
                     0,
@@ -113,7 +113,7 @@ final class SimulatedTestFlight {
         throw new IllegalArgumentException("no plan of these has " + item);
     }
 
-    private static org.dronemap.sim.flight.StoredMissionItem plain(int command, double first, double height) {
-        return new org.dronemap.sim.flight.StoredMissionItem(command, 3, 1, (float) first, 0, 0, 0, 0, 0, (float) height);
+    private static org.dronemap.sim.flight.SimulatedMissionItem plain(int command, double first, double height) {
+        return new org.dronemap.sim.flight.SimulatedMissionItem(command, 3, 1, (float) first, 0, 0, 0, 0, 0, (float) height);
     }
 }

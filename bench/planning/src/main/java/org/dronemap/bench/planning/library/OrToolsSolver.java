@@ -17,7 +17,7 @@ import java.util.stream.IntStream;
 import org.dronemap.bench.planning.BaselineSolver;
 import org.dronemap.bench.planning.Solver;
 import org.dronemap.bench.planning.TourProblem;
-import org.dronemap.cognitive.allocate.NearestNeighbour;
+import org.dronemap.cognitive.allocate.NearestNeighbourBaseline;
 
 /**
  * OR-Tools' routing library: a span cost makes the longest tour count, guided local search goes on from tours that share
@@ -72,7 +72,7 @@ public final class OrToolsSolver implements Solver {
     }
 
     private static long[][] first(TourProblem problem) {
-        int[][] orders = new BaselineSolver("", new NearestNeighbour()).orders(problem);
+        int[][] orders = new BaselineSolver("", new NearestNeighbourBaseline()).orders(problem);
         return Arrays.stream(orders)
                 .map(order -> Arrays.stream(order).asLongStream().toArray())
                 .toArray(long[][]::new);

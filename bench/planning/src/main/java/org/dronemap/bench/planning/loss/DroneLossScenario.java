@@ -9,10 +9,10 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import org.dronemap.cognitive.allocate.SearchBudget;
 import org.dronemap.cognitive.engine.FleetPlanner;
-import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.TimedPlace;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.plan.TourLeg;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.Place;
@@ -82,7 +82,7 @@ final class DroneLossScenario {
         Map<DroneId, Start> starts = new HashMap<>();
         for (Tour tour : tours) {
             List<String> left = new ArrayList<>();
-            for (Stop stop : tour.stops()) {
+            for (TourStop stop : tour.stops()) {
                 if (stop.arrivesSeconds() <= now) {
                     done.add(stop.waypoint());
                 } else {

@@ -5,7 +5,7 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
-import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
@@ -53,7 +53,7 @@ public record DroneObservation(
         boolean canReturn,
         @Nullable ReturnHeight returnHeight,
         Progress progress,
-        Payload payload,
+        PayloadState payload,
         @Nullable String transfer) {
     /** m/s over ground: whoever is slower stands. */
     private static final double STANDS_SPEED = 2;

@@ -10,9 +10,9 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import org.dronemap.cognitive.plan.MissionWriter;
-import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.TaskItem;
 import org.dronemap.cognitive.plan.Tour;
+import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.problem.Task;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
@@ -68,14 +68,14 @@ public record Sortie(
     /** Which waypoints are done when so many items are behind the drone. */
     public List<String> done(int passed) {
         int stops = (int) arrivals.stream().filter(item -> item < passed).count();
-        return tour.stops().subList(0, stops).stream().map(Stop::waypoint).toList();
+        return tour.stops().subList(0, stops).stream().map(TourStop::waypoint).toList();
     }
 
     /** Which are not. */
     public List<String> ahead(int passed) {
         return tour.stops().stream()
                 .skip(done(passed).size())
-                .map(Stop::waypoint)
+                .map(TourStop::waypoint)
                 .toList();
     }
 
@@ -85,7 +85,7 @@ public record Sortie(
 
     /** The same mission, where passing that waypoint's place counts for nothing any more. */
     public Sortie without(String waypoint) {
-        List<Stop> stops = new ArrayList<>();
+        List<TourStop> stops = new ArrayList<>();
         List<Integer> items = new ArrayList<>();
         for (int stop = 0; stop < arrivals.size(); stop++) {
             if (!tour.stops().get(stop).waypoint().equals(waypoint)) {

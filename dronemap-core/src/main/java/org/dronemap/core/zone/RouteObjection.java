@@ -1,0 +1,25 @@
+package org.dronemap.core.zone;
+
+/**
+ * Why a predicted route is refused: it leads where the drone must not fly, or cannot be checked.
+ *
+ * @param kind what of it is known
+ * @param sentence names the leg, the zone and a distance, or what is not known
+ */
+public record RouteObjection(Kind kind, String sentence) {
+    /** What is known of a way that is not gone. */
+    public enum Kind {
+        /** It leads where a drone must not be, or changes what may not be changed. */
+        FORBIDDEN,
+        /** Something is missing without which nobody can tell. */
+        NOT_CHECKABLE
+    }
+
+    static RouteObjection forbidden(String sentence) {
+        return new RouteObjection(Kind.FORBIDDEN, sentence);
+    }
+
+    static RouteObjection notCheckable(String sentence) {
+        return new RouteObjection(Kind.NOT_CHECKABLE, sentence);
+    }
+}

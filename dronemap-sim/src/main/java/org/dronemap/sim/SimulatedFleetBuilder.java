@@ -1,0 +1,83 @@
+package org.dronemap.sim;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dronemap.sim.autopilot.AutopilotKind;
+import org.dronemap.sim.autopilot.SimulatedVehicle;
+import org.dronemap.sim.autopilot.SimulatedVehicleSettings;
+import org.dronemap.sim.autopilot.arducopter.SimulatedArduCopter;
+import org.dronemap.sim.autopilot.px4.SimulatedPx4;
+import org.dronemap.sim.flight.NavigationEstimator;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.link.SimulatedFleet;
+import org.dronemap.sim.physics.BatteryModel;
+import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.WindModel;
+
+/** Builds the simulated fleet: vehicles on a square grid, ten metres apart, north-east of home. */
+final class SimulatedFleetBuilder {
+    private static final double SPACING_METERS = 60;
+    private static final double BATTERY_MILLIAMP_HOURS = 5200;
+    private static final int SYSTEM_IDS = 254;
+    private static final long FOR_GOOD_MILLIS = Long.MAX_VALUE / 2;
+
+    static final AutopilotKind ARDUCOPTER =
+            new AutopilotKind("arducopter", "\n\nInit ArduCopter V4.5.5 (simulated)\n\n", SimulatedArduCopter::new);
+    static final AutopilotKind PX4 = new AutopilotKind("px4", "", SimulatedPx4::new);
+
+    private final SimulatorOptions options;
+    private final long epochMicros;
+
+    SimulatedFleetBuilder(SimulatorOptions options, long epochMicros) {
+        this.options = options;
+        this.epochMicros = epochMicros;
+    }
+
+    SimulatedFleet build() {
+        SimulatedFleet fleet = new SimulatedFleet(options.server(), options.speedup());
+        for (int i = 0; i < options.count(); i++) {
+            int index = i;
+            fleet.add(link -> vehicle(index, link));
+        }
+        return fleet;
+    }
+
+    SimulatedVehicle vehicle(int index, Consumer<byte[]> link) {
+        int side = (int) Math.ceil(Math.sqrt(options.count()));
+        int row = index / side;
+        int column = index % side;
+        LocalFrame place = options.home().shifted(new NeuPosition(row * SPACING_METERS, column * SPACING_METERS, 0));
+        long seed = options.seed() * 1_000_003 + index;
+        double towards = (options.seed() & 7) * Math.PI / 4;
+        SimulatedCraft craft = new SimulatedCraft(
+                place,
+                new BatteryModel(BATTERY_MILLIAMP_HOURS),
+                new WindModel(options.windSpeed(), towards, seed),
+                new NavigationEstimator((long) (options.readyAfterSeconds() * 1000)));
+        int systemId = (options.firstSystemId() - 1 + index) % SYSTEM_IDS + 1;
+        SimulatedVehicleSettings settings = new SimulatedVehicleSettings(
+                systemId,
+                options.firstHardware() == 0 ? systemId : options.firstHardware() + index,
+                options.mavlink1() ? 1 : 2,
+                options.rateHertz(),
+                options.stickLow() ? 1000 : 1500,
+                epochMicros,
+                options.usb(),
+                options.parameters(),
+                options.presets());
+        SimulatedVehicle vehicle = new SimulatedVehicle(settings, kind(index), craft, link);
+        if (options.asleep()) {
+            vehicle.silence(FOR_GOOD_MILLIS);
+        }
+        return vehicle;
+    }
+
+    private AutopilotKind kind(int index) {
+        return switch (options.personality().toLowerCase(Locale.ROOT)) {
+            case "px4" -> PX4;
+            case "mixed" -> index % 2 == 0 ? ARDUCOPTER : PX4;
+            default -> ARDUCOPTER;
+        };
+    }
+}

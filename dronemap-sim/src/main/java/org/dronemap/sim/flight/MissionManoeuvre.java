@@ -1,0 +1,175 @@
+package org.dronemap.sim.flight;
+
+import java.util.function.Consumer;
+import org.dronemap.sim.physics.MotionSetpoint;
+import org.dronemap.sim.physics.NeuPosition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Simulated manoeuvre: flies the stored mission item by item. The plan may change under it: the item that is being
+ * flown stays as it was begun, the next ones are read when their turn comes. Owned by its vehicle.
+ */
+public final class MissionManoeuvre implements Manoeuvre {
+    private final SimulatedMission plan;
+    private final CruiseSpeeds cruise;
+    private final double returnHeight;
+    private final Consumer<FlightEvent> events;
+    private int index;
+    private boolean ended;
+    private double yaw = Double.NaN;
+    private long arrivedAt = -1;
+    private @Nullable NeuPosition lookedAt;
+    private @Nullable SimulatedMissionItem item;
+    private @Nullable Manoeuvre leg;
+
+    public MissionManoeuvre(
+            SimulatedMission plan,
+            CruiseSpeeds cruise,
+            double returnHeight,
+            int firstIndex,
+            Consumer<FlightEvent> events) {
+        this.plan = plan;
+        this.cruise = cruise;
+        this.returnHeight = returnHeight;
+        this.index = firstIndex;
+        this.events = events;
+    }
+
+    @Override
+    public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
+        if (item == null && !ended) {
+            begin(craft);
+        }
+        if (item != null && leg != null) {
+            MotionSetpoint setpoint =
+                    facing(leg.fly(craft, nowMillis), craft.body().position());
+            if (isComplete(item, leg, nowMillis)) {
+                finish(craft);
+            }
+            return setpoint;
+        }
+        return leg == null ? new MotionSetpoint.Still() : leg.fly(craft, nowMillis);
+    }
+
+    /** The nose to the place that is looked at: its camera is fixed to it. */
+    private MotionSetpoint facing(MotionSetpoint setpoint, NeuPosition here) {
+        if (lookedAt == null || here.horizontalDistanceTo(lookedAt) < 1) {
+            return setpoint;
+        }
+        double there = here.bearingTo(lookedAt);
+        if (setpoint instanceof MotionSetpoint.Reach reach) {
+            return new MotionSetpoint.Reach(
+                    reach.target(), reach.horizontalSpeed(), reach.climbSpeed(), reach.sinkSpeed(), there);
+        }
+        return setpoint instanceof MotionSetpoint.Velocity velocity
+                ? new MotionSetpoint.Velocity(velocity.north(), velocity.east(), velocity.up(), there)
+                : setpoint;
+    }
+
+    private void begin(SimulatedCraft craft) {
+        while (index < plan.size() && !plan.item(index).isNavigation()) {
+            SimulatedMissionItem order = plan.item(index);
+            events.accept(new FlightEvent.ItemStarted(index, order.typeName()));
+            execute(order, craft);
+            events.accept(new FlightEvent.ItemReached(index));
+            index++;
+        }
+        if (index >= plan.size()) {
+            ended = true;
+            leg = afterwards(craft);
+            events.accept(new FlightEvent.MissionEnded());
+            return;
+        }
+        SimulatedMissionItem next = plan.item(index);
+        item = next;
+        leg = legFor(next, craft);
+        arrivedAt = -1;
+        events.accept(new FlightEvent.ItemStarted(index, next.typeName()));
+    }
+
+    /** Stays over its last waypoint, or where its last item left it. */
+    private Manoeuvre afterwards(SimulatedCraft craft) {
+        if (craft.landed()) {
+            return new Grounded();
+        }
+        return leg instanceof GoTo last ? last : new Hover(craft, cruise);
+    }
+
+    private void execute(SimulatedMissionItem order, SimulatedCraft craft) {
+        if (order.command() == SimulatedMissionItem.CHANGE_SPEED && order.param2() > 0) {
+            cruise.setHorizontal(order.param2());
+        } else if (order.command() == SimulatedMissionItem.CONDITION_YAW) {
+            double relative = order.param4() != 0 ? craft.body().yaw() : 0;
+            yaw = relative + Math.toRadians(order.param1());
+        } else if (order.command() == SimulatedMissionItem.LOOK_AT) {
+            lookedAt = craft.targetOf(order);
+        } else if (order.command() == SimulatedMissionItem.LOOK_AHEAD) {
+            lookedAt = null;
+        } else {
+            events.accept(new FlightEvent.Ordered(order));
+        }
+    }
+
+    private Manoeuvre legFor(SimulatedMissionItem next, SimulatedCraft craft) {
+        NeuPosition target = craft.targetOf(next);
+        return switch (next.command()) {
+            case SimulatedMissionItem.TAKEOFF -> new TakeOff(craft, target.up(), cruise);
+            case SimulatedMissionItem.RETURN_TO_LAUNCH -> new ReturnHome(craft, cruise, returnHeight, 5_000);
+            case SimulatedMissionItem.LAND ->
+                new LandingAt(next.hasPlace() ? target : craft.body().position(), cruise);
+            case SimulatedMissionItem.DELAY -> new Hover(craft, cruise);
+            default -> GoTo.leg(target, cruise, yaw);
+        };
+    }
+
+    private boolean isComplete(SimulatedMissionItem flown, Manoeuvre flying, long nowMillis) {
+        if (flown.command() == SimulatedMissionItem.LOITER_UNLIMITED) {
+            return false;
+        }
+        boolean there = flown.command() == SimulatedMissionItem.DELAY || flying.done();
+        if (there && arrivedAt < 0) {
+            arrivedAt = nowMillis;
+        }
+        return arrivedAt >= 0 && nowMillis - arrivedAt >= holdMillis(flown);
+    }
+
+    private static long holdMillis(SimulatedMissionItem flown) {
+        return switch (flown.command()) {
+            case SimulatedMissionItem.WAYPOINT, SimulatedMissionItem.LOITER_TIME, SimulatedMissionItem.DELAY ->
+                (long) (Math.max(0, flown.param1()) * 1000);
+            default -> 0;
+        };
+    }
+
+    private void finish(SimulatedCraft craft) {
+        events.accept(new FlightEvent.ItemReached(index));
+        index++;
+        item = null;
+        begin(craft);
+    }
+
+    /** Goes on with another item at once. */
+    public void jumpTo(int newIndex) {
+        index = newIndex;
+        item = null;
+        ended = false;
+    }
+
+    public int index() {
+        return index;
+    }
+
+    public boolean ended() {
+        return ended;
+    }
+
+    /** True while the present item ends on the ground. */
+    public boolean landing() {
+        return leg instanceof LandingAt || (leg instanceof ReturnHome home && home.landing());
+    }
+
+    @Override
+    public boolean done() {
+        return ended;
+    }
+}
