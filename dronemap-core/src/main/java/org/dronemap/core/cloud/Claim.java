@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param proof null when it shows none
  * @param trusted unknown vehicles of this listener are let in by themselves
- * @param heardForNanos how long ago it was first heard
+ * @param ageNanos how long ago it was first heard
  */
 public record Claim(
         LinkSession session,

@@ -59,11 +59,11 @@ final class ReturnWatch {
         private @Nullable Position anchor;
         private long anchorNanos;
 
-        /** {@code told}: null, somebody else did. */
-        Attempt(ReturnOption rung, @Nullable LandingSite place, @Nullable CommandTracker told, long nowNanos) {
+        /** {@code command}: null, somebody else did. */
+        Attempt(ReturnOption rung, @Nullable LandingSite place, @Nullable CommandTracker command, long nowNanos) {
             this.rung = rung;
             this.place = place;
-            this.command = told;
+            this.command = command;
             this.landing = rung == ReturnOption.LAND;
             this.anchorNanos = nowNanos;
         }

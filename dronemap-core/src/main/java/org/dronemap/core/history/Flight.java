@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param droneName as it was called when the flight began
  * @param end null while it goes on; of one that was lost, when it was last heard
- * @param heard when it was last looked at
+ * @param lastHeardAt when it was last looked at
  * @param users who commanded it, in the order of their first command; empty: nobody here
  * @param operation what the cloud conducted with it; null: nothing
  * @param notice what a reader has to know, a sentence; null: nothing

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * A holder's control of a drone: explicit and kept by heartbeats, or implied by a command and ended when idle.
  *
  * @param explicit asked for, and kept by heartbeats; else it came with a command and lasts until the holder is idle
- * @param heardNanos when the holder last gave a sign, monotonic
+ * @param renewedNanos when the holder last gave a sign, monotonic
  * @param formerEpoch what the holder knows it by from before a restart; null: there was none
  */
 public record Lease(

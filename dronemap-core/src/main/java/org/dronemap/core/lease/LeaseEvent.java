@@ -60,9 +60,9 @@ public sealed interface LeaseEvent {
      * Time goes by.
      *
      * @param busy a command of this epoch is under way, or its holder looks at the drone in the air
-     * @param heard the drone has said what it does since the server began, and it does not fly a mission by itself: before that
+     * @param linkLive the drone has said what it does since the server began, and it does not fly a mission by itself: before that
      *     a call back would be spent on nothing
-     * @param hurries its battery lasts only just for the way home
+     * @param returnNow its battery lasts only just for the way home
      */
     record TimeAdvanced(boolean busy, boolean linkLive, boolean returnNow) implements LeaseEvent {
         public TimeAdvanced(boolean busy, boolean heard) {

@@ -11,8 +11,8 @@ import org.dronemap.core.zone.Zone;
  * Zones and other flying drones around an operation's drones, for guidance to keep clear of.
  *
  * @param zones that bind each drone now or soon
- * @param aloft all others that are in the air, or were when they were heard last
- * @param led all that an operation steers now, its own among them: each is kept apart from others by whoever does
+ * @param traffic all others that are in the air, or were when they were heard last
+ * @param steered all that an operation steers now, its own among them: each is kept apart from others by whoever does
  */
 public record AirspaceSnapshot(Map<DroneId, List<Zone>> zones, List<DroneState> traffic, Set<DroneId> steered) {
     public static final AirspaceSnapshot NONE = new AirspaceSnapshot(Map.of(), List.of(), Set.of());

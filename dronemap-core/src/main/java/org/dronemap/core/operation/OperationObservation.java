@@ -12,10 +12,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * What an operation sees of its drones at one moment; input of its decisions.
  *
- * @param sighted when the newest {@link TargetReport} came that was fresh; null: none came since the process began
+ * @param lastReportAt when the newest {@link TargetReport} came that was fresh; null: none came since the process began
  * @param reach of who tells of them; null: not known, as when they come one by one
- * @param around nothing where nobody steers
- * @param unsteered drones that could not be steered, and why, as sentences
+ * @param airspace nothing where nobody steers
+ * @param refusedSetpoints drones that could not be steered, and why, as sentences
  */
 public record OperationObservation(
         Instant now,
@@ -57,8 +57,8 @@ public record OperationObservation(
     /**
      * Who has control of a drone, and what it has to be waited for.
      *
-     * @param takenBy why the operation has not, as a sentence; null: it has
-     * @param barred why drones are not commanded for its user any more, as a sentence, whoever has control; null: they are
+     * @param whyNotHeld why the operation has not, as a sentence; null: it has
+     * @param whyNotAllowed why drones are not commanded for its user any more, as a sentence, whoever has control; null: they are
      * @param free nobody has
      * @param transfer of a mission, with that drone, which is under way, whoever asked for it, as people call it: no other one
      *     is taken before its end; null: none is

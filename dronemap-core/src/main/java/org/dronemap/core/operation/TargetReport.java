@@ -10,9 +10,9 @@ import org.jspecify.annotations.Nullable;
  * more a second, and not written down.
  *
  * @param number rises from one to the next, so that what is said twice counts once
- * @param at by the clock of who says it
- * @param sent when it was said, by the same clock
- * @param heard when it came, by the cloud's
+ * @param observedAt by the clock of who says it
+ * @param sentAt when it was said, by the same clock
+ * @param receivedAt when it came, by the cloud's
  * @param roundTrip from saying something to the answer, as measured by who says it; null: not measured
  * @param accuracyMeters it is within so much of the place in two cases of three
  * @param motion how it moves; null: not said

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * What a virtual drone's run sees of its real drone; input of VirtualRunMachine.
  *
  * @param drone null: it was removed
- * @param takenBy why the run has no control of it, as a sentence; null: it has
+ * @param whyNotHeld why the run has no control of it, as a sentence; null: it has
  * @param outcome of the last command; null: it has none yet, or there was no command
  * @param underWay the last command has no outcome yet
  * @param silence for how long nothing was heard

@@ -239,12 +239,8 @@ public final class ServerBuilder {
 
     /** As for virtual drones. */
     private OperationComponents runs(CloudManager cloud, Stores stores, GrantRegistry grants) {
-        OperationComponents runs = OperationComponents.of(
-                cloud,
-                stores.operations(),
-                new OwnerRightsCache(stores.access(), grants, time),
-                settings.apart(),
-                time);
+        OwnerRightsCache owners = new OwnerRightsCache(stores.access(), grants, time);
+        OperationComponents runs = OperationComponents.of(cloud, stores.operations(), owners, settings.apart(), time);
         if (beginning.precautions().isActive()) {
             runs.operations().setAside(SET_ASIDE);
         } else {
@@ -359,19 +355,19 @@ public final class ServerBuilder {
         LOG.info("Vehicles are heard");
     }
 
-    /** Takes in the bytes of links to vehicles, once the house is open. */
+    /** Takes in the bytes of links to vehicles, once the server is open. */
     public PeerHandler.Factory vehicles() {
-        return Objects.requireNonNull(proxy, "the house is not open yet").handlers();
+        return Objects.requireNonNull(proxy, "the server is not open yet").handlers();
     }
 
-    /** Takes in the bytes of links to robots, once the house is open. */
+    /** Takes in the bytes of links to robots, once the server is open. */
     public PeerHandler.Factory robots() {
-        return Objects.requireNonNull(robotLinks, "the house is not open yet").handlers();
+        return Objects.requireNonNull(robotLinks, "the server is not open yet").handlers();
     }
 
-    /** Takes in the bytes of ground stations of other makers, once the house is open. */
+    /** Takes in the bytes of ground stations of other makers, once the server is open. */
     public PeerHandler.Factory stations() {
-        return Objects.requireNonNull(outlet, "the house is not open yet");
+        return Objects.requireNonNull(outlet, "the server is not open yet");
     }
 
     /** Lets ground stations of other makers in. */

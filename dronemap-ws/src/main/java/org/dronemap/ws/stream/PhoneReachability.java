@@ -32,7 +32,7 @@ final class PhoneReachability {
         boolean reached(String follow, ReporterState how);
     }
 
-    /** {@code told}: how it was said to be reached last; null: not yet. */
+    /** {@code withReported}: how it was said to be reached last; null: not yet. */
     private record Phone(
             StreamClient client, long saidNanos, @Nullable ReporterState withReported) {
         Phone withReported(ReporterState reach) {

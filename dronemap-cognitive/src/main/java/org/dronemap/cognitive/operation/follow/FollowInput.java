@@ -17,9 +17,9 @@ public sealed interface FollowInput {
      * An observation of all drones of the follow and of its phone.
      *
      * @param drone null: it was removed
-     * @param sighted when the newest position of the phone came; null: none did
+     * @param lastReport when the newest position of the phone came; null: none did
      * @param reach how the phone is reached; null: not known
-     * @param unsteered why the drone could not be steered, as a sentence; null: it was, or nobody wanted to
+     * @param steeringRefusal why the drone could not be steered, as a sentence; null: it was, or nobody wanted to
      * @param others the follow's other drones
      */
     @Stored(as = "Looked", names = "at drone sighted reach unsteered others")
@@ -114,8 +114,8 @@ public sealed interface FollowInput {
     /**
      * Control of the drone while the follow does not have it alone.
      *
-     * @param barred why drones are not commanded for whoever asked any more, as a sentence; null: they are
-     * @param adrift nobody has control of it, and it waits for somebody with its motors running
+     * @param commandRefusal why drones are not commanded for whoever asked any more, as a sentence; null: they are
+     * @param withoutHolder nobody has control of it, and it waits for somebody with its motors running
      * @param steered it is in a mode for a pilot's sticks
      */
     @Stored(names = "barred adrift steered")

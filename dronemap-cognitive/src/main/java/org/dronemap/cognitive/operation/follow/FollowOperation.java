@@ -60,7 +60,7 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     @Override
-    public Set<DroneId> checkFlight(FollowState state) {
+    public Set<DroneId> watched(FollowState state) {
         return all(state).map(FollowState::drone).collect(Collectors.toUnmodifiableSet());
     }
 
@@ -80,7 +80,7 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     @Override
-    public FollowInput observe(FollowState state, OperationObservation scene) {
+    public FollowInput observed(FollowState state, OperationObservation scene) {
         return new Observed(
                 scene.now(),
                 look(state, scene),

@@ -13,14 +13,14 @@ import org.jspecify.annotations.Nullable;
  * The state of a phone follow: its order, stage, command under way and notices; stored with each decision.
  *
  * @param since when it came to this stage
- * @param waits from when on positions are waited for
- * @param errand the command that is under way
- * @param tries how it went with the present step
- * @param missing why the phone's positions do not come; null: they do
+ * @param waitsSince from when on positions are waited for
+ * @param issuedCommand the command that is under way
+ * @param attempts how it went with the present step
+ * @param missingFix why the phone's positions do not come; null: they do
  * @param note what is not as it should be, as a sentence
- * @param told the newest {@value #MOST_TOLD}, oldest first
+ * @param notices the newest {@value #MOST_TOLD}, oldest first
  * @param end how it ended, as a sentence; null: it goes on
- * @param relay the other drones; null: there were none yet
+ * @param reliefState the other drones; null: there were none yet
  */
 @Stored(names = "id order stage since waits errand tries missing note told end relay")
 public record FollowState(

@@ -14,7 +14,7 @@ import org.dronemap.core.stored.Stored;
  * @param others on their way there or home, each with what it remembers by itself, and without others
  * @param failed came and did not take over
  * @param vacant the drone that leads had to leave, and another one may take over still
- * @param alone it was said that none can come
+ * @param aloneReported it was said that none can come
  */
 @Stored(names = "number sent others failed vacant alone")
 public record ReliefState(

@@ -49,8 +49,8 @@ public record RunState(
      *
      * @param begun zero of the clock that waypoints' windows go by
      * @param launched the first drone was started, or may have been
-     * @param asksAfter no plan is asked for before
-     * @param hearsAfter after a restart, no drone that has not told all since counts as lost before
+     * @param plansAfter no plan is asked for before
+     * @param lossAfter after a restart, no drone that has not told all since counts as lost before
      * @param pausedSince all wait where they are; null: they go on
      */
     @Stored(names = "begun launched asksAfter hearsAfter pausedSince")

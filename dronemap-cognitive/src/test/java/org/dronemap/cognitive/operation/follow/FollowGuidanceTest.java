@@ -187,9 +187,9 @@ class FollowGuidanceTest {
         FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
-        FollowInput.Observed low = (FollowInput.Observed) follow.observe(relieved, both(PHONE, 490));
+        FollowInput.Observed low = (FollowInput.Observed) follow.observed(relieved, both(PHONE, 490));
         assertThat(low.others()).extracting(FollowInput.OtherDrone::apartMeters).containsOnlyNulls();
-        FollowInput.Observed up = (FollowInput.Observed) follow.observe(relieved, both(PHONE, AMSL));
+        FollowInput.Observed up = (FollowInput.Observed) follow.observed(relieved, both(PHONE, AMSL));
         assertThat(up.others().get(0).apartMeters()).isCloseTo(Geodesy.distanceMeters(HOME, PHONE), within(0.01));
     }
 

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * What a mission run sees of one of its drones at one moment; null where not known.
  *
- * @param takenBy why the run has no control of it, as a sentence; null: it has
+ * @param holder why the run has no control of it, as a sentence; null: it has
  * @param silence for how long nothing was heard
  * @param ready what it can do is known
  * @param still for how long it has not moved
@@ -63,7 +63,7 @@ public record DroneObservation(
      *
      * @param carries whether it has on board what it flies; null: not known
      * @param carriesNext whether it has on board what it is to get; null: not known, or there is nothing
-     * @param told it has said which mission it has and where in it it is, so that what follows can be relied on
+     * @param known it has said which mission it has and where in it it is, so that what follows can be relied on
      * @param passed how many items of what it has on board are behind it
      * @param complete flown to the end
      */

@@ -19,10 +19,10 @@ import org.jspecify.annotations.Nullable;
  * @param sortie what it has on board and flies; null: nothing yet
  * @param passed how many items of that are behind it
  * @param next what it is to get in its place
- * @param errand the command that is under way
- * @param tries how it went with the present step
+ * @param issuedCommand the command that is under way
+ * @param attempts how it went with the present step
  * @param note why it is not flying its waypoints, as a sentence
- * @param signs what has been noticed of it and may pass
+ * @param flags what has been noticed of it and may pass
  */
 @Stored(names = "kin stage since orders sortie passed next errand tries note signs")
 public record RunDrone(
@@ -93,13 +93,13 @@ public record RunDrone(
      *
      * @param held control of it was seen since it came to the run, or was resumed
      * @param begun it has been seen on the mission that it has on board, so that what it tells of it counts
-     * @param falling since when it falls, or leans as nothing that flies does
-     * @param astray since when it is off its path
-     * @param silence what it may still do while it is not heard
-     * @param yields for which drone it waits
-     * @param told what was said of its present mission already
+     * @param fallingSince since when it falls, or leans as nothing that flies does
+     * @param deviatingSince since when it is off its path
+     * @param linkLoss what it may still do while it is not heard
+     * @param waitsFor for which drone it waits
+     * @param triggers what was said of its present mission already
      * @param joulesPerPercent what a hundredth of its battery holds; null: not known
-     * @param homeward how high it flies home for the run, and what has to be put back; null: as it is set
+     * @param returnHeight how high it flies home for the run, and what has to be put back; null: as it is set
      */
     @Stored(names = "held begun falling astray silence yields told joulesPerPercent homeward")
     public record Flags(
@@ -199,7 +199,7 @@ public record RunDrone(
     /**
      * A drone that is not heard.
      *
-     * @param heard when it was, last
+     * @param lastContact when it was, last
      * @param place where it was then
      * @param flew it flew its mission then, or was about to; else it waited in the air or was on its way home
      * @param reservedUntil till then its next waypoints stay its own
