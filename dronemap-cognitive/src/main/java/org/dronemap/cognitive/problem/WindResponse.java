@@ -2,7 +2,7 @@ package org.dronemap.cognitive.problem;
 
 import org.dronemap.core.stored.Stored;
 
-/** How a vehicle's speed is planned in wind: it keeps its ground speed or its airspeed, or feels no wind. */
+/** Way a vehicle's speed is planned in wind: it keeps its ground speed or its airspeed, or feels no wind. */
 @Stored(names = "KEEPS_GROUND_SPEED KEEPS_AIRSPEED UNTOUCHED")
 public enum WindResponse {
     /** Copters on a mission: flies faster through the air against the wind, up to its greatest airspeed. */

@@ -6,7 +6,10 @@ import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
-/** What a user may do with each drone now, by role, organisation and grants; evaluated at each call. Any thread. */
+/**
+ * Permissions of a user for each drone now, by role, organisation and grants; evaluated at each call. Any thread. Any
+ * thread.
+ */
 public interface EffectivePermissions {
     /** All operations. */
     Set<Permission> ALL = Collections.unmodifiableSet(EnumSet.allOf(Permission.class));

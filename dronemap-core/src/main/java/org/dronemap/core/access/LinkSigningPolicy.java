@@ -2,7 +2,7 @@ package org.dronemap.core.access;
 
 import org.dronemap.core.stored.Stored;
 
-/** Whether messages of a drone must be signed (MAVLink signing): off, optional or required. */
+/** Policy for MAVLink signing of a drone's messages: off, optional or required. */
 @Stored(names = "OFF OPTIONAL REQUIRED")
 public enum LinkSigningPolicy {
     /** Nothing is checked. With a key the cloud signs all the same: the vehicle may insist on it. */

@@ -1,6 +1,6 @@
 package org.dronemap.core.access;
 
-/** How much of a drone's activity at some time a user may see: nothing, all, or all but names of people. */
+/** Share of a drone's activity at some time that a user may see: nothing, all, or all but names of people. */
 public enum VisibilityLevel {
     /** As if it had not been. */
     NONE,

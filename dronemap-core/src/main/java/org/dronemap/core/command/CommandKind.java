@@ -148,7 +148,7 @@ public enum CommandKind {
             Purpose.CHANGE,
             ImmediateEffect.NONE,
             DeferredEffect.NOTHING),
-    RESTORE_PARAMETERS(
+    PUT_BACK(
             "PutBack",
             Capability.SET_PARAMETERS,
             Contention.PARAMETERS,
@@ -200,7 +200,7 @@ public enum CommandKind {
     READ_MAP(
             "ReadMap", Capability.READ_MAP, Contention.MAP, Purpose.READ, ImmediateEffect.NONE, DeferredEffect.NOTHING);
 
-    /** What a command is for, which decides who may give it without control and who pays for it. */
+    /** Purpose of a command, which decides who may give it without control and who pays for it. */
     public enum Purpose {
         /** Asks the vehicle and changes nothing: needs no control of it. */
         READ,

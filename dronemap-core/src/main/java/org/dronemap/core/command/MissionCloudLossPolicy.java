@@ -2,7 +2,7 @@ package org.dronemap.core.command;
 
 import org.dronemap.core.stored.Stored;
 
-/** What a drone on a mission does when it loses the cloud: continue the mission, or return to launch. */
+/** Policy for a drone on a mission that loses the cloud: continue the mission, or return to launch. */
 @Stored(names = "CONTINUE RETURN_TO_LAUNCH")
 public enum MissionCloudLossPolicy {
     /** Fly the mission to its end. */

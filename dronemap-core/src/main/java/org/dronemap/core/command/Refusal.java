@@ -1,4 +1,4 @@
 package org.dronemap.core.command;
 
-/** Why a command or setpoint was refused: a code for programs and a sentence for people. */
+/** Refusal of a command or setpoint: a code for programs and a sentence for people. */
 public record Refusal(OutcomeCode code, String sentence) {}

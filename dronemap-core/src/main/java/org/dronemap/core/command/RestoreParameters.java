@@ -14,7 +14,7 @@ public record RestoreParameters(List<OverriddenParameter> values, ParameterOverr
 
     @Override
     public CommandKind kind() {
-        return CommandKind.RESTORE_PARAMETERS;
+        return CommandKind.PUT_BACK;
     }
 
     @Override

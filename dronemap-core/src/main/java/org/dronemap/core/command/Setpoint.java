@@ -161,22 +161,23 @@ public sealed interface Setpoint {
      *
      * @param moving how the place itself moves, counted from {@link Frame#EARTH}; null: not known
      * @param facing where it looks meanwhile
-     * @param gazeDegrees how far its camera looks above the horizon, −90 to 90, if it has a gimbal; null: as it likes
+     * @param cameraElevationDegrees how far its camera looks above the horizon, −90 to 90, if it has a gimbal; null: as it likes
      */
     record Track(
             Geodetic point,
             Altitude altitude,
             @Nullable Velocity moving,
             Facing facing,
-            @Nullable Double gazeDegrees) implements Setpoint {
+            @Nullable Double cameraElevationDegrees)
+            implements Setpoint {
         private static final double STEEPEST = 90;
 
         public Track {
             if (moving != null && moving.frame() != Frame.EARTH) {
                 throw new IllegalArgumentException("how a place moves is counted from true north");
             }
-            if (gazeDegrees != null) {
-                within("gaze", gazeDegrees, STEEPEST);
+            if (cameraElevationDegrees != null) {
+                within("gaze", cameraElevationDegrees, STEEPEST);
             }
         }
 

@@ -118,11 +118,11 @@ final class GuidanceExecutor<S> {
 
     private @Nullable ReporterState reporterState(Instant now) {
         ReporterState connection = reporterState;
-        boolean speaks = connection == null || connection == ReporterState.ACTIVE;
+        boolean speaks = connection == null || connection == ReporterState.SPEAKS;
         boolean vague = lastUselessAt != null
                 && lastUselessAt.plus(LATELY).isAfter(now)
                 && (lastUsefulAt == null || lastUselessAt.isAfter(lastUsefulAt));
-        return speaks && vague ? ReporterState.UNUSABLE : connection;
+        return speaks && vague ? ReporterState.VAGUE : connection;
     }
 
     /** Of all others at once: they stand still. */

@@ -56,7 +56,7 @@ final class OperationExecution<S, I> {
     record Context(
             OperationStore store,
             DroneGateway crew,
-            ObservationBuilder scenery,
+            ObservationBuilder observations,
             ComputationExecutor computations,
             Clock clock,
             LongSupplier nanoTime,
@@ -177,9 +177,9 @@ final class OperationExecution<S, I> {
         Set<DroneId> drones = new HashSet<>(kind.machine().drones(state));
         drones.addAll(kind.machine().watched(state));
         SavedOperation saved = now.saved();
-        OperationObservation scene = means.scenery().observe(saved, reins, drones);
+        OperationObservation scene = means.observations().observe(saved, reins, drones);
         OperationObservation seen =
-                wheel == null ? scene : wheel.turn(state, means.scenery().withAirspace(saved, scene, drones));
+                wheel == null ? scene : wheel.turn(state, means.observations().withAirspace(saved, scene, drones));
         apply(own(() -> kind.machine().observed(state, seen)));
     }
 

@@ -1,6 +1,6 @@
 package org.dronemap.core.conduct;
 
-/** Whether an operation took a target report, or why not: known already, too many waiting, or not following. */
+/** Result of a target report for an operation: accepted, known already, too many waiting, or not following. */
 public enum TargetReportResult {
     ACCEPTED,
     /** This one or a newer one was told before. */

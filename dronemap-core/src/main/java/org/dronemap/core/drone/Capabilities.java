@@ -8,7 +8,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one vehicle can do, as its autopilot adapter declares it: commands, flight modes, ways of steering.
+ * Capabilities of one vehicle, as its autopilot adapter declares them: commands, flight modes, ways of steering.
  *
  * @param modes flight modes that can be set by name
  * @param steering what a vehicle goes by in a mode; of one that is not there nothing is known but that it flies by itself

@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a vehicle will do by itself when it loses the cloud, and after how long.
+ * Action that a vehicle takes by itself when it loses the cloud, and after how long.
  *
  * @param action in a few words, such as "it returns home"; "it goes on" when it does nothing
  * @param afterSeconds null: nothing, or not known when

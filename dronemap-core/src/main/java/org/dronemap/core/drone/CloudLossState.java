@@ -5,7 +5,7 @@ import org.dronemap.core.parameter.OverriddenParameter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is known of a drone's behaviour on loss of the cloud, and its owner's values still to be restored.
+ * State of a drone's behaviour on loss of the cloud, and its owner's values still to be restored.
  *
  * @param action null: not known
  * @param returnMeters how high it flies home, where the cloud chose that

@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a vehicle reports of itself: kind, autopilot, firmware and hardware id.
+ * Identification that a vehicle reports of itself: kind, autopilot, firmware and hardware id.
  *
  * @param autopilot autopilot family as users know it, such as {@code ArduPilot} or {@code PX4}
  * @param vehicle firmware flavour as users know it, such as {@code ArduCopter}

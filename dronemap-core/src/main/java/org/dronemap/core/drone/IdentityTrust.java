@@ -3,7 +3,7 @@ package org.dronemap.core.drone;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How well a drone has proved its identity so far: strongest evidence and authenticated link.
+ * Trust in a drone's identity so far: strongest evidence and authenticated link.
  *
  * @param strongest the best evidence that it ever showed
  * @param linkIdentity the identity of its authenticated link; null when it never had one

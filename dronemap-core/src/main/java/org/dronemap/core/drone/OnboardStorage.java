@@ -7,8 +7,8 @@ import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What was read from a vehicle's memory: parameters, log list, fence and rally points; null where never read.
- * Immutable.
+ * Copy of what was read from a vehicle's memory: parameters, log list, fence and rally points; null where never read.
+ * Immutable. Immutable.
  */
 public record OnboardStorage(
         ParameterSet parameters,

@@ -7,7 +7,7 @@ import java.time.ZoneOffset;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How long telemetry is kept in full and then thinned, in days of UTC.
+ * Times for which telemetry is kept in full and then thinned, in days of UTC.
  *
  * @param fullDays so long with all points; 0: never thinned
  * @param keepDays older days go altogether, points and events; 0: for ever

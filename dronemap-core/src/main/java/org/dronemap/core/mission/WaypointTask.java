@@ -3,7 +3,7 @@ package org.dronemap.core.mission;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
 
-/** What a drone of a mission run does at a waypoint: take a photo, move a servo, look at a point, read sensors. */
+/** Task of a drone of a mission run at a waypoint: take a photo, move a servo, look at a point, read sensors. */
 public sealed interface WaypointTask {
     /** How long the drone stays for it. */
     double seconds();

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Why an operation refuses a user's request: a code for programs and a sentence for people.
+ * Objection of an operation to a user's request: a code for programs and a sentence for people.
  *
  * @param about exactly what the code declares, in its order
  */

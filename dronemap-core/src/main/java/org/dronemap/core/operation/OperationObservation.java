@@ -10,7 +10,7 @@ import org.dronemap.core.drone.DroneState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an operation sees of its drones at one moment; input of its decisions.
+ * Observation of an operation's drones at one moment; input of its decisions.
  *
  * @param lastReportAt when the newest {@link TargetReport} came that was fresh; null: none came since the process began
  * @param reach of who tells of them; null: not known, as when they come one by one
@@ -47,10 +47,10 @@ public record OperationObservation(
      * @param silence for how long nothing was heard, zero while its link is live
      * @param still for how long it has not moved from its place
      */
-    public record ObservedDrone(DroneState state, ControlStatus sway, Duration silence, Duration still) {
+    public record ObservedDrone(DroneState state, ControlStatus control, Duration silence, Duration still) {
         /** Why the operation may not command it, as a sentence; null: it may. */
         public @Nullable String whyNotCommandable() {
-            return sway.whyNotHeld() == null ? sway.whyNotAllowed() : sway.whyNotHeld();
+            return control.whyNotHeld() == null ? control.whyNotAllowed() : control.whyNotHeld();
         }
     }
 

@@ -6,13 +6,13 @@ import org.dronemap.core.stored.Stored;
 @Stored(names = "SPEAKS VAGUE ASLEEP CUT GONE")
 public enum ReporterState {
     /** It said something lately, if only that it is there. */
-    ACTIVE,
+    SPEAKS,
     /** It tells of sightings, but of none that is of use. */
-    UNUSABLE,
+    VAGUE,
     /** Its connection answers, and itself it says nothing: it was put to sleep, or stands still. */
-    IDLE,
+    ASLEEP,
     /** Nothing comes back any more. */
-    UNREACHABLE,
+    CUT,
     /** It ended the connection. */
-    CLOSED
+    GONE
 }

@@ -3,7 +3,7 @@ package org.dronemap.core.process;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How this process starts: the crash before it, if any, and the guard against peers that caused crashes.
+ * Start of this process: the crash before it, if any, and the guard against peers that caused crashes.
  *
  * @param before how the one before it ended; null: it was stopped, or there was none
  * @param watch for whoever takes bytes of peers

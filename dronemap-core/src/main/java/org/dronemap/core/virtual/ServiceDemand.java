@@ -4,7 +4,7 @@ import org.dronemap.core.drone.Wind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a virtual drone or a follow demands of a drone: requirements, tour, first waypoint and wind.
+ * Demand of a virtual drone or a follow on the drone that serves it: requirements, tour, first waypoint and wind.
  *
  * @param first the tour's waypoint to begin with, counted from 0
  * @param wind there; null: not known

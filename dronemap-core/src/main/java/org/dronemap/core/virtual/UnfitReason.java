@@ -3,7 +3,7 @@ package org.dronemap.core.virtual;
 import org.dronemap.core.command.Refusal;
 
 /**
- * Why a drone cannot serve a virtual drone or a follow: a code for programs and a sentence for people.
+ * Reason why a drone cannot serve a virtual drone or a follow: a code for programs and a sentence for people.
  *
  * @param code a word for programs: of {@link UnfitCode}, or of what a command would be refused for
  * @param sentence for people

@@ -7,7 +7,7 @@ import org.dronemap.core.drone.DroneState;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a virtual drone's run sees of its real drone; input of VirtualRunMachine.
+ * Observation of the real drone that serves a virtual drone's run; input of VirtualRunMachine.
  *
  * @param drone null: it was removed
  * @param whyNotHeld why the run has no control of it, as a sentence; null: it has

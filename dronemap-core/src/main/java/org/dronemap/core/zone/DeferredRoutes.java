@@ -12,7 +12,7 @@ import org.dronemap.core.mission.RallyPoint;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a command would make its drone fly later by itself, such as to a new home; checked against flight bounds.
+ * Routes that a command would make its drone fly later by itself, such as to a new home; checked against flight bounds.
  *
  * @param why what speaks against it as such; null: it depends on the refuges
  * @param refuges where it would go once it is called home

@@ -1,7 +1,7 @@
 package org.dronemap.core.zone;
 
 /**
- * Why a predicted route is refused: it leads where the drone must not fly, or cannot be checked.
+ * Objection to a predicted route: it leads where the drone must not fly, or cannot be checked.
  *
  * @param kind what of it is known
  * @param sentence names the leg, the zone and a distance, or what is not known

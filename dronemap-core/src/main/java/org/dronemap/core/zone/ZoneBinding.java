@@ -2,7 +2,7 @@ package org.dronemap.core.zone;
 
 import org.dronemap.core.drone.DroneId;
 
-/** Which drones a zone binds: all, those that a certain user flies, or one drone. */
+/** Drones that a zone binds: all, those that a certain user flies, or one drone. */
 public sealed interface ZoneBinding {
     Everybody EVERYBODY = new Everybody();
 

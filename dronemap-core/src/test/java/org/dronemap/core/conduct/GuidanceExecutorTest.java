@@ -85,15 +85,15 @@ class GuidanceExecutorTest {
         vaguely(2);
         OperationObservation vague = turn(2);
         assertThat(vague.lastReportAt()).isEqualTo(ZERO.plusSeconds(1));
-        assertThat(vague.reach()).isEqualTo(ReporterState.UNUSABLE);
+        assertThat(vague.reach()).isEqualTo(ReporterState.VAGUE);
         assertThat(turn(8).reach()).as("it says nothing any more").isNull();
         vaguely(9);
-        wheel.reporterStateChanged(ReporterState.UNREACHABLE);
-        assertThat(turn(9).reach()).as("the connection tells more").isEqualTo(ReporterState.UNREACHABLE);
-        wheel.reporterStateChanged(ReporterState.ACTIVE);
-        assertThat(turn(9).reach()).isEqualTo(ReporterState.UNUSABLE);
+        wheel.reporterStateChanged(ReporterState.CUT);
+        assertThat(turn(9).reach()).as("the connection tells more").isEqualTo(ReporterState.CUT);
+        wheel.reporterStateChanged(ReporterState.SPEAKS);
+        assertThat(turn(9).reach()).isEqualTo(ReporterState.VAGUE);
         said(10, Duration.ZERO);
-        assertThat(turn(10).reach()).isEqualTo(ReporterState.ACTIVE);
+        assertThat(turn(10).reach()).isEqualTo(ReporterState.SPEAKS);
     }
 
     private OperationObservation turn() {

@@ -2,7 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import org.jspecify.annotations.Nullable;
 
-/** Whether an endpoint is open, and if not, the reason as a sentence for people. */
+/** State of an endpoint: open, or not open with the reason as a sentence for people. */
 public record EndpointState(Phase phase, @Nullable String reason) {
     static final EndpointState OPEN = new EndpointState(Phase.OPEN, null);
 

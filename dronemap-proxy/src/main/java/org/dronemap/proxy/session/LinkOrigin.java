@@ -7,7 +7,7 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a vehicle link comes from: its transport, address key and proven identity, or a replay.
+ * Origin of a vehicle link: its transport, address key and proven identity, or a replay.
  *
  * @param replay out of a recording, nothing is ever sent
  * @param local only this machine can be on the other side

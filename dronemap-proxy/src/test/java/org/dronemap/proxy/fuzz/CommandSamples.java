@@ -52,7 +52,7 @@ public final class CommandSamples {
                         new Command.SetHome(HERE, new Altitude(500, Altitude.Reference.AMSL)));
             case SET_PARAMETERS -> Stream.of(new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1_500))));
             case SET_CLOUD_LOSS -> Stream.of(new SetCloudLossAction(20, KEPT, new Agreeing()));
-            case RESTORE_PARAMETERS -> Stream.of(new RestoreParameters(KEPT, new Agreeing()));
+            case PUT_BACK -> Stream.of(new RestoreParameters(KEPT, new Agreeing()));
             case DOWNLOAD_LOG -> Stream.of(new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()));
             case SET_FENCE -> Stream.of(new Command.SetFence(List.of(FENCE)));
             case SET_RALLY_POINTS -> Stream.of(new Command.SetRallyPoints(List.of(new RallyPoint(HERE, 30))));

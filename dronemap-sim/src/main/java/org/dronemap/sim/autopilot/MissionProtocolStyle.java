@@ -1,6 +1,6 @@
 package org.dronemap.sim.autopilot;
 
-/** How a kind of simulated autopilot behaves in the mission protocol, such as item limits and timeouts. */
+/** Behaviour of a kind of simulated autopilot in the mission protocol, such as item limits and timeouts. */
 public record MissionProtocolStyle(
         boolean overwritesInPlace,
         boolean firstItemIsHome,

@@ -53,7 +53,7 @@ final class RobotLoadSender {
 
         void step() throws IOException {
             if (web != null && words.nextIsHeartbeat()) {
-                sayByUdp(words.heartbeat());
+                sendByUdp(words.heartbeat());
             }
             send(words.next());
         }
@@ -64,7 +64,7 @@ final class RobotLoadSender {
 
         private void send(String text) throws IOException {
             if (web == null) {
-                sayByUdp(text);
+                sendByUdp(text);
             } else {
                 // The one before has left long ago, unless the server does not read.
                 sending.join();
@@ -73,7 +73,7 @@ final class RobotLoadSender {
             }
         }
 
-        private void sayByUdp(String text) throws IOException {
+        private void sendByUdp(String text) throws IOException {
             byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
             if (udp.write(ByteBuffer.wrap(bytes)) == bytes.length) {
                 byUdp++;
@@ -132,7 +132,7 @@ final class RobotLoadSender {
         out.println("said");
         String came = told.readLine();
         for (Robot robot : all) {
-            robot.sayByUdp(robot.words.heartbeat());
+            robot.sendByUdp(robot.words.heartbeat());
         }
         out.println("beaten");
         String end = told.readLine();

@@ -1,6 +1,6 @@
 package org.dronemap.sim.physics;
 
-/** What the motors of a simulated vehicle shall do in the next physics step. */
+/** Motion that a simulated vehicle's motors shall bring about in the next physics step. */
 public sealed interface MotionSetpoint {
     /** Motors stopped: stands on the ground, or falls. */
     record Still() implements MotionSetpoint {}

@@ -2,7 +2,7 @@ package org.dronemap.ws.access;
 
 import java.util.Set;
 
-/** Whether a call is entered in the audit log: always, only if it is refused, by its HTTP method, or never. */
+/** Rule for entering a call in the audit log: always, only if it is refused, by its HTTP method, or never. */
 public enum AuditPolicy {
     /** A method that only reads leaves none, any other does. */
     BY_METHOD,

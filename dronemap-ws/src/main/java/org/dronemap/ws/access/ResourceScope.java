@@ -1,7 +1,7 @@
 package org.dronemap.ws.access;
 
 /**
- * Whose resources an operation touches: a drone's, the organisation's, the server's, the caller's own, or none. The
+ * Owner of the resources that an operation touches: a drone, the organisation, the server, the caller, or none. The
  * services see to it; tests try it for each operation.
  */
 public enum ResourceScope {

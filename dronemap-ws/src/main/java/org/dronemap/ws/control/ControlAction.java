@@ -1,8 +1,6 @@
 package org.dronemap.ws.control;
 
-/**
- * What a user can do about the control of a drone: take, request, grant, refuse, hand over, take over, keep, release.
- */
+/** Action of a user on the control of a drone: take, request, grant, refuse, hand over, take over, keep, release. */
 public enum ControlAction {
     TAKE,
     REQUEST,

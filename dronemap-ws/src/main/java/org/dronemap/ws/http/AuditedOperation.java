@@ -10,7 +10,7 @@ import org.springframework.http.server.PathContainer;
 import org.springframework.web.util.pattern.PathPattern;
 
 /**
- * What the audit log calls an HTTP request: operation name, drone and parameters, known before the request runs.
+ * Entry of an HTTP request for the audit log: operation name, drone and parameters, known before the request runs.
  *
  * @param name as the table of who may do what has it
  */

@@ -54,11 +54,11 @@ public final class OperationService<S, I> {
     /**
      * What people call it.
      *
-     * @param letter its ids begin with it
+     * @param idPrefix its ids begin with it
      * @param one "mission run"
      * @param flies "a mission run flies"
      */
-    public record Terms(char letter, String one, String flies, NotFoundProblem unknown) {}
+    public record Terms(char idPrefix, String one, String flies, NotFoundProblem unknown) {}
 
     /** {@code shown}: for others of its organisation it does not exist. */
     public OperationService(
@@ -201,7 +201,7 @@ public final class OperationService<S, I> {
     }
 
     public OperationId newId() {
-        StringBuilder id = new StringBuilder().append(words.letter());
+        StringBuilder id = new StringBuilder().append(words.idPrefix());
         while (id.length() < ID_LENGTH) {
             id.append(LETTERS.charAt(random.nextInt(LETTERS.length())));
         }

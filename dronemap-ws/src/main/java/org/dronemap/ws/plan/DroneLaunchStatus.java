@@ -6,7 +6,7 @@ import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How far one drone of an accepted plan is: uploading its mission, waiting, arming, started or failed.
+ * Launch status of one drone of an accepted plan: uploading its mission, waiting, arming, started or failed.
  *
  * @param why what went wrong; null: nothing did
  * @param command the last one that was given for it; null: none yet

@@ -12,12 +12,12 @@ import org.dronemap.core.lease.LeaseStep;
 import org.dronemap.proxy.outlet.OutletLeaseAuthority;
 
 /** Carries out and audits requests for control of drones that come from ground stations at the outlet. Any thread. */
-record AuditedOutletControl(CloudManager cloud, AuditRecorder desk) implements OutletLeaseAuthority {
+record AuditedOutletControl(CloudManager cloud, AuditRecorder recorder) implements OutletLeaseAuthority {
     private static final String FACE = "outlet";
 
     @Override
     public LeaseStep act(Principal by, DroneId drone, LeaseEvent event) {
-        AuditedCall activity = desk.begin(FACE, operation(event));
+        AuditedCall activity = recorder.begin(FACE, operation(event));
         activity.by(by);
         activity.drone(drone.value());
         try {
@@ -30,7 +30,7 @@ record AuditedOutletControl(CloudManager cloud, AuditRecorder desk) implements O
             activity.turnedAway(AuditOutcome.FAILED, "The server could not do it.");
             throw e;
         } finally {
-            desk.end(activity);
+            recorder.end(activity);
         }
     }
 

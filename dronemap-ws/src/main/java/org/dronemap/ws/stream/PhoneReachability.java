@@ -34,9 +34,9 @@ final class PhoneReachability {
 
     /** {@code withReported}: how it was said to be reached last; null: not yet. */
     private record Phone(
-            StreamClient client, long saidNanos, @Nullable ReporterState withReported) {
+            StreamClient client, long sentNanos, @Nullable ReporterState withReported) {
         Phone withReported(ReporterState reach) {
-            return new Phone(client, saidNanos, reach);
+            return new Phone(client, sentNanos, reach);
         }
     }
 
@@ -46,9 +46,9 @@ final class PhoneReachability {
 
     /** This client said where the phone of that follow is, or that it is there. */
     synchronized void received(StreamClient client, String follow, long nowNanos) {
-        Phone before = phones.put(follow, new Phone(client, nowNanos, ReporterState.ACTIVE));
-        if (before == null || before.withReported() != ReporterState.ACTIVE) {
-            follows.reached(follow, ReporterState.ACTIVE);
+        Phone before = phones.put(follow, new Phone(client, nowNanos, ReporterState.SPEAKS));
+        if (before == null || before.withReported() != ReporterState.SPEAKS) {
+            follows.reached(follow, ReporterState.SPEAKS);
         }
     }
 
@@ -70,9 +70,7 @@ final class PhoneReachability {
                 all.remove();
                 follows.reached(
                         one.getKey(),
-                        broken && nowNanos - answered(phone) >= DEAF_NANOS
-                                ? ReporterState.UNREACHABLE
-                                : ReporterState.CLOSED);
+                        broken && nowNanos - answered(phone) >= DEAF_NANOS ? ReporterState.CUT : ReporterState.GONE);
             }
         }
     }
@@ -98,16 +96,16 @@ final class PhoneReachability {
     }
 
     private static ReporterState reach(Phone phone, long nowNanos) {
-        if (nowNanos - phone.saidNanos() < QUIET_NANOS) {
-            return ReporterState.ACTIVE;
+        if (nowNanos - phone.sentNanos() < QUIET_NANOS) {
+            return ReporterState.SPEAKS;
         }
         long answered = answered(phone);
         // A browser reads no further for a page that stands still, and a phone that sleeps ends its network some time.
-        boolean slept = answered - phone.saidNanos() >= DEAF_NANOS;
-        return slept || nowNanos - answered < DEAF_NANOS ? ReporterState.IDLE : ReporterState.UNREACHABLE;
+        boolean slept = answered - phone.sentNanos() >= DEAF_NANOS;
+        return slept || nowNanos - answered < DEAF_NANOS ? ReporterState.ASLEEP : ReporterState.CUT;
     }
 
     private static long answered(Phone phone) {
-        return Math.max(phone.saidNanos(), phone.client().answeredNanos());
+        return Math.max(phone.sentNanos(), phone.client().answeredNanos());
     }
 }

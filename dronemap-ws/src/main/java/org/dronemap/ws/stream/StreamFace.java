@@ -70,7 +70,7 @@ public final class StreamFace implements AutoCloseable {
             DroneService drones,
             ViewServices pictures,
             CommandService commands,
-            ControlServices reins,
+            ControlServices control,
             JsonCodec json) {}
 
     /** The address to listen at, the maker of connections, the reader of messages ({@link #LARGEST_MESSAGE_BYTES} at most). */
@@ -86,7 +86,7 @@ public final class StreamFace implements AutoCloseable {
             AccountChanges accounts,
             Limits bounds,
             GrantRegistry grants,
-            AuditRecorder desk) {}
+            AuditRecorder audit) {}
 
     /** How much users may do, how many streams they may have, and who may do what REST has, too. */
     public record Limits(Budgets budgets, StreamClientRegistry crowd, RestOperations operations) {}

@@ -69,13 +69,13 @@ final class StreamRequestHandler {
         this.rules = new StreamAccessRules(services.entrance().bounds().operations());
         this.drones = services.drones();
         this.commands = services.commands();
-        this.controls = new StreamControlHandler(services.reins().controls());
-        this.steering = new StreamSteeringHandler(services.reins().steering());
+        this.controls = new StreamControlHandler(services.control().controls());
+        this.steering = new StreamSteeringHandler(services.control().steering());
         this.phones = phones;
         this.follows = services.pictures().follows();
         this.crowd = services.entrance().bounds().crowd();
         this.json = services.json();
-        this.desk = services.entrance().desk();
+        this.desk = services.entrance().audit();
     }
 
     /** Lets a client in, with the whole list first. */

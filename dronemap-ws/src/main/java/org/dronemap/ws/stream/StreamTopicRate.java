@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
 
-/** How often clients of the WebSocket stream receive updates of each thing of a topic. */
+/** Rate at which clients of the WebSocket stream receive updates of each thing of a topic. */
 public sealed interface StreamTopicRate {
     /** Nobody misses one: they wait in order, and who lets too many of them wait is closed. */
     record EveryChange() implements StreamTopicRate {

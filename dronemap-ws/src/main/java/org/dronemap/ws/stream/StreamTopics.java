@@ -178,10 +178,10 @@ final class StreamTopics {
                 feed -> desk.addListener(new PlanUpdates(desk, feed)));
     }
 
-    private record PlanUpdates(PlanJobExecutor desk, StreamTopicSink<PlanJob> feed) implements PlanListener {
+    private record PlanUpdates(PlanJobExecutor jobs, StreamTopicSink<PlanJob> feed) implements PlanListener {
         @Override
         public void changed(PlanJob job) {
-            feed.changed(job.id(), () -> desk.find(job.id()));
+            feed.changed(job.id(), () -> jobs.find(job.id()));
         }
 
         @Override

@@ -1,6 +1,6 @@
 package org.dronemap.ws.user;
 
-/** Who may make an account for themselves: everybody subject to approval, invited people only, or nobody. */
+/** Policy for who may make an account: everybody subject to approval, invited people only, or nobody. */
 public enum RegistrationPolicy {
     /** Everybody; an administrator then lets them in, or an invitation does. */
     APPROVAL,

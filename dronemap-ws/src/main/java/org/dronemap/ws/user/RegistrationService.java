@@ -124,7 +124,7 @@ public final class RegistrationService {
                 invitation.organisation());
         noted(user, "invitation=" + invitation.id());
         if (!accounts.add(user, one -> store.acceptInvitation(invitation.id(), one))) {
-            throw nameTaken(name);
+            throw nameInUse(name);
         }
         return answer(user);
     }
@@ -143,7 +143,7 @@ public final class RegistrationService {
         User user = new User(name, Role.VIEWER, AccountState.WAITING, passwords.hash(password), false);
         noted(user, "to be let in");
         if (!accounts.add(user, store::addUser)) {
-            throw nameTaken(name);
+            throw nameInUse(name);
         }
         return answer(user);
     }
@@ -160,7 +160,7 @@ public final class RegistrationService {
                 "This invitation was used already, has expired or was withdrawn; ask for a new one.");
     }
 
-    private static Rejection nameTaken(String name) {
+    private static Rejection nameInUse(String name) {
         return Rejection.of(
                 AccessProblem.NAME_TAKEN,
                 "The name " + name + " is taken, or looks like one that is; choose another one.",

@@ -97,7 +97,7 @@ class CommandKindsTest {
             CommandKind.SET_RETURN_HEIGHT,
             CommandKind.RETURN_ON_LOSS,
             CommandKind.SET_CLOUD_LOSS,
-            CommandKind.RESTORE_PARAMETERS);
+            CommandKind.PUT_BACK);
 
     @Test
     void hasAnOperationOfSoapForEachTypeAndNoneBeside() throws IOException {

@@ -92,7 +92,7 @@ class FollowBoundsTest {
         assertThat(phone.view().state()).isEqualTo("tracking");
 
         phone.speaksAgain();
-        phone.isReached(ReporterState.ACTIVE);
+        phone.isReached(ReporterState.SPEAKS);
         lab.untilSeen("that is told", Duration.ofSeconds(10), () -> phone.wasTold("The phone says again where it is."));
         lab.until("it is near again", Duration.ofMinutes(1), () -> copter.distanceTo(phone.place()) < 12);
         assertThat(phone.view().state()).isEqualTo("tracking");

@@ -51,11 +51,11 @@ class PhoneReachabilityTest {
     void takesOneThatAnswersAndSaysNothingForAsleep() {
         phones.received(client, "f1", now);
         pass(2, true);
-        assertThat(last()).isEqualTo(ReporterState.ACTIVE);
+        assertThat(last()).isEqualTo(ReporterState.SPEAKS);
         pass(60, true);
-        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
         phones.received(client, "f1", now);
-        assertThat(last()).isEqualTo(ReporterState.ACTIVE);
+        assertThat(last()).isEqualTo(ReporterState.SPEAKS);
         assertThat(asked).contains("sendPing");
     }
 
@@ -63,9 +63,9 @@ class PhoneReachabilityTest {
     void takesOneThatDoesNotAnswerForCut() {
         phones.received(client, "f1", now);
         pass(4, false);
-        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
+        assertThat(last()).isEqualTo(ReporterState.CUT);
         phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
-        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
+        assertThat(last()).isEqualTo(ReporterState.CUT);
     }
 
     @Test
@@ -73,10 +73,10 @@ class PhoneReachabilityTest {
         phones.received(client, "f1", now);
         pass(5, true);
         pass(20, false);
-        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
         phones.received(client, "f1", now);
         pass(4, false);
-        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
+        assertThat(last()).isEqualTo(ReporterState.CUT);
     }
 
     @Test
@@ -92,23 +92,23 @@ class PhoneReachabilityTest {
         phones.received(client, "f1", now);
         pass(1, true);
         phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
-        assertThat(last()).isEqualTo(ReporterState.CLOSED);
+        assertThat(last()).isEqualTo(ReporterState.GONE);
         phones.received(client, "f1", now);
         now += 4 * SECOND;
         phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
-        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
+        assertThat(last()).isEqualTo(ReporterState.CUT);
     }
 
     @Test
     void waitsForOneWhosePageConnectsAnew() {
         phones.received(client, "f1", now);
         pass(9, true);
-        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
         phones.disconnected(client, PhoneReachability.CONNECTS_ANEW, true, now);
         pass(1, false);
-        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
         phones.received(client(), "f1", now);
-        assertThat(last()).isEqualTo(ReporterState.ACTIVE);
+        assertThat(last()).isEqualTo(ReporterState.SPEAKS);
         assertThat(told).doesNotContain("f1 GONE");
     }
 
@@ -117,7 +117,7 @@ class PhoneReachabilityTest {
         phones.received(client, "f1", now);
         phones.disconnected(client, PhoneReachability.CONNECTS_ANEW, true, now);
         pass(4, false);
-        assertThat(last()).isEqualTo(ReporterState.UNREACHABLE);
+        assertThat(last()).isEqualTo(ReporterState.CUT);
     }
 
     /** As one whose page reads too slowly, since it stands still. */
@@ -127,7 +127,7 @@ class PhoneReachabilityTest {
         pass(9, true);
         phones.disconnected(client, CloseFrame.POLICY_VALIDATION, false, now);
         pass(4, false);
-        assertThat(last()).isEqualTo(ReporterState.IDLE);
+        assertThat(last()).isEqualTo(ReporterState.ASLEEP);
         assertThat(told).doesNotContain("f1 GONE");
     }
 
@@ -137,7 +137,7 @@ class PhoneReachabilityTest {
         StreamClient anew = client();
         phones.received(anew, "f1", now);
         phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
-        assertThat(last()).isEqualTo(ReporterState.ACTIVE);
+        assertThat(last()).isEqualTo(ReporterState.SPEAKS);
     }
 
     @Test

@@ -32,7 +32,7 @@ final class FollowControlCheck {
     }
 
     static boolean isRefused(FollowState state, Observation look) {
-        ControlRestriction grip = look.grip();
+        ControlRestriction grip = look.restriction();
         return grip != null
                 && grip.commandRefusal() != null
                 && state.stage().holds()
@@ -41,7 +41,9 @@ final class FollowControlCheck {
 
     /** Nobody else has the drone: it is brought home, as the last that is done for whoever asked. */
     static FollowState returnOnRefusal(FollowState state, Observation look, Instant at) {
-        String why = look.grip() == null ? "" : String.valueOf(look.grip().commandRefusal());
+        String why = look.restriction() == null
+                ? ""
+                : String.valueOf(look.restriction().commandRefusal());
         return state.stage() == FollowStage.ALLOCATED
                 ? state.to(FollowStage.OVER, at, why)
                 : state.to(
@@ -52,7 +54,7 @@ final class FollowControlCheck {
 
     /** A pilot flies it whom nobody has seen take it: soon after a command, or while the process did not run. */
     static boolean isUnderPilot(FollowState state, Observation look) {
-        ControlRestriction grip = look.grip();
+        ControlRestriction grip = look.restriction();
         boolean steered = grip != null && grip.steered() && look.airborne();
         return switch (state.stage()) {
             case TRACKING, PAUSED, RETURNING -> steered;
@@ -70,7 +72,7 @@ final class FollowControlCheck {
         }
         int patience = state.order().patienceSeconds();
         String words = "Nobody has " + name + " any more; if nobody takes it, it flies home after " + patience + " s.";
-        if (look.grip() == null || !look.grip().withoutHolder()) {
+        if (look.restriction() == null || !look.restriction().withoutHolder()) {
             return state.noted(null);
         }
         if (!words.equals(state.note())) {

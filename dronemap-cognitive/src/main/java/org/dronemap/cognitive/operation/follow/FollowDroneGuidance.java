@@ -142,14 +142,14 @@ final class FollowDroneGuidance {
                 downlink(drone));
     }
 
-    private static Setpoint setpoint(GuidanceSetpoint aim, @Nullable Double gazeDegrees) {
+    private static Setpoint setpoint(GuidanceSetpoint aim, @Nullable Double cameraElevationDegrees) {
         return new Setpoint.Track(
                 aim.point(),
                 new Altitude(aim.altitudeAmslMeters(), Altitude.Reference.AMSL),
                 new Setpoint.Velocity(
                         Setpoint.Frame.EARTH, aim.northward(), aim.eastward(), -aim.upward(), Setpoint.Facing.ANY),
                 new Setpoint.Facing.Heading(aim.headingDegrees()),
-                gazeDegrees);
+                cameraElevationDegrees);
     }
 
     private static double downlink(DroneState drone) {

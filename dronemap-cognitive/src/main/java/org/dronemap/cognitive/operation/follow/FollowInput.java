@@ -70,20 +70,20 @@ public sealed interface FollowInput {
     /**
      * The drone.
      *
-     * @param takenBy why the follow has no control of it, as a sentence; null: it has
+     * @param whyNotHeld why the follow has no control of it, as a sentence; null: it has
      * @param silentSeconds for how long nothing was heard of it
      * @param guided it goes by what it is led by, or waits for that
      * @param homing it comes home or down by itself
      * @param mode as people call it; null: not known
      * @param homeMeters how far it is from its home; null: not known
-     * @param grip null: nothing of that
+     * @param restriction null: nothing of that
      * @param modes null: written before anybody asked for them
      */
     @Stored(
             names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes",
             later = "modes")
     record Observation(
-            @Nullable String takenBy,
+            @Nullable String whyNotHeld,
             int silentSeconds,
             boolean armed,
             boolean airborne,
@@ -92,12 +92,12 @@ public sealed interface FollowInput {
             @Nullable String mode,
             @Nullable Integer batteryPercent,
             @Nullable Double homeMeters,
-            @Nullable ControlRestriction grip,
+            @Nullable ControlRestriction restriction,
             @Nullable ModeMeaning modes) {
         /** The same, with what its modes are for. */
         public Observation with(@Nullable ModeMeaning told) {
             return new Observation(
-                    takenBy,
+                    whyNotHeld,
                     silentSeconds,
                     armed,
                     airborne,
@@ -106,7 +106,7 @@ public sealed interface FollowInput {
                     mode,
                     batteryPercent,
                     homeMeters,
-                    grip,
+                    restriction,
                     told);
         }
     }

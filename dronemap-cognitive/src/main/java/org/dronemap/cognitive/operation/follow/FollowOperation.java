@@ -113,7 +113,7 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
 
     private static @Nullable Observation look(FollowState state, OperationObservation scene) {
         return scene.of(state.drone())
-                .map(seen -> look(state, seen.state(), seen.sway(), seen.silence()))
+                .map(seen -> look(state, seen.state(), seen.control(), seen.silence()))
                 .orElse(null);
     }
 
@@ -219,8 +219,8 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
         if (look == null) {
             return state.to(FollowStage.OVER, at, name + " was removed.");
         }
-        if (look.takenBy() != null && state.stage().holds()) {
-            return suspend(state, at, name + " was taken: " + look.takenBy());
+        if (look.whyNotHeld() != null && state.stage().holds()) {
+            return suspend(state, at, name + " was taken: " + look.whyNotHeld());
         }
         if (FollowControlCheck.isRefused(state, look)) {
             return FollowControlCheck.returnOnRefusal(state, look, at);
@@ -301,7 +301,7 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
             return state.to(
                     FollowStage.RETURNING,
                     looked.at(),
-                    (looked.reach() == ReporterState.UNUSABLE
+                    (looked.reach() == ReporterState.VAGUE
                                     ? "The phone has not known well enough where it is for "
                                     : "The phone has said nothing for ")
                             + patience + " s; "

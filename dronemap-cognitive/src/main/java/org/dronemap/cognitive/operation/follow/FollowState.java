@@ -154,7 +154,7 @@ public record FollowState(
     }
 
     /** It leads from then on, in the place of the one that led before. */
-    FollowState takeLead(FollowState before, Instant at, ReliefState crew) {
+    FollowState assumeLead(FollowState before, Instant at, ReliefState crew) {
         return new FollowState(
                 id, order, stage, at, at, issuedCommand, attempts, missingFix, note, before.notices(), null, crew);
     }

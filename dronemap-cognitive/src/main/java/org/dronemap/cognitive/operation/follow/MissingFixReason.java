@@ -32,11 +32,11 @@ public enum MissingFixReason {
             return SILENT;
         }
         return switch (reach) {
-            case ACTIVE -> BLIND;
-            case UNUSABLE -> VAGUE;
-            case IDLE -> ASLEEP;
-            case UNREACHABLE -> CUT;
-            case CLOSED -> GONE;
+            case SPEAKS -> BLIND;
+            case VAGUE -> VAGUE;
+            case ASLEEP -> ASLEEP;
+            case CUT -> CUT;
+            case GONE -> GONE;
         };
     }
 }

@@ -142,7 +142,7 @@ final class ReliefHandover {
     private static FollowState lead(FollowState before, FollowState other, List<FollowState> all, Instant at) {
         List<FollowState> others =
                 all.stream().filter(one -> !one.drone().equals(other.drone())).toList();
-        return other.takeLead(
+        return other.assumeLead(
                 before,
                 at,
                 before.reliefOrNone().withLeader(other.reliefOrNone().number(), others));

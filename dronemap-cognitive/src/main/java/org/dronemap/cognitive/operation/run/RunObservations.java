@@ -67,7 +67,7 @@ final class RunObservations {
                 state.returnHeight(),
                 progress(drone, state),
                 payload(drone.sortie(), state),
-                seen.sway().transfer());
+                seen.control().transfer());
     }
 
     private static PayloadState payload(@Nullable Sortie sortie, DroneState state) {

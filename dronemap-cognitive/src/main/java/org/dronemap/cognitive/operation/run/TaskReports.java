@@ -115,11 +115,11 @@ final class TaskReports {
                     : Geodesy.distanceMeters(point, place.point()) < NEAR_METERS;
             boolean heads = drone.passed() > task.item()
                     || drone.orders().stream().findFirst().equals(Optional.of(target.id()));
-            return there && heads && photo.receivedAt().isAfter(since.minus(EARLIEST)) && !isTaken(photo);
+            return there && heads && photo.receivedAt().isAfter(since.minus(EARLIEST)) && !isOfAnotherTask(photo);
         }
 
         /** It came of another task. */
-        private boolean isTaken(PayloadState.Photo photo) {
+        private boolean isOfAnotherTask(PayloadState.Photo photo) {
             return draft.targets().stream()
                     .flatMap(any -> any.reports().stream())
                     .anyMatch(report ->

@@ -145,7 +145,7 @@ class FollowGuidanceTest {
             OperationObservation scene = new OperationObservation(now, List.of(seen), now, null, around, Map.of());
             Setpoint.Track said = (Setpoint.Track) guide.steer(state, scene).get(FALCON);
             falcon = said.point();
-            gaze = said.gazeDegrees();
+            gaze = said.cameraElevationDegrees();
             nearest = Math.min(nearest, Geodesy.distanceMeters(falcon, place));
         }
         return nearest;

@@ -132,21 +132,21 @@ class FollowOperationTest extends FollowTestBase {
     void tellsApartWhyPositionsDoNotCome() {
         start();
         heard(AIR, 5);
-        reach = ReporterState.ACTIVE;
+        reach = ReporterState.SPEAKS;
         silent(AIR, 4);
         assertThat(state.note()).contains("does not know where it is", "flies home 60 s after");
-        reach = ReporterState.UNUSABLE;
+        reach = ReporterState.VAGUE;
         silent(AIR, 1);
         assertThat(state.note()).contains("no better than 50 m", "flies home 60 s after");
         List<String> before =
                 state.notices().stream().map(FollowState.Notice::words).toList();
-        reach = ReporterState.IDLE;
+        reach = ReporterState.ASLEEP;
         silent(AIR, 1);
         assertThat(state.note()).contains("stands still: the screen is off");
-        reach = ReporterState.UNREACHABLE;
+        reach = ReporterState.CUT;
         silent(AIR, 1);
         assertThat(state.note()).contains("no network");
-        reach = ReporterState.CLOSED;
+        reach = ReporterState.GONE;
         silent(AIR, 1);
         assertThat(state.note()).contains("was closed");
         heard(AIR, 1);

@@ -4,9 +4,9 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * When each MAV_CMD last went to or was acknowledged by a vehicle, to match an acknowledgement with its command. An
- * acknowledgement names only the command, not which copy of it: one that comes too soon after an earlier exchange may
- * still belong to that. Owned by the drone's lane.
+ * Times when each MAV_CMD last went to or was acknowledged by a vehicle, to match an acknowledgement with its command.
+ * An acknowledgement names only the command, not which copy of it: one that comes too soon after an earlier exchange
+ * may still belong to that. Owned by the drone's lane.
  */
 public final class CommandSendTimes {
     private final Map<Integer, Long> lastSeenNanos = new HashMap<>();

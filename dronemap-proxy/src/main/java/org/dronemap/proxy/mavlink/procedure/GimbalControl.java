@@ -52,7 +52,7 @@ public final class GimbalControl {
 
     /** The vehicle is steered like this. */
     public void steered(SendAuthority by, Setpoint setpoint, long now) {
-        Double degrees = setpoint instanceof Setpoint.Track track ? track.gazeDegrees() : null;
+        Double degrees = setpoint instanceof Setpoint.Track track ? track.cameraElevationDegrees() : null;
         if (!there || degrees == null) {
             return;
         }

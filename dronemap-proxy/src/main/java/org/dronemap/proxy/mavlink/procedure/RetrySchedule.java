@@ -3,8 +3,8 @@ package org.dronemap.proxy.mavlink.procedure;
 import java.util.Locale;
 
 /**
- * When a request to a vehicle is repeated and given up, from the round trip time of its link; at most nine tries. Fixed
- * when the question is first asked, so that the stated deadline holds.
+ * Times at which a request to a vehicle is repeated and given up, from the round trip time of its link; at most nine
+ * tries. Fixed when the question is first asked, so that the stated deadline holds.
  */
 record RetrySchedule(long firstNanos, long longestNanos, long deadlineNanos) {
     private static final int TRIES = 9;

@@ -208,7 +208,7 @@ final class Px4Adapter implements AutopilotAdapter {
             case SET_CLOUD_LOSS ->
                 CloudLossExchanges.set(
                         cockpit, (SetCloudLossAction) command, policy(((SetCloudLossAction) command).afterSeconds()));
-            case RESTORE_PARAMETERS -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
+            case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
             case ARM -> BasicExchanges.arm(cockpit);
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
             case TAKE_PICTURE -> BasicExchanges.picture(cockpit);

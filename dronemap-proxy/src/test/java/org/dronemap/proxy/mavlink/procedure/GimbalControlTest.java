@@ -42,9 +42,9 @@ class GimbalControlTest {
         heard(new GimbalDeviceAttitudeStatus(0, 0, 0, 12, new float[] {1, 0, 0, 0}, 0, 0, 0, 0, 0, 0));
     }
 
-    private static Setpoint track(Double gazeDegrees) {
+    private static Setpoint track(Double cameraElevationDegrees) {
         return new Setpoint.Track(
-                new Geodetic(47.4, 8.5), Altitude.aboveHome(20), null, Setpoint.Facing.ANY, gazeDegrees);
+                new Geodetic(47.4, 8.5), Altitude.aboveHome(20), null, Setpoint.Facing.ANY, cameraElevationDegrees);
     }
 
     @Test

@@ -98,7 +98,8 @@ public final class OpenApiOperationReader {
                     .forEach(one -> names.put(one.getKey(), one.getValue().asString()));
             List<SoapOperation> each = new ArrayList<>();
             alternatives.kinds().forEach((kind, type) -> {
-                Body body = new Body.Members(types.structure(type), true, new Fixed(alternatives.told(), kind));
+                Body body =
+                        new Body.Members(types.structure(type), true, new Fixed(alternatives.discriminator(), kind));
                 each.add(checked(new SoapOperation(
                         names.getOrDefault(kind, kind),
                         of,

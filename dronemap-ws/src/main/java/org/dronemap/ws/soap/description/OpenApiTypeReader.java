@@ -34,7 +34,8 @@ final class OpenApiTypeReader {
                 .toList()
                 .forEach(one -> one.kinds()
                         .values()
-                        .forEach(kind -> named.computeIfPresent(kind, (name, type) -> without(type, one.told()))));
+                        .forEach(kind ->
+                                named.computeIfPresent(kind, (name, type) -> without(type, one.discriminator()))));
         return new XmlTypes(named);
     }
 

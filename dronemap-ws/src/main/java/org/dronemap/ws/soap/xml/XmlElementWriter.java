@@ -120,9 +120,9 @@ final class XmlElementWriter {
 
     /** In XML the name of an element says which alternative it is. */
     private void choose(Level at, XmlTypes.Alternatives alternatives, String kind) {
-        if (!at.name.equals(alternatives.told())) {
+        if (!at.name.equals(alternatives.discriminator())) {
             throw new IllegalStateException(
-                    "an alternative begins with " + at.name + " instead of " + alternatives.told());
+                    "an alternative begins with " + at.name + " instead of " + alternatives.discriminator());
         }
         begin(at);
         text.append('<').append(kind);

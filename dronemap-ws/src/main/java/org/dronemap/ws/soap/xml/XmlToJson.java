@@ -176,7 +176,7 @@ public final class XmlToJson {
                     "\"" + field + "\" must have exactly " + allowed + ".");
         }
         Element chosen = told.get(0);
-        object.put(alternatives.told(), chosen.getLocalName());
+        object.put(alternatives.discriminator(), chosen.getLocalName());
         String kind = alternatives.kinds().get(chosen.getLocalName());
         if (kind != null) {
             children(chosen).forEach(child -> put(object, types.structure(kind), field, child));

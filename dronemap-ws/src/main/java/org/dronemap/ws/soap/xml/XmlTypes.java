@@ -25,10 +25,10 @@ public record XmlTypes(Map<String, Complex> named) {
     /**
      * Exactly one of several, each an element called as the alternative.
      *
-     * @param told the member of JSON that says which it is
+     * @param discriminator the member of JSON that says which it is
      * @param kinds the named type of each alternative
      */
-    public record Alternatives(String told, Map<String, String> kinds, String words) implements Complex {}
+    public record Alternatives(String discriminator, Map<String, String> kinds, String words) implements Complex {}
 
     public Complex get(String name) {
         Complex found = named.get(name);

@@ -2,7 +2,7 @@ package org.dronemap.ws.stream.delivery;
 
 import org.dronemap.core.drone.DroneId;
 
-/** What a stream message is about: a kind, such as drone, and an id that is unique within it. */
+/** Subject of a stream message: a kind, such as drone, and an id that is unique within it. */
 public record StreamMessageSubject(String kind, String id) {
     public static final String DRONE = "drone";
 

@@ -11,7 +11,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a mission run sees of one of its drones at one moment; null where not known.
+ * Observation of one drone of a mission run at one moment; null where not known.
  *
  * @param holder why the run has no control of it, as a sentence; null: it has
  * @param silence for how long nothing was heard
