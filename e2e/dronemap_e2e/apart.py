@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from itertools import combinations
 
-from .overheard import Log
+from .datagram_recorder import Log
 
 BESIDE_METRES, ABOVE_METRES = 10.0, 5.0
 IN_THE_AIR_METRES = 2.0

@@ -13,10 +13,10 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from .api import Api, Json
 from .flight import EARTH_RADIUS_METERS
 from .impairer import CLEAR, Impairer, Weather
+from .message_recorder import MessageRecorder, RecordedMessage
 from .runs import known, planned, stages
 from .server import Server
 from .simulator import Simulator
-from .tap import Heard, Tap
 from .trajectories import Disc, Fix, Spot, Track
 from .waiting import rounds, wait_for
 
@@ -101,10 +101,10 @@ class Conductor:
         self.server.start()
         self.link = Impairer(self.server.udp_port, seed)
         self.weather = weather
-        self.tap = Tap(self.link.port, KINDS)
+        self.recorder = MessageRecorder(self.link.port, KINDS)
         self.simulator = Simulator(
             folder / "sim.log",
-            f"udp://127.0.0.1:{self.tap.port}",
+            f"udp://127.0.0.1:{self.recorder.port}",
             *("--count", str(DRONES), "--sysid", str(FIRST_SYSTEM_ID), "--seed", str(seed)),
             *("--speedup", f"{speedup:g}", "--wind", str(GUST_SPEED)),
         )
@@ -113,7 +113,7 @@ class Conductor:
 
     def close(self) -> None:
         self.simulator.stop()
-        self.tap.close()
+        self.recorder.close()
         self.link.close()
         self.server.stop()
 
@@ -245,7 +245,7 @@ class Conductor:
         system_id = self.ids[drone]
         at, moment = time.monotonic(), time.time()
         if kind == "link":
-            self.tap.cut.add(system_id)
+            self.recorder.cut.add(system_id)
         elif kind == "motor":
             self.simulator.fault(f"{system_id} motor-failure")
         else:
@@ -258,7 +258,7 @@ class Conductor:
 
     def tracks(self, trial: Trial) -> dict[int, Track]:
         """Where each was by its own word on the wire, before anything was lost; who fell counts no longer."""
-        heard = self.tap.heard("GLOBAL_POSITION_INT", up=True)
+        heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
         fell = next((fault for fault in trial.faults if fault.kind == "motor"), None)
         tracks = {}
         for system_id in self.ids.values():
@@ -271,14 +271,14 @@ class Conductor:
 
     def boot_seconds(self, moment: float) -> float:
         """What the vehicles' clocks, which are one, said at a moment of ours."""
-        heard = self.tap.heard("GLOBAL_POSITION_INT", up=True)
+        heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
         return max((boot_seconds(one) for one in heard if one.at <= moment), default=math.inf)
 
     def boarded(self, trial: Trial) -> list[tuple[float, int, set[str]]]:
         """Each mission that a vehicle acknowledged: when, who, and which waypoints are in it."""
-        missions: dict[int, dict[int, Heard]] = {}
+        missions: dict[int, dict[int, RecordedMessage]] = {}
         found = []
-        for one in self.tap.heard("MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_ACK"):
+        for one in self.recorder.messages("MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_ACK"):
             message = one.message
             if getattr(message, "mission_type", 0) != mavlink.MAV_MISSION_TYPE_MISSION:
                 continue
@@ -304,12 +304,12 @@ def _leads_to(trial: Trial, items: object, spot: Spot) -> bool:
     return False
 
 
-def boot_seconds(heard: Heard) -> float:
+def boot_seconds(heard: RecordedMessage) -> float:
     seconds: float = heard.message.time_boot_ms / 1000
     return seconds
 
 
-def fix(origin: Json, heard: Heard) -> Fix:
+def fix(origin: Json, heard: RecordedMessage) -> Fix:
     said = heard.message
     east, north = local(origin, said.lat / 1e7, said.lon / 1e7)
     up = said.alt / 1e3 - origin["altitudeAmsl"]

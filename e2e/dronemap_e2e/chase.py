@@ -16,10 +16,10 @@ from pathlib import Path
 from .api import Api, Json
 from .big_trial import boot_seconds, fix, local, place
 from .impairer import CLEAR, Impairer, Weather
+from .message_recorder import MessageRecorder
 from .runs import known
 from .server import Server
 from .simulator import Simulator
-from .tap import Tap
 from .trajectories import Disc
 from .waiting import rounds, wait_for
 
@@ -182,10 +182,10 @@ class Chase:
         self.server = Server(folder / "data")
         self.server.start()
         self.link = Impairer(self.server.udp_port, seed)
-        self.tap = Tap(self.link.port, ("GLOBAL_POSITION_INT",))
+        self.recorder = MessageRecorder(self.link.port, ("GLOBAL_POSITION_INT",))
         self.simulator = Simulator(
             folder / "sim.log",
-            f"udp://127.0.0.1:{self.tap.port}",
+            f"udp://127.0.0.1:{self.recorder.port}",
             *("--count", str(follows), "--sysid", str(FIRST_SYSTEM_ID), "--seed", str(seed)),
             *("--wind", f"{wind:g}"),
         )
@@ -193,7 +193,7 @@ class Chase:
 
     def close(self) -> None:
         self.simulator.stop()
-        self.tap.close()
+        self.recorder.close()
         self.link.close()
         self.server.stop()
 
@@ -269,7 +269,7 @@ class Chase:
 
     def _judged(self, origin: Json, ground: Field, when: tuple[float, float]) -> Json:
         tracks: dict[int, list[list[float]]] = {}
-        for one in self.tap.heard("GLOBAL_POSITION_INT", up=True):
+        for one in self.recorder.messages("GLOBAL_POSITION_INT", up=True):
             if when[0] <= one.at <= when[1]:
                 here = fix(origin, one)
                 row = [boot_seconds(one), here.east, here.north, here.up, here.above_home]

@@ -11,9 +11,9 @@ from websockets.sync.client import connect
 
 from .api import Api, Json
 from .flight import ARMED, COPTER_RTL, Point
+from .message_recorder import MessageRecorder, RecordedMessage
 from .server import Server
 from .soap import soap
-from .tap import Heard, Tap
 from .waiting import wait_for
 from .walker import beside
 
@@ -89,8 +89,8 @@ class Truth:
 
     KINDS = ("GLOBAL_POSITION_INT", "HEARTBEAT", "COMMAND_LONG", "COMMAND_INT")
 
-    def __init__(self, tap: Tap) -> None:
-        self._tap = tap
+    def __init__(self, recorder: MessageRecorder) -> None:
+        self._recorder = recorder
 
     def mode(self, one: Followed) -> int:
         return int(self._last("HEARTBEAT", one).message.custom_mode)
@@ -101,7 +101,7 @@ class Truth:
     def told_to_take_off(self, one: Followed) -> bool:
         return any(
             heard.message.command == TAKE_OFF and heard.message.target_system == one.system_id
-            for heard in self._tap.heard("COMMAND_LONG", "COMMAND_INT", up=False)
+            for heard in self._recorder.messages("COMMAND_LONG", "COMMAND_INT", up=False)
         )
 
     def height(self, one: Followed) -> float:
@@ -117,13 +117,13 @@ class Truth:
         first = Point(track[0].lat / 1e7, track[0].lon / 1e7, 0)
         return max(first.metres_to(said.lat / 1e7, said.lon / 1e7) for said in track)
 
-    def _last(self, kind: str, one: Followed) -> Heard:
+    def _last(self, kind: str, one: Followed) -> RecordedMessage:
         return self._of(kind, one)[-1]
 
-    def _of(self, kind: str, one: Followed) -> list[Heard]:
+    def _of(self, kind: str, one: Followed) -> list[RecordedMessage]:
         return [
             heard
-            for heard in self._tap.heard(kind, up=True)
+            for heard in self._recorder.messages(kind, up=True)
             if heard.message.get_srcSystem() == one.system_id and heard.message.get_srcComponent() == 1
         ]
 

@@ -66,7 +66,7 @@ class Ground:
         if passphrase is not None:
             key = hashlib.sha256(passphrase.encode()).digest()
             self.link.setup_signing(key, sign_outgoing=True, allow_unsigned_callback=lambda *_: False)
-        self.messages: list[Any] = []
+        self.all_messages: list[Any] = []
         self.arrived: dict[int, float] = {}
         self.silent = False
         self._lock = threading.Lock()
@@ -86,7 +86,7 @@ class Ground:
                 return
             if message is not None and message.get_type() != "BAD_DATA":
                 self.arrived[message.get_srcSystem()] = time.monotonic()
-                self.messages.append(message)
+                self.all_messages.append(message)
 
     def say(self, message: str, *fields: Any) -> None:
         """Sends what pymavlink calls `message`_send."""
@@ -98,14 +98,16 @@ class Ground:
         with self._lock:
             self.link.mav.send(message)
 
-    def heard(self, kind: str, system_id: int | None = None) -> list[Any]:
+    def messages(self, kind: str, system_id: int | None = None) -> list[Any]:
         return [
-            m for m in list(self.messages) if m.get_type() == kind and system_id in (None, m.get_srcSystem())
+            m
+            for m in list(self.all_messages)
+            if m.get_type() == kind and system_id in (None, m.get_srcSystem())
         ]
 
     def vehicles(self) -> set[int]:
         """The system ids of all whose autopilot was heard."""
-        beats = self.heard("HEARTBEAT")
+        beats = self.messages("HEARTBEAT")
         return {m.get_srcSystem() for m in beats if m.type != GROUND_STATION}
 
     def wait_vehicles(self, count: int = 1, seconds: float = 20) -> set[int]:
@@ -119,7 +121,7 @@ class Ground:
         """Messages that are missing from the numbers of the autopilot's."""
         numbers = [
             m.get_seq()
-            for m in list(self.messages)
+            for m in list(self.all_messages)
             if m.get_srcSystem() == system_id and m.get_srcComponent() == 1
         ]
         pairs = zip(numbers, numbers[1:], strict=False)
@@ -127,18 +129,18 @@ class Ground:
 
     def command(self, number: int, command: int, *params: float, seconds: float = 30) -> int:
         """Sends that system a command as a ground station does; the result that it is acknowledged with."""
-        before = len(self.heard("COMMAND_ACK", number))
+        before = len(self.messages("COMMAND_ACK", number))
         values = [*params, *([0.0] * (7 - len(params)))]
         self.say("command_long", number, 1, command, 0, *values)
 
         def answer() -> list[int] | None:
-            answers = self.heard("COMMAND_ACK", number)[before:]
+            answers = self.messages("COMMAND_ACK", number)[before:]
             return [m.result for m in answers if m.command == command] or None
 
         return wait_for(f"command {command} is acknowledged", answer, seconds)[0]
 
     def texts(self) -> str:
-        return "\n".join(m.text for m in self.heard("STATUSTEXT"))
+        return "\n".join(m.text for m in self.messages("STATUSTEXT"))
 
     def close(self) -> None:
         self._closed = True

@@ -36,7 +36,7 @@ class Impairer:
         self.carried = 0
         self.lost = 0
         # Hears every datagram of every vehicle before the weather does anything to it.
-        self.overhear: Callable[[bytes], None] = lambda data: None
+        self.on_datagram: Callable[[bytes], None] = lambda data: None
         # Which datagrams of vehicles never arrive, whatever the weather.
         self.withholds: Callable[[bytes], bool] = lambda data: False
         self._server = (LOOPBACK, server_port)
@@ -86,7 +86,7 @@ class Impairer:
         except ConnectionError:
             return
         if vehicle is None:
-            self.overhear(data)
+            self.on_datagram(data)
             if not self.withholds(data):
                 self._carry(self._back(sender), self._server, data)
         else:

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
+from .datagram_recorder import Log, State, TimedMessage
 from .moments import LED, OPERATIONS, Moment
-from .overheard import Log, Said, State
 
 AUTO, GUIDED, RTL, LAND = 3, 4, 6, 9
 HOMEWARD = (RTL, LAND)
@@ -74,7 +74,7 @@ class Judgement:
     moment: Moment
     faults: list[str]
     # What became of it, in few words.
-    told: str
+    sent_since: str
 
 
 def judge(moment: Moment, log: Log, happened: Happened, limits: Limits) -> Judgement:
@@ -166,11 +166,11 @@ def _led_on(moment: Moment, log: Log, happened: Happened) -> list[str]:
     """Whoever steered is not there any more, or may no more: nothing leads it."""
     if moment.kind not in LED:
         return []
-    late = [one for one in log.told(happened.left + LEADS) if leads(one)]
+    late = [one for one in log.sent_since(happened.left + LEADS) if leads(one)]
     return [f"{late[0].at - happened.left:.1f} s later it was steered on: {late[0]}"] if late else []
 
 
-def leads(said: Said) -> bool:
+def leads(said: TimedMessage) -> bool:
     message = said.message
     if said.kind.startswith("SET_POSITION_TARGET"):
         return any(abs(each) > 0.01 for each in (message.vx, message.vy, message.vz))
@@ -186,9 +186,9 @@ def _of_pilot(log: Log, happened: Happened) -> tuple[list[str], str]:
         return ["the vehicle never said that a pilot has it"], "?"
     # What lay in its socket when it moved again was there to be read before anything was decided.
     noticed = seen if happened.stood_still and seen == end else seen + NOTICED
-    forbidden = [one for one in log.told(noticed) if one.at < happened.until and not is_harmless(one)]
+    forbidden = [one for one in log.sent_since(noticed) if one.at < happened.until and not is_harmless(one)]
     faults = [f"{one.at - happened.piloted:.1f} s after a pilot took it: {one}" for one in forbidden[:5]]
-    beats = [one.at for one in log.told(seen, "HEARTBEAT") if one.at < happened.until]
+    beats = [one.at for one in log.sent_since(seen, "HEARTBEAT") if one.at < happened.until]
     marks = [seen, *beats, happened.until]
     for before, after in zip(marks, marks[1:], strict=False):
         gap = after - before
@@ -214,7 +214,7 @@ def visible(log: Log, happened: Happened) -> float | None:
     begin, end = happened.away
     if not happened.stood_still:
         # It is there again as soon as it speaks, long before its pages are.
-        end = min((one.at for one in log.told(begin + IN_FLIGHT)), default=end)
+        end = min((one.at for one in log.sent_since(begin + IN_FLIGHT)), default=end)
     for state in log.states:
         # What comes while it stands still lies in its socket; while there is none, vehicles speak to nobody.
         counts = state.mode != before and (happened.stood_still or not begin <= state.at < end)
@@ -223,7 +223,7 @@ def visible(log: Log, happened: Happened) -> float | None:
     return None
 
 
-def is_harmless(said: Said) -> bool:
+def is_harmless(said: TimedMessage) -> bool:
     if said.kind in ("COMMAND_LONG", "COMMAND_INT"):
         return said.message.command in READS
     return said.kind in HARMLESS
@@ -235,13 +235,13 @@ def _forgotten(log: Log, happened: Happened) -> list[str]:
         return []
     if not any(one.at <= begin for one in log.down if place(one) in happened.forgotten):
         return ["what was to be forgotten was never said"]
-    late = [one for one in log.told(end) if place(one) in happened.forgotten]
+    late = [one for one in log.sent_since(end) if place(one) in happened.forgotten]
     return [
         f"{one.at - end:.1f} s after a standstill, what was commanded before it: {one}" for one in late[:3]
     ]
 
 
-def place(said: Said) -> tuple[int, int] | None:
+def place(said: TimedMessage) -> tuple[int, int] | None:
     message = said.message
     if said.kind == "COMMAND_INT":
         return message.x, message.y

@@ -15,11 +15,11 @@ import requests
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from .api import Api, Json
+from .datagram_recorder import DatagramRecorder
 from .ground import User, new_user
 from .moment_flights import PATIENCE, Flyer
 from .moment_judge import Happened, Judgement, Limits, judge
 from .moments import Moment, Plan
-from .overheard import Overheard
 from .runs import known
 from .server import ROOT, Server
 from .simulator import Simulator
@@ -76,28 +76,28 @@ class Sortie:
 
     def fly(self) -> list[Judgement]:
         self.server.start()
-        overheard = Overheard(self.server.udp_port)
+        recorder = DatagramRecorder(self.server.udp_port)
         moments = self.plan.moments
         simulator = Simulator(
             self._folder / "sim.log",
-            f"udp://127.0.0.1:{overheard.port}",
+            f"udp://127.0.0.1:{recorder.port}",
             *("--count", str(len(moments)), "--sysid", str(FIRST), "--seed", str(self.plan.seed)),
             *(*FLIGHT, "--parameter", f"FS_GCS_ENABLE={self.plan.failsafe}"),
         )
-        self._overheard, self._simulator = overheard, simulator
+        self._recorder, self._simulator = recorder, simulator
         try:
             self._into_the_air()
             self._moments()
             self._until_all_is_over()
             return [
-                judge(one.moment, overheard.of(one.system_id), self.happened[one.system_id], LIMITS)
+                judge(one.moment, recorder.of(one.system_id), self.happened[one.system_id], LIMITS)
                 for one in self.flyers
             ]
         finally:
             for one in self.flyers:
                 one.leave()
             simulator.stop()
-            overheard.close()
+            recorder.close()
             self.server.stop()
 
     def _admin(self) -> Api:
@@ -186,7 +186,7 @@ class Sortie:
         message = mavlink.MAVLink_set_mode_message(
             one.system_id, mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED, mode
         )
-        self._overheard.inject(one.system_id, message.pack(station))
+        self._recorder.inject(one.system_id, message.pack(station))
 
     def _suffer(self) -> None:
         stays = [one for one in self.flyers if one.moment.event == self.plan.suffers]
@@ -214,12 +214,12 @@ class Sortie:
         for one in stays:
             if one.moment.kind == "guided":
                 # It does not arrive: it would be said again and again, if time did not go by.
-                self._overheard.deaf.add(one.system_id)
+                self._recorder.withheld_from.add(one.system_id)
                 places[one.system_id] = one.goes_to(35 + one.system_id)
         time.sleep(1 if places else 0)
         begin = time.monotonic()
         os.kill(self.server.pid, signal.SIGSTOP)
-        self._overheard.deaf.clear()
+        self._recorder.withheld_from.clear()
         for one in stays:
             # Who has a stream open is there: these have gone when the server looks again.
             one.leave()

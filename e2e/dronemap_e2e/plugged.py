@@ -22,8 +22,8 @@ class PluggedStation:
         self._mavlink: Any = mavlink.MAVLink(self, srcSystem=SYSTEM, srcComponent=190)
         self._parser: Any = mavlink.MAVLink(None)
         self._parser.robust_parsing = True
-        self._heard: queue.Queue[Any] = queue.Queue()
-        link.overhear = self._overhear
+        self._received: queue.Queue[Any] = queue.Queue()
+        link.on_datagram = self._on_datagram
 
     def write(self, data: bytes) -> None:
         """pymavlink sends through this."""
@@ -86,21 +86,21 @@ class PluggedStation:
 
     def _forget(self) -> None:
         """What was said before the question is no answer to it."""
-        while not self._heard.empty():
-            self._heard.get_nowait()
+        while not self._received.empty():
+            self._received.get_nowait()
 
     def _next(self, kind: str | None = None) -> Any | None:
         until = time.monotonic() + PATIENCE
         while (left := until - time.monotonic()) > 0:
             try:
-                message = self._heard.get(timeout=left)
+                message = self._received.get(timeout=left)
             except queue.Empty:
                 return None
             if kind is None or message.get_type() == kind:
                 return message
         return None
 
-    def _overhear(self, data: bytes) -> None:
+    def _on_datagram(self, data: bytes) -> None:
         for message in self._parser.parse_buffer(data) or []:
             if message.get_srcSystem() == self._vehicle:
-                self._heard.put(message)
+                self._received.put(message)

@@ -16,10 +16,10 @@ from .api import Api, Json
 from .big_trial import fix, local, place
 from .chase import FIRST_SYSTEM_ID, SEPARATION, TICK_SECONDS, Field, Phone
 from .impairer import CLEAR
+from .message_recorder import MessageRecorder
 from .runs import known
 from .server import Server
 from .simulator import Simulator
-from .tap import Tap
 from .waiting import rounds, wait_for
 
 STROLLS_METRES = 35.0
@@ -83,10 +83,10 @@ class Relay:
         self.folder = folder
         self.server = Server(folder / "data")
         self.server.start()
-        self.tap = Tap(self.server.udp_port, ("GLOBAL_POSITION_INT",))
+        self.recorder = MessageRecorder(self.server.udp_port, ("GLOBAL_POSITION_INT",))
         self.simulator = Simulator(
             folder / "sim.log",
-            f"udp://127.0.0.1:{self.tap.port}",
+            f"udp://127.0.0.1:{self.recorder.port}",
             *("--count", str(2 * phones), "--sysid", str(FIRST_SYSTEM_ID), "--seed", str(seed)),
         )
         self.api = Api(self.server.address, self.server.local_key())
@@ -95,7 +95,7 @@ class Relay:
 
     def close(self) -> None:
         self.simulator.stop()
-        self.tap.close()
+        self.recorder.close()
         self.server.stop()
 
     def fly(self, longest: float, after: float) -> Json:
@@ -167,7 +167,7 @@ class Relay:
 
     def _judged(self, origin: Json, numbers: dict[str, int], when: tuple[float, float]) -> Json:
         tracks: dict[int, list[list[float]]] = {}
-        for one in self.tap.heard("GLOBAL_POSITION_INT", up=True):
+        for one in self.recorder.messages("GLOBAL_POSITION_INT", up=True):
             if when[0] <= one.at <= when[1]:
                 here = fix(origin, one)
                 row = [one.at, here.east, here.north, here.up, here.above_home]

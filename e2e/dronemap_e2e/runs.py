@@ -4,7 +4,7 @@ import math
 
 from .api import Api, Json
 from .flight import EARTH_RADIUS_METERS
-from .tap import Tap
+from .message_recorder import MessageRecorder
 from .waiting import wait_for
 
 Track = list[tuple[float, float, float]]
@@ -48,11 +48,13 @@ def of(run: Json, drone: str, state: str) -> list[Json]:
     ]
 
 
-def tracks(tap: Tap, drones: list[Json], first_system_id: int, begin: int = 0) -> dict[str, Track]:
+def tracks(
+    recorder: MessageRecorder, drones: list[Json], first_system_id: int, begin: int = 0
+) -> dict[str, Track]:
     """Where each was from that report on, by its own word on the wire, also while no server listened."""
     flown: dict[str, Track] = {drone["id"]: [] for drone in drones}
     of_system = {first_system_id + n: drone["id"] for n, drone in enumerate(drones)}
-    for heard in tap.heard("GLOBAL_POSITION_INT", up=True)[begin:]:
+    for heard in recorder.messages("GLOBAL_POSITION_INT", up=True)[begin:]:
         said = heard.message
         if said.get_srcSystem() in of_system:
             flown[of_system[said.get_srcSystem()]].append((said.lat / 1e7, said.lon / 1e7, said.alt / 1e3))

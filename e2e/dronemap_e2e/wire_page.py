@@ -46,7 +46,7 @@ def _fly(station: Station) -> None:
     page.wait_for_timeout(SETTLED_MILLISECONDS)
 
 
-def _tap(page: Page) -> None:
+def _click_places(page: Page) -> None:
     for number, (east, south) in enumerate(PLACES, start=1):
         box = page.get_by_role("application", name="Map").bounding_box()
         assert box
@@ -57,7 +57,7 @@ def _tap(page: Page) -> None:
 def _plan(station: Station) -> None:
     page = station.page
     page.get_by_role("button").filter(has_text="Plan for several drones").click()
-    _tap(page)
+    _click_places(page)
     page.get_by_role("button").filter(has_text="More wishes").click()
     page.get_by_label("Search for (s)").fill("1")
     station.press("Select all")

@@ -11,9 +11,9 @@ from playwright.sync_api import Browser, Playwright, sync_playwright
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.copter import Copter
 from dronemap_e2e.ground import Attach, Ground, User
+from dronemap_e2e.message_recorder import MessageRecorder, VehicleMessages
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import launch
-from dronemap_e2e.tap import Tap, Wire
 from dronemap_e2e.vehicles import Vehicles
 from dronemap_e2e.waiting import wait_for
 
@@ -103,9 +103,9 @@ def own_server(tmp_path: Path) -> Iterator[Server]:
 
 
 @pytest.fixture
-def tap(server: Server) -> Iterator[Tap]:
-    """A tap before the shared server."""
-    opened = Tap(server.udp_port)
+def recorder(server: Server) -> Iterator[MessageRecorder]:
+    """A message recorder before the shared server."""
+    opened = MessageRecorder(server.udp_port)
     yield opened
     opened.close()
 
@@ -126,7 +126,7 @@ def system_id(vehicles: Vehicles) -> Iterator[int]:
 
 
 @pytest.fixture
-def wire(vehicles: Vehicles, system_id: int) -> Wire:
+def wire(vehicles: Vehicles, system_id: int) -> VehicleMessages:
     """What the test's copter says and is told."""
     return vehicles.wire(system_id)
 

@@ -8,17 +8,17 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.message_recorder import VehicleMessages
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
-from dronemap_e2e.tap import Wire
 
 
-def sent(wire: Wire) -> list[Any]:
+def sent(wire: VehicleMessages) -> list[Any]:
     """Commands and mission items that went down to the vehicle, message requests aside."""
     return [
         h.message
-        for h in wire.heard("COMMAND_LONG", "COMMAND_INT", "MISSION_COUNT", "MISSION_ITEM_INT", up=False)
+        for h in wire.messages("COMMAND_LONG", "COMMAND_INT", "MISSION_COUNT", "MISSION_ITEM_INT", up=False)
         if getattr(h.message, "command", None) not in (511, 512, 519, 520)
     ]
 
@@ -48,7 +48,7 @@ def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
 
 
 def test_a_viewer_reads_why_arming_is_not_for_viewers(
-    server: Server, api: Api, wire: Wire, copter: Json, page: Page
+    server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page
 ) -> None:
     """End to end because a browser holds the button, and nothing goes over the wire."""
     station = Station(page, Pointer())
@@ -62,7 +62,7 @@ def test_a_viewer_reads_why_arming_is_not_for_viewers(
 
 
 def test_bad_waypoints_stay_on_the_page(
-    server: Server, api: Api, wire: Wire, copter: Json, page: Page
+    server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page
 ) -> None:
     """End to end because a browser keeps them, and nothing goes over the wire."""
     station = Station(page, Pointer())

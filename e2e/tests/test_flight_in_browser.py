@@ -10,11 +10,11 @@ from playwright.sync_api import Browser, Page, ViewportSize, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, judge, triangle
+from dronemap_e2e.message_recorder import VehicleMessages
 from dronemap_e2e.peer import OBEDIENT, Peer
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Hands, Keyboard, Pointer, Station, Touch
-from dronemap_e2e.tap import Wire
 from dronemap_e2e.waiting import wait_for
 
 NAV_WAYPOINT = 16
@@ -55,11 +55,11 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png")
 
 
-def uploaded(wire: Wire) -> list[Point]:
+def uploaded(wire: VehicleMessages) -> list[Point]:
     """The waypoints that went over the wire, each once, home aside."""
     by_number = {
         h.message.seq: h.message
-        for h in wire.heard("MISSION_ITEM_INT", up=False)
+        for h in wire.messages("MISSION_ITEM_INT", up=False)
         if h.message.command == NAV_WAYPOINT and h.message.seq > 0
     }
     return [Point(m.x / 1e7, m.y / 1e7, m.z) for _, m in sorted(by_number.items())]
@@ -95,7 +95,7 @@ def type_waypoints(station: Station, drone: Json) -> None:
 def test_a_person_flies_a_mission(
     request: pytest.FixtureRequest,
     open_station: Open,
-    wire: Wire,
+    wire: VehicleMessages,
     copter: Json,
     hands: Hands,
     size: ViewportSize,
@@ -170,17 +170,17 @@ def _by_port(api: Api, port: int) -> Json | None:
     return next((d for d in api.drones() if d["link"]["port"] == port), None)
 
 
-def _highest(wire: Wire) -> float:
-    heights = [h.message.relative_alt / 1000 for h in wire.heard("GLOBAL_POSITION_INT", up=True)]
+def _highest(wire: VehicleMessages) -> float:
+    heights = [h.message.relative_alt / 1000 for h in wire.messages("GLOBAL_POSITION_INT", up=True)]
     return max(heights, default=0.0)
 
 
-def _reached(wire: Wire, waypoints: int) -> bool:
+def _reached(wire: VehicleMessages, waypoints: int) -> bool:
     """The last item of the mission: take-off and waypoints, behind the home item."""
-    last = max((h.message.seq for h in wire.heard("MISSION_ITEM_REACHED", up=True)), default=0)
+    last = max((h.message.seq for h in wire.messages("MISSION_ITEM_REACHED", up=True)), default=0)
     return waypoints > 0 and last >= waypoints + 1
 
 
-def _disarmed_after_flight(wire: Wire) -> bool:
-    beats = [h for h in wire.heard("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
+def _disarmed_after_flight(wire: VehicleMessages) -> bool:
+    beats = [h for h in wire.messages("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
     return bool(beats) and not beats[-1].message.base_mode & 0x80

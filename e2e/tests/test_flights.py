@@ -20,10 +20,10 @@ from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, flight_of, triangle
+from dronemap_e2e.message_recorder import VehicleMessages
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
-from dronemap_e2e.tap import Wire
 from dronemap_e2e.waiting import wait_for
 
 METRES = 1.0
@@ -45,9 +45,9 @@ SEEK = "(line, time) => { line.value = time; line.dispatchEvent(new Event('input
 class OnTheWire:
     """Where a vehicle said that it was, by the time of day when it was heard."""
 
-    def __init__(self, wire: Wire) -> None:
+    def __init__(self, wire: VehicleMessages) -> None:
         offset = time.time() - time.monotonic()
-        heard = wire.heard("GLOBAL_POSITION_INT", up=True)
+        heard = wire.messages("GLOBAL_POSITION_INT", up=True)
         self._times = [h.at + offset for h in heard]
         self._places = [
             (h.message.lat / 1e7, h.message.lon / 1e7, h.message.relative_alt / 1e3) for h in heard
@@ -125,7 +125,7 @@ def picture(page: Page, name: str) -> None:
 
 
 def test_a_flight_is_played_and_taken_along_as_it_was_on_the_wire(
-    server: Server, api: Api, wire: Wire, copter: Json, page: Page, tmp_path: Path
+    server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page, tmp_path: Path
 ) -> None:
     """End to end because a browser plays it, and DuckDB reads its columns."""
     flight = fly(api, copter)

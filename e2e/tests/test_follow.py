@@ -13,10 +13,10 @@ import zeep.exceptions
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
+from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.soap import soap
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import rounds, wait_for
 
 SYSTEM_ID = 91
@@ -30,10 +30,10 @@ SETTLED = 15
 
 
 @pytest.fixture
-def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
+def simulator(recorder: MessageRecorder, tmp_path: Path) -> Iterator[Simulator]:
     """One copter with a gimbal. It lives as fast as the phone: speeds count."""
     options = ["--count", "1", "--sysid", str(SYSTEM_ID), "--parameter", "MNT1_TYPE=1"]
-    started = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{tap.port}", *options)
+    started = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{recorder.port}", *options)
     yield started
     started.stop()
 
@@ -89,7 +89,7 @@ class Phone:
 
 @pytest.mark.soak
 def test_a_copter_walks_beside_a_phone_and_comes_home(
-    api: Api, tap: Tap, simulator: Simulator, walker: Json
+    api: Api, recorder: MessageRecorder, simulator: Simulator, walker: Json
 ) -> None:
     phone = Phone(api, walker["home"])
     here = phone.place(time.time())
@@ -110,7 +110,7 @@ def test_a_copter_walks_beside_a_phone_and_comes_home(
     for _ in rounds(time.monotonic() + SECONDS, 0.2):
         phone.walk()
         now = time.time()
-        message = tap.heard("GLOBAL_POSITION_INT", up=True)[-1].message
+        message = recorder.messages("GLOBAL_POSITION_INT", up=True)[-1].message
         if now - began > SETTLED:
             wanted = phone.place(now, east=-DISTANCE)
             errors.append(wanted.metres_to(message.lat / 1e7, message.lon / 1e7))

@@ -12,9 +12,9 @@ import pytest
 from dronemap_e2e.api import Api
 from dronemap_e2e.flight import COPTER_RTL
 from dronemap_e2e.followed import COPTER_LAND, Crowd, Followed, Truth, by_soap, by_stream
+from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.server import ROOT, Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import throughout, wait_for
 
 LOITER = 5
@@ -109,10 +109,10 @@ def restarted() -> dict[str, str]:
 
 @dataclass
 class Trial:
-    """All cases at once: a server that dies, two fields of copters, and a tap that overhears them."""
+    """All cases at once: a server that dies, two fields of copters, and a recorder of their messages."""
 
     server: Server
-    tap: Tap
+    recorder: MessageRecorder
     fields: dict[bool, Simulator]
     phone_key: str
     supervisor_key: str
@@ -122,7 +122,7 @@ class Trial:
     alone: dict[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.truth = Truth(self.tap)
+        self.truth = Truth(self.recorder)
         self.phone = Api(self.server.address, self.phone_key)
 
     @property
@@ -156,7 +156,7 @@ class Trial:
     def bring(self) -> None:
         """Each to where it shall be; last those who climb and who come home, as they do not stay there."""
         for one in self.those(grounded=True):
-            self.tap.cut.add(one.system_id)
+            self.recorder.cut.add(one.system_id)
             one.wish(self.phone, "start")
         fly = [one for case, one in self.follows.items() if case.at not in ("allocated", "starting")]
         for one in fly:
@@ -189,8 +189,8 @@ class Trial:
         """A take-off is over within a second of leaving the ground, for those who are heard of."""
 
         def told() -> bool:
-            self.tap.cut |= {one.system_id for one in climb if self.truth.told_to_take_off(one)}
-            return all(one.system_id in self.tap.cut for one in climb)
+            self.recorder.cut |= {one.system_id for one in climb if self.truth.told_to_take_off(one)}
+            return all(one.system_id in self.recorder.cut for one in climb)
 
         wait_for("they are told to take off", told, 30, every=0.05)
         self.reach("they climb", lambda: all(self.truth.height(one) > 3 for one in climb), 30)
@@ -204,7 +204,7 @@ class Trial:
 
     def die(self) -> None:
         """Nobody calls in before it is said so."""
-        self.tap.cut |= {one.system_id for one in self.crowd.everybody}
+        self.recorder.cut |= {one.system_id for one in self.crowd.everybody}
         self.server.kill()
         self.dead_since = time.monotonic()
         for case, one in self.follows.items():
@@ -224,7 +224,7 @@ class Trial:
 
     def call_in(self) -> None:
         for one in self.crowd.everybody:
-            self.tap.cut.discard(one.system_id)
+            self.recorder.cut.discard(one.system_id)
 
     def settles(self) -> None:
         """Each to where it shall be; all along none is left alone."""
@@ -298,15 +298,15 @@ class Trial:
 def trial(own_server: Server, tmp_path: Path) -> Iterator[Trial]:
     api = Api(own_server.address, own_server.local_key())
     keys = api.new_key("phone", "operator"), api.new_key("desk", "supervisor")
-    with closing(Tap(own_server.udp_port, Truth.KINDS)) as tap:
-        address = f"udp://127.0.0.1:{tap.port}"
+    with closing(MessageRecorder(own_server.udp_port, Truth.KINDS)) as recorder:
+        address = f"udp://127.0.0.1:{recorder.port}"
         fields = {}
         for misses, first in ((False, PATIENT), (True, MISSING)):
             count = str(sum(case.misses == misses for case in CASES))
             options = ("--count", count, "--sysid", str(first), *LOITERS)
             more = ("--home", ELSEWHERE) if misses else ("--parameter", "FS_GCS_TIMEOUT=600")
             fields[misses] = Simulator(tmp_path / f"sim-{first}.log", address, *options, *more)
-        yield Trial(own_server, tap, fields, *keys)
+        yield Trial(own_server, recorder, fields, *keys)
         for simulator in fields.values():
             simulator.stop()
 

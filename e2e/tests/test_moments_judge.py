@@ -1,4 +1,4 @@
-"""The judge of moments finds what is wrong in what was overheard, and nothing in what is right."""
+"""The judge of moments finds what is wrong in what was recorded, and nothing in what is right."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -6,9 +6,9 @@ from typing import Any
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
+from dronemap_e2e.datagram_recorder import Datagram, Log
 from dronemap_e2e.moment_judge import Happened, Limits, judge
 from dronemap_e2e.moments import Moment
-from dronemap_e2e.overheard import Datagram, Log
 
 LIMITS = Limits(lost=5, idle=5, until_return=4, patience=10)
 LEFT = 100.0

@@ -9,11 +9,11 @@ import pytest
 from dronemap_e2e import sitl
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
+from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.peer import OBEDIENT, Kind, Peer
 from dronemap_e2e.px4_peer import Px4Peer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
 
 HEIGHT = 8.0
@@ -109,9 +109,9 @@ def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(sitl.BINARY is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
-def test_a_real_autopilot_flies_the_same_flight(api: Api, tap: Tap, tmp_path: Path) -> None:
+def test_a_real_autopilot_flies_the_same_flight(api: Api, recorder: MessageRecorder, tmp_path: Path) -> None:
     """End to end because ArduCopter itself flies."""
-    autopilot = sitl.ArduCopter(tmp_path / "sitl", tap.port, 153, "47.3977,8.5456,488,0")
+    autopilot = sitl.ArduCopter(tmp_path / "sitl", recorder.port, 153, "47.3977,8.5456,488,0")
     try:
         drone = wait_for("it is ready", lambda: api.ready(153), 120)
         wait_for("it may fly", lambda: sitl.may_fly(api, drone["id"]), 90, every=3)

@@ -94,7 +94,7 @@ def test_mavsdk_behind_the_signer_reads_writes_and_flies_two_vehicles_of_one_sys
     for commands in flown_over_the_outlet(api, copters, pilot):
         assert {"arm", "takeOff", "land"} <= commands
     for copter in copters:
-        assert len(copter.tap.heard("PARAM_REQUEST_LIST", up=False)) <= 1
+        assert len(copter.recorder.messages("PARAM_REQUEST_LIST", up=False)) <= 1
 
 
 def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing_there(
@@ -108,11 +108,11 @@ def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing
     try:
         (first,) = grounds
         numbers = first.wait_vehicles(len(copters))
-        assert not any(m.get_signed() for m in first.messages)
+        assert not any(m.get_signed() for m in first.all_messages)
         grounds.append(Ground(f"udpout:{endpoint}", None))
         own = f"/outlet/ports/{opened.json()['id']}"
         wait_for("a second one is counted", lambda: pilot.api.get("/outlet")["ports"][0]["refused"] >= 3)
-        assert grounds[1].messages == []
+        assert grounds[1].all_messages == []
 
         told = [copter.told() for copter in copters]
         for number in numbers:
@@ -123,22 +123,22 @@ def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing
         for number in numbers:
 
             def refused(number: int = number) -> list[Any]:
-                answers = first.heard("COMMAND_ACK", number)
+                answers = first.messages("COMMAND_ACK", number)
                 return [m for m in answers if m.command == mavlink.MAV_CMD_COMPONENT_ARM_DISARM]
 
             assert [m.result for m in wait_for("it is answered", refused)] == [DENIED]
             first.say("mission_request_list", number, 1)
-            wait_for("it is counted", partial(first.heard, "MISSION_COUNT", number))
+            wait_for("it is counted", partial(first.messages, "MISSION_COUNT", number))
             first.say("mission_request_int", number, 1, 0)
-            home = wait_for("home is item 0", partial(first.heard, "MISSION_ITEM_INT", number))
+            home = wait_for("home is item 0", partial(first.messages, "MISSION_ITEM_INT", number))
             assert (home[0].seq, home[0].frame) == (0, 0)
         assert [copter.told() for copter in copters] == told
 
         assert pilot.api.call("DELETE", own).status_code == 204
         wait_for("it is closed", lambda: not pilot.api.get("/outlet")["ports"])
-        closed = len(first.messages)
+        closed = len(first.all_messages)
         first.say("heartbeat", 6, 8, 0, 0, 4)
-        throughout("nothing more comes", lambda: len(first.messages) <= closed + 20, 1)
+        throughout("nothing more comes", lambda: len(first.all_messages) <= closed + 20, 1)
     finally:
         for ground in grounds:
             ground.close()

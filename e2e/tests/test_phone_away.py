@@ -14,11 +14,11 @@ from playwright.sync_api import Browser, Error, Page, Playwright, expect
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
 from dronemap_e2e.line import Line
+from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, Touch, launch
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import rounds, wait_for
 from dronemap_e2e.walker import Walker, a_person, beside, phone, picture, sign_in
 
@@ -39,9 +39,9 @@ AGAIN = "The phone says again where it is."
 
 
 @pytest.fixture
-def drone(tap: Tap, api: Api, tmp_path: Path) -> Iterator[Json]:
+def drone(recorder: MessageRecorder, api: Api, tmp_path: Path) -> Iterator[Json]:
     """It lives as fast as the phone."""
-    address = f"udp://127.0.0.1:{tap.port}"
+    address = f"udp://127.0.0.1:{recorder.port}"
     started = Simulator(tmp_path / "sim.log", address, "--count", "1", "--sysid", str(SYSTEM_ID))
     yield wait_for("the copter is ready", lambda: api.ready(SYSTEM_ID), 90)
     started.stop()
@@ -82,7 +82,7 @@ class Trial:
     """A person with a phone, a drone that follows, and somebody at the station who looks on."""
 
     api: Api
-    tap: Tap
+    recorder: MessageRecorder
     drone: Json
     walker: Walker
     station: Page
@@ -113,7 +113,7 @@ class Trial:
 
     def stood(self, since: float) -> None:
         """From then on, as the vehicle itself said."""
-        heard = self.tap.heard("GLOBAL_POSITION_INT", up=True, since=since + STANDS_AFTER)
+        heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True, since=since + STANDS_AFTER)
         places = [Point(h.message.lat / 1e7, h.message.lon / 1e7, 0) for h in heard]
         assert len(places) > 10
         strayed = max(places[0].metres_to(one.latitude, one.longitude) for one in places)
@@ -143,12 +143,14 @@ class Trial:
 
 
 @pytest.fixture
-def trial(server: Server, api: Api, tap: Tap, drone: Json, browser: Browser) -> Iterator[Trial]:
+def trial(
+    server: Server, api: Api, recorder: MessageRecorder, drone: Json, browser: Browser
+) -> Iterator[Trial]:
     page = phone(browser, beside(drone["home"], Walker.east, Walker.north))
     desk = open_page(browser, dark=True)
     Station(desk, Pointer()).sign_in(server.address, *a_person(api), secrets.token_hex(10))
     desk.get_by_role("button", name=re.compile("^Phones that are followed")).click()
-    made = Trial(api, tap, drone, Walker(page, drone["home"]), desk)
+    made = Trial(api, recorder, drone, Walker(page, drone["home"]), desk)
     sign_in(page, f"http://localhost:{server.http_port}/follow", api)
     page.get_by_role("button", name="Change that").tap()
     page.get_by_role("combobox", name=re.compile("^Drone")).select_option(drone["id"])

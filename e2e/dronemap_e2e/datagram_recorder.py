@@ -1,6 +1,6 @@
-"""Every datagram between vehicles and server, as it was, and what a judge reads in it.
+"""Records every datagram between vehicles and server, and reads messages and states from them later.
 
-A relay that understands nothing but where a frame ends: what it says is decided later, from the bytes alone.
+A relay that understands nothing but where a frame ends: what it means is decided later, from the bytes alone.
 """
 
 import bisect
@@ -41,8 +41,8 @@ class Datagram:
 
 
 @dataclass(frozen=True)
-class Said:
-    """A message in a datagram."""
+class TimedMessage:
+    """A message of a datagram, with the time of the datagram."""
 
     at: float
     message: Any
@@ -58,8 +58,8 @@ class Said:
         return f"{self.kind} {fields}"
 
 
-class Overheard:
-    """Vehicles connect to `port`; each has a socket of its own towards the server."""
+class DatagramRecorder:
+    """A UDP relay that records: vehicles connect to `port`; each has a socket of its own towards the server."""
 
     def __init__(self, server_port: int) -> None:
         self._server: Address = ("127.0.0.1", server_port)
@@ -72,14 +72,14 @@ class Overheard:
         self._upstream: dict[Address, socket.socket] = {}
         self._of: dict[socket.socket, tuple[Address, int]] = {}
         self._kept: list[Datagram] = []
-        # These hear nothing of the server.
-        self.deaf: set[int] = set()
+        # Nothing of the server is passed on to these.
+        self.withheld_from: set[int] = set()
         self._closed = False
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 
     def inject(self, vehicle: int, data: bytes) -> None:
-        """What another ground station says to a vehicle on its own link; the server has no part in it."""
+        """Sends what another ground station sends to a vehicle on its own link; the server has no part in it."""
         self._door.sendto(data, self._vehicles[vehicle])
 
     def of(self, vehicle: int) -> "Log":
@@ -125,7 +125,7 @@ class Overheard:
             return
 
     def _down(self, vehicle: Address, number: int, data: bytes) -> None:
-        withheld = number in self.deaf
+        withheld = number in self.withheld_from
         self._keep(False, number, data, withheld)
         if not withheld:
             self._door.sendto(data, vehicle)
@@ -136,7 +136,7 @@ class Overheard:
 
 @dataclass(frozen=True)
 class State:
-    """What a vehicle said of itself, by its newest words at that moment."""
+    """State of a vehicle by its newest messages at that moment."""
 
     at: float
     mode: int
@@ -147,7 +147,7 @@ class State:
 
 
 class Log:
-    """What one vehicle said and was told."""
+    """Messages from and to one vehicle."""
 
     def __init__(self, datagrams: list[Datagram]) -> None:
         self._datagrams = datagrams
@@ -170,13 +170,13 @@ class Log:
         return found
 
     @cached_property
-    def up(self) -> list[Said]:
-        return list(self._said(True, UP_KINDS))
+    def up(self) -> list[TimedMessage]:
+        return list(self._messages(True, UP_KINDS))
 
     @cached_property
-    def down(self) -> list[Said]:
-        """All that the server said to it, also what never arrived."""
-        return list(self._said(False, None))
+    def down(self) -> list[TimedMessage]:
+        """All that the server sent to it, also what never arrived."""
+        return list(self._messages(False, None))
 
     def at(self, moment: float) -> State:
         """As it was then."""
@@ -186,10 +186,10 @@ class Log:
     def since(self, moment: float) -> list[State]:
         return [self.at(moment), *(state for state in self.states if state.at > moment)]
 
-    def told(self, since: float, *kinds: str) -> list[Said]:
+    def sent_since(self, since: float, *kinds: str) -> list[TimedMessage]:
         return [one for one in self.down if one.at >= since and (not kinds or one.kind in kinds)]
 
-    def _said(self, up: bool, wanted: frozenset[int] | None) -> Iterator[Said]:
+    def _messages(self, up: bool, wanted: frozenset[int] | None) -> Iterator[TimedMessage]:
         parser = mavlink.MAVLink(None)
         parser.robust_parsing = True
         for datagram in self._datagrams:
@@ -198,7 +198,7 @@ class Log:
             for number, frame in frames(datagram.data):
                 if wanted is None or number in wanted:
                     for message in parser.parse_buffer(frame) or []:
-                        yield Said(datagram.at, message)
+                        yield TimedMessage(datagram.at, message)
 
 
 def frames(data: bytes) -> Iterator[tuple[int, bytes]]:
@@ -217,7 +217,7 @@ def frames(data: bytes) -> Iterator[tuple[int, bytes]]:
 
 
 def source(data: bytes) -> int | None:
-    """The system id of whoever says it; None: no message, as the words that an autopilot begins with."""
+    """The system id of the sender; None: no message, as the text that an autopilot begins with."""
     if data[0] == MAVLINK_2:
         return data[5]
     return data[3] if data[0] == MAVLINK_1 else None
