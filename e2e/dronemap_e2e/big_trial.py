@@ -12,7 +12,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from .api import Api, Json
 from .flight import EARTH_RADIUS_METERS
-from .impairer import CLEAR, Impairer, Weather
+from .impairer import UNIMPAIRED, Impairer, LinkConditions
 from .message_recorder import MessageRecorder, RecordedMessage
 from .runs import known, planned, stages
 from .server import Server
@@ -90,17 +90,17 @@ def place(origin: Json, east: float, north: float) -> Json:
     }
 
 
-class Conductor:
+class BigTrialRunner:
     """Has one trial flown."""
 
-    def __init__(self, folder: Path, seed: int, weather: Weather = CLEAR, speedup: float = 1) -> None:
+    def __init__(self, folder: Path, seed: int, conditions: LinkConditions = UNIMPAIRED, speedup: float = 1) -> None:
         self.random = random.Random(seed)
         self.seed = seed
         self.folder = folder
         self.server = Server(folder / "data")
         self.server.start()
         self.link = Impairer(self.server.udp_port, seed)
-        self.weather = weather
+        self.conditions = conditions
         self.recorder = MessageRecorder(self.link.port, KINDS)
         self.simulator = Simulator(
             folder / "sim.log",
@@ -127,7 +127,7 @@ class Conductor:
         trial = Trial(self.seed, self.random.choice(["rtl", "continue"]), origin, [], self._fences(origin))
         asked = [self._waypoint(trial) for _ in range(WAYPOINTS)]
         self._start(planned(self.api, drones, asked), trial)
-        self.link.weather = self.weather
+        self.link.conditions = self.conditions
         deeds = ["motor", "link", "battery", "waypoints", "restart"]
         self.random.shuffle(deeds)
         for deed in deeds:
@@ -274,7 +274,7 @@ class Conductor:
         heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
         return max((boot_seconds(one) for one in heard if one.at <= moment), default=math.inf)
 
-    def boarded(self, trial: Trial) -> list[tuple[float, int, set[str]]]:
+    def acknowledged_missions(self, trial: Trial) -> list[tuple[float, int, set[str]]]:
         """Each mission that a vehicle acknowledged: when, who, and which waypoints are in it."""
         missions: dict[int, dict[int, RecordedMessage]] = {}
         found = []

@@ -51,7 +51,7 @@ class Copter:
         self._simulator.stop()
         self.recorder.close()
 
-    def told(self) -> list[str]:
+    def messages_received(self) -> list[str]:
         """What the vehicle was sent beside what the cloud sends anyhow."""
         said = [h.message for h in self.recorder.messages(up=False)]
         return [

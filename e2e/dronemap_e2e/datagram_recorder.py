@@ -63,11 +63,11 @@ class DatagramRecorder:
 
     def __init__(self, server_port: int) -> None:
         self._server: Address = ("127.0.0.1", server_port)
-        self._door = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._door.bind(("127.0.0.1", 0))
-        self._door.setblocking(False)
-        self._door.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
-        self.port: int = self._door.getsockname()[1]
+        self._vehicle_socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._vehicle_socket.bind(("127.0.0.1", 0))
+        self._vehicle_socket.setblocking(False)
+        self._vehicle_socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
+        self.port: int = self._vehicle_socket.getsockname()[1]
         self._vehicles: dict[int, Address] = {}
         self._upstream: dict[Address, socket.socket] = {}
         self._of: dict[socket.socket, tuple[Address, int]] = {}
@@ -80,7 +80,7 @@ class DatagramRecorder:
 
     def inject(self, vehicle: int, data: bytes) -> None:
         """Sends what another ground station sends to a vehicle on its own link; the server has no part in it."""
-        self._door.sendto(data, self._vehicles[vehicle])
+        self._vehicle_socket.sendto(data, self._vehicles[vehicle])
 
     def of(self, vehicle: int) -> "Log":
         return Log([one for one in list(self._kept) if one.vehicle == vehicle])
@@ -90,17 +90,17 @@ class DatagramRecorder:
         self._thread.join()
         for upstream in self._upstream.values():
             upstream.close()
-        self._door.close()
+        self._vehicle_socket.close()
 
     def _run(self) -> None:
         while not self._closed:
-            for ready in select.select([self._door, *self._of], [], [], 0.2)[0]:
+            for ready in select.select([self._vehicle_socket, *self._of], [], [], 0.2)[0]:
                 try:
                     data, sender = ready.recvfrom(65535)
                 except (ConnectionError, BlockingIOError):
                     # The server is not there at the moment, which may have been told already.
                     continue
-                if ready is self._door:
+                if ready is self._vehicle_socket:
                     self._up(sender, data)
                 else:
                     self._down(*self._of[ready], data)
@@ -128,7 +128,7 @@ class DatagramRecorder:
         withheld = number in self.withheld_from
         self._keep(False, number, data, withheld)
         if not withheld:
-            self._door.sendto(data, vehicle)
+            self._vehicle_socket.sendto(data, vehicle)
 
     def _keep(self, up: bool, vehicle: int, data: bytes, withheld: bool) -> None:
         self._kept.append(Datagram(time.monotonic(), up, vehicle, data, withheld))

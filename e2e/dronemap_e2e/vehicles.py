@@ -24,7 +24,7 @@ class Vehicles:
         )
         self._next = FIRST
 
-    def take(self) -> int:
+    def wake_next(self) -> int:
         """Wakes the next one: its system id."""
         assert self._next < FIRST + COUNT, "too many tests take a copter: let the simulator have more"
         taken = self._next
@@ -33,7 +33,7 @@ class Vehicles:
         assert answer.startswith("ok"), answer
         return taken
 
-    def leave(self, system_id: int) -> None:
+    def silence(self, system_id: int) -> None:
         """Nobody needs that one any more."""
         self._simulator.fault(f"{system_id} silent {FOR_GOOD_SECONDS}s")
 

@@ -17,7 +17,7 @@ METRES_PER_DEGREE = 111_195
 ACCURACY_METRES = 4
 
 
-def a_person(api: Api) -> tuple[str, str]:
+def create_operator(api: Api) -> tuple[str, str]:
     name, password = f"walker-{secrets.token_hex(3)}", secrets.token_hex(10)
     made = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
     assert made.status_code == 201, made.text
@@ -25,7 +25,7 @@ def a_person(api: Api) -> tuple[str, str]:
 
 
 def sign_in(page: Page, address: str, api: Api) -> None:
-    name, password = a_person(api)
+    name, password = create_operator(api)
     page.goto(address)
     page.get_by_label("User name").fill(name)
     page.get_by_label("Password", exact=True).fill(password)

@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Playwright, sync_playwright
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.copter import Copter
-from dronemap_e2e.ground import Attach, Ground, User
+from dronemap_e2e.ground_station import Attach, GroundStation, User
 from dronemap_e2e.message_recorder import MessageRecorder, VehicleMessages
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import launch
@@ -120,9 +120,9 @@ def vehicles(server: Server, tmp_path_factory: pytest.TempPathFactory) -> Iterat
 @pytest.fixture
 def system_id(vehicles: Vehicles) -> Iterator[int]:
     """Of a copter that only this test has."""
-    taken = vehicles.take()
+    taken = vehicles.wake_next()
     yield taken
-    vehicles.leave(taken)
+    vehicles.silence(taken)
 
 
 @pytest.fixture
@@ -165,12 +165,12 @@ def copters(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) 
 @pytest.fixture
 def attach(server: Server) -> Iterator[Attach]:
     """Attaches ground stations to the outlet, until the test is over."""
-    attached: list[Ground] = []
+    attached: list[GroundStation] = []
 
-    def make(user: User | None, tcp: bool = True, **options: Any) -> Ground:
+    def make(user: User | None, tcp: bool = True, **options: Any) -> GroundStation:
         port = server.outlet_tcp_port if tcp else server.outlet_udp_port
         address = f"{'tcp' if tcp else 'udpout'}:127.0.0.1:{port}"
-        attached.append(Ground(address, user.passphrase if user else None, **options))
+        attached.append(GroundStation(address, user.passphrase if user else None, **options))
         return attached[-1]
 
     yield make

@@ -62,7 +62,7 @@ def administrator(server: Server, api: Api, station: Station) -> Station:
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "administrator"})
     assert answer.status_code == 201, answer.text
     station.sign_in(server.address, name, password, secrets.token_hex(10))
-    station.hands.press(station.page, station.page.get_by_role("button", name=f"Account of {name}"))
+    station.input_method.press(station.page, station.page.get_by_role("button", name=f"Account of {name}"))
     station.press("Administration")
     return station
 
@@ -76,7 +76,7 @@ def row(station: Station, user: str) -> Locator:
 
 
 def press_in(station: Station, where: Locator, label: str | re.Pattern[str]) -> None:
-    station.hands.press(station.page, where.get_by_role("button", name=label))
+    station.input_method.press(station.page, where.get_by_role("button", name=label))
 
 
 def test_what_a_thumb_aims_at_stays_where_it_is_while_the_line_comes_up(
@@ -102,7 +102,7 @@ def test_what_a_thumb_aims_at_stays_where_it_is_while_the_line_comes_up(
 
 def reload_users(station: Station) -> None:
     press_in(station, station.page.get_by_role("main"), "Back to the map")
-    station.hands.press(
+    station.input_method.press(
         station.page, station.page.get_by_role("button", name=re.compile("^Account of chief-"))
     )
     station.press("Administration")
@@ -118,7 +118,7 @@ def test_an_invited_viewer_watches_until_disabled(
     invitations.get_by_label("Role of the invited").select_option("viewer")
     make = invitations.get_by_role("button", name="Make a link")
     also_at(chief.page, PHONE, make)
-    chief.hands.press(chief.page, make)
+    chief.input_method.press(chief.page, make)
     expect(invitations.get_by_role("status")).to_contain_text("shown this once")
     picture(chief.page, "accounts-1-invited")
     link = invitations.get_by_role("status").locator("code").inner_text()
@@ -239,12 +239,12 @@ def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
     expect(line).to_contain_text(copter["name"])
     changes = [line.get_by_role("button", name=re.compile(name)) for name in ("^Renew", "^Revoke")]
     also_at(station.page, DESK, *changes)
-    station.hands.hold(station.page, line.get_by_role("button", name=re.compile("^Renew")))
+    station.input_method.hold(station.page, line.get_by_role("button", name=re.compile("^Renew")))
     expect(made).not_to_have_text(program.key or "", timeout=PATIENCE)
     assert program.call("GET", "/drones").status_code == 401
     renewed = Api(server.address, made.inner_text())
     assert renewed.call("GET", "/drones").status_code == 200
 
-    station.hands.hold(station.page, line.get_by_role("button", name=re.compile("^Revoke")))
+    station.input_method.hold(station.page, line.get_by_role("button", name=re.compile("^Revoke")))
     expect(line).to_have_count(0, timeout=PATIENCE)
     assert renewed.call("GET", "/drones").status_code == 401

@@ -13,9 +13,9 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.carriers import Bridge, Dtls
+from dronemap_e2e.frame_links import Bridge, DtlsLink
 from dronemap_e2e.nat import Nat
-from dronemap_e2e.peer import OBEDIENT, Handler, Peer, with_hardware
+from dronemap_e2e.peer import STANDARD_HANDLERS, Handler, Peer, reporting_hardware
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import SigningPeer
 from dronemap_e2e.waiting import rounds, wait_for
@@ -55,7 +55,7 @@ def new_uid() -> int:
 
 
 def handlers(uid: int) -> dict[str, Handler]:
-    return {**OBEDIENT, "COMMAND_LONG": with_hardware(uid)}
+    return {**STANDARD_HANDLERS, "COMMAND_LONG": reporting_hardware(uid)}
 
 
 def the_drone(api: Api, system_id: int) -> Json:
@@ -144,7 +144,7 @@ class Journey:
 
     def _by_dtls(self) -> Traveller:
         key = self._api.call("POST", "/dtls-keys", {"label": "travelling copter"}).json()
-        bridge = Bridge(Dtls(self.fast_dtls.port, key["identity"], key["secret"]))
+        bridge = Bridge(DtlsLink(self.fast_dtls.port, key["identity"], key["secret"]))
         self._stack.callback(bridge.close)
         uid = new_uid()
         peer = self._closed(Peer(bridge.port, system_id=next(SYSTEM_IDS), handlers=handlers(uid)))

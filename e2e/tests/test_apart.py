@@ -1,6 +1,6 @@
 """The judge of how near vehicles come to each other finds who was too near, and when."""
 
-from dronemap_e2e.apart import METRES_PER_DEGREE, Fix, nearest
+from dronemap_e2e.separation import METRES_PER_DEGREE, Fix, nearest
 
 SECONDS = range(0, 20)
 

@@ -47,7 +47,7 @@ class CountingCopter:
         self._log: list[Act] = []
         self._frames: deque[tuple[int, int]] = deque(maxlen=64)
         self._lock = threading.Lock()
-        handlers = {"COMMAND_LONG": self._obey, "COMMAND_INT": self._obey}
+        handlers = {"COMMAND_LONG": self._apply_command, "COMMAND_INT": self._apply_command}
         self.peer = Peer(port, system_id=system_id, handlers=handlers)
         self.peer.state.armed = True
         self.peer.state.custom_mode = GUIDED
@@ -57,7 +57,7 @@ class CountingCopter:
         with self._lock:
             return list(self._log)
 
-    def _obey(self, peer: Peer, message: Any) -> None:
+    def _apply_command(self, peer: Peer, message: Any) -> None:
         frame = (message.get_header().seq, message.get_crc())
         if frame in self._frames:
             return  # the network's own duplicate, as a receiver that looks at sequence numbers knows
@@ -167,7 +167,7 @@ def test_outcomes_agree_with_what_the_vehicles_did(
     copters = [CountingCopter(link.port, 150 + number) for number in range(drones)]
     try:
         ids = {copter.system_id: _listed(api, link, copter) for copter in copters}
-        link.weather = BAD
+        link.conditions = BAD
         with ThreadPoolExecutor(drones) as pool:
             # One connection for each thread: a session of requests is not made for many.
             flown = list(
@@ -218,7 +218,7 @@ def _judge(lines: list[Line], expected: int) -> None:
 
 def _listed(api: Api, link: Impairer, copter: CountingCopter) -> str:
     def find() -> str | None:
-        port = link.seen_by_server(copter.peer.port)
+        port = link.server_side_port(copter.peer.port)
         return next(
             (
                 str(d["id"])

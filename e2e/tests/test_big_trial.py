@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from dronemap_e2e.big_trial import ADDED, WAYPOINTS, Conductor, Fault, Trial
+from dronemap_e2e.big_trial import ADDED, WAYPOINTS, BigTrialRunner, Fault, Trial
 from dronemap_e2e.flight import seconds_of
-from dronemap_e2e.impairer import BAD, CLEAR
+from dronemap_e2e.impairer import BAD, UNIMPAIRED
 from dronemap_e2e.trajectories import Visit, crossings, doubles, nearest, visits
 
 # "3-9": these; "bad" among them: the last one over bad links.
@@ -35,16 +35,16 @@ def seeds() -> range:
 
 
 @pytest.fixture
-def conductor(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Conductor]:
+def conductor(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[BigTrialRunner]:
     seed, bad = request.param
-    opened = Conductor(tmp_path, seed, BAD if bad else CLEAR, SPEEDUP)
+    opened = BigTrialRunner(tmp_path, seed, BAD if bad else UNIMPAIRED, SPEEDUP)
     yield opened
     opened.close()
 
 
 @pytest.mark.soak
 @pytest.mark.parametrize("conductor", [(seed, False) for seed in seeds()], indirect=True, ids=str)
-def test_all_waypoints_are_visited_whatever_befalls(conductor: Conductor) -> None:
+def test_all_waypoints_are_visited_whatever_befalls(conductor: BigTrialRunner) -> None:
     trial = conductor.fly()
     seconds = judged(conductor, trial)
     for kind, limit in LIMITS.items():
@@ -53,11 +53,11 @@ def test_all_waypoints_are_visited_whatever_befalls(conductor: Conductor) -> Non
 
 @pytest.mark.soak
 @pytest.mark.parametrize("conductor", [(max(seeds()) + 1000, True)], indirect=True, ids=str)
-def test_all_waypoints_are_visited_over_bad_links(conductor: Conductor) -> None:
+def test_all_waypoints_are_visited_over_bad_links(conductor: BigTrialRunner) -> None:
     judged(conductor, conductor.fly())
 
 
-def judged(conductor: Conductor, trial: Trial) -> dict[str, float]:
+def judged(conductor: BigTrialRunner, trial: Trial) -> dict[str, float]:
     """All that must hold; from each fault to the acknowledged missions."""
     tracks = conductor.tracks(trial)
     found = visits(tracks, trial.spots)
@@ -100,7 +100,7 @@ def check_visits(trial: Trial, found: list[Visit], words: str) -> None:
         assert by is None or (one["id"], by) in truly, f"{one}\n{words}"
 
 
-def check_doubles(conductor: Conductor, trial: Trial, twice: dict[str, list[Visit]], words: str) -> None:
+def check_doubles(conductor: BigTrialRunner, trial: Trial, twice: dict[str, list[Visit]], words: str) -> None:
     """Of those who came to one waypoint at most one was in contact, long enough to say so."""
     cut = trial.of("link")
     since = conductor.boot_seconds(cut.at) - TELLING_SECONDS
@@ -124,20 +124,20 @@ def passes_by(visit: Visit, some: list[Visit]) -> bool:
     )
 
 
-def until_on_board(conductor: Conductor, trial: Trial, fault: Fault) -> float:
+def until_on_board(conductor: BigTrialRunner, trial: Trial, fault: Fault) -> float:
     """From the fault until the last of what was taken from that drone was acknowledged by another one."""
     taken = taken_from(trial, fault)
     if not taken:
         return NOTHING_TAKEN
     last = fault.at
     for name in taken:
-        boarded = [
+        acknowledged_missions = [
             at
-            for at, system_id, waypoints in conductor.boarded(trial)
+            for at, system_id, waypoints in conductor.acknowledged_missions(trial)
             if at > fault.at and system_id != fault.system_id and name in waypoints
         ]
-        assert boarded, f"nobody got {name}"
-        last = max(last, boarded[0])
+        assert acknowledged_missions, f"nobody got {name}"
+        last = max(last, acknowledged_missions[0])
     return round(last - fault.at, 2)
 
 

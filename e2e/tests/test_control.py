@@ -13,10 +13,10 @@ import pytest
 from playwright.sync_api import Browser, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.race import Hoverer, Racer, RestClient, StreamClient, judge, race, settle
+from dronemap_e2e.race import HoveringCopter, Racer, RestClient, StreamClient, check_epochs, race, fill_epochs_from_records
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.stall import Stall
+from dronemap_e2e.database_stall import DatabaseStall
 from dronemap_e2e.station import Pointer, Station, launch
 from dronemap_e2e.waiting import wait_for
 
@@ -71,12 +71,12 @@ def sky(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Sky]:
 
 
 @pytest.fixture
-def hover(sky: Sky) -> Iterator[Callable[[], tuple[Hoverer, str]]]:
+def hover(sky: Sky) -> Iterator[Callable[[], tuple[HoveringCopter, str]]]:
     """Makes drones that hover, guided."""
-    flying: list[Hoverer] = []
+    flying: list[HoveringCopter] = []
 
-    def make() -> tuple[Hoverer, str]:
-        hoverer = Hoverer(sky.server.udp_port, 50 + len(flying))
+    def make() -> tuple[HoveringCopter, str]:
+        hoverer = HoveringCopter(sky.server.udp_port, 50 + len(flying))
         flying.append(hoverer)
         drone = wait_for("it flies", lambda: _flying(sky.api, hoverer.peer.port), 60)
         # On the page those of earlier tests, lost by now, would else be called the same.
@@ -100,12 +100,12 @@ def _flying(api: Api, port: int) -> Json | None:
     )
 
 
-def racers(sky: Sky, drone: str, calm_every: int = 8) -> list[Racer]:
+def racers(sky: Sky, drone: str, quiet_every: int = 8) -> list[Racer]:
     stream = StreamClient(sky.server.stream_address, sky.key("supervisor"), drone)
     rest = RestClient(Api(sky.server.address, sky.key("supervisor")), drone)
     return [
-        Racer("rest", rest, 0, seed=1, calm_every=calm_every),
-        Racer("stream", stream, 1, seed=2, calm_every=calm_every),
+        Racer("rest", rest, 0, seed=1, quiet_every=quiet_every),
+        Racer("stream", stream, 1, seed=2, quiet_every=quiet_every),
     ]
 
 
@@ -117,10 +117,10 @@ def recorded(sky: Sky, command: str) -> Json | None:
 
 @pytest.mark.soak
 def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
-    sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
+    sky: Sky, hover: Callable[[], tuple[HoveringCopter, str]]
 ) -> None:
     hoverer, drone = hover()
-    both = racers(sky, drone, calm_every=100)
+    both = racers(sky, drone, quiet_every=100)
 
     def restart(round_number: int) -> None:
         if round_number and round_number % (SOAK_ROUNDS // 4) == 0:
@@ -128,12 +128,12 @@ def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
             sky.server.start()
             wait_for("it flies again", lambda: _flying(sky.api, hoverer.peer.port), 60)
 
-    with Stall(sky.server.data, seed=4) as stall:
+    with DatabaseStall(sky.server.data, seed=4) as stall:
         race(both, SOAK_ROUNDS, restart)
 
     moves = list(hoverer.moves)
-    lost = settle(moves, both, partial(recorded, sky))
-    changes = judge(moves, both)
+    lost = fill_epochs_from_records(moves, both, partial(recorded, sky))
+    changes = check_epochs(moves, both)
     refused = sum(len(racer.refused) for racer in both)
     print(
         f"{len(moves)} commands on the wire, {changes} changes of the holder between them, {refused} refused,"
@@ -142,7 +142,7 @@ def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
     assert changes > SOAK_ROUNDS / 100 and stall.times > SOAK_ROUNDS / 100
 
 
-def holds_and_returns(sky: Sky, hoverer: Hoverer, drone: str) -> None:
+def holds_and_returns(sky: Sky, hoverer: HoveringCopter, drone: str) -> None:
     wait_for("it holds", lambda: hoverer.peer.state.custom_mode in (LOITER, BRAKE), 60)
     wait_for("it returns", lambda: hoverer.peer.state.custom_mode == RTL, 60)
     assert sky.api.drone(drone)["control"]["state"] == "free"
@@ -161,7 +161,7 @@ def kill_browser(mark: str) -> None:
 
 
 def test_the_drone_of_a_killed_browser_holds_and_then_returns(
-    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], playwright: Playwright
+    sky: Sky, hover: Callable[[], tuple[HoveringCopter, str]], playwright: Playwright
 ) -> None:
     """End to end because a browser that is killed says nothing more, and its real connection is what ends."""
     hoverer, drone = hover()
@@ -180,7 +180,7 @@ def test_the_drone_of_a_killed_browser_holds_and_then_returns(
 
 
 def test_people_see_who_has_control_and_hand_it_over(
-    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], browser: Browser
+    sky: Sky, hover: Callable[[], tuple[HoveringCopter, str]], browser: Browser
 ) -> None:
     """End to end because people do it on the page, each in a browser of their own."""
     _, drone = hover()

@@ -12,7 +12,7 @@ from pymavlink import mavutil
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
-from dronemap_e2e.peer import Peer, with_hardware
+from dronemap_e2e.peer import Peer, reporting_hardware
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
@@ -121,7 +121,7 @@ def test_so_soon_after_a_crash_all_is_shown_again(shipped: Server, page: Page) -
 def known_peer(server: Server) -> Iterator[Peer]:
     """One that the server lists, and that hears it."""
     api = Api(server.address, server.local_key())
-    peer = Peer(server.udp_port, system_id=7, handlers={"COMMAND_LONG": with_hardware(0x5107)})
+    peer = Peer(server.udp_port, system_id=7, handlers={"COMMAND_LONG": reporting_hardware(0x5107)})
     try:
         wait_for("it is live", lambda: [d["link"]["state"] for d in of(api, peer)] == ["live"])
         wait_for("it hears the server", lambda: peer.received("HEARTBEAT"))

@@ -14,7 +14,7 @@ from dronemap_e2e.api import Api, Json
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
-from dronemap_e2e.station import Hands, Keyboard, Pointer, Station, Touch
+from dronemap_e2e.station import InputMethod, Keyboard, Pointer, Station, Touch
 from dronemap_e2e.waiting import wait_for
 from dronemap_e2e.walker import picture
 
@@ -120,27 +120,27 @@ def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
     page.context.close()
 
 
-@pytest.mark.parametrize("hands", [Keyboard(), Touch()], ids=["keyboard", "touch"])
+@pytest.mark.parametrize("input_method", [Keyboard(), Touch()], ids=["keyboard", "touch"])
 def test_two_holds_stop_the_motors_in_the_air(
-    killable: Server, browser: Browser, hovering: tuple[Api, Json], hands: Hands
+    killable: Server, browser: Browser, hovering: tuple[Api, Json], input_method: InputMethod
 ) -> None:
     """End to end because holds are of real keys and fingers, and what follows is seen at the vehicle."""
     api, drone = hovering
-    touch = isinstance(hands, Touch)
+    touch = isinstance(input_method, Touch)
     page = open_page(browser, PHONE if touch else DESK, touch=touch)
-    station = Station(page, hands)
+    station = Station(page, input_method)
     station.sign_in(killable.address, *supervisor(api), secrets.token_hex(10))
     station.choose(drone["name"])
-    hands.press(page, page.get_by_role("button", name=re.compile("^Emergency stop")).first)
+    input_method.press(page, page.get_by_role("button", name=re.compile("^Emergency stop")).first)
     expect(page.get_by_text(f"{drone['name']} FALLS from where it is")).to_be_visible()
     picture(page, f"stop-{'phone' if touch else 'desk'}-light")
     stop = page.get_by_role("button", name="Emergency stop: motors off")
     # Who flew it up has control for 30 s after that.
     expect(stop).to_have_attribute("aria-disabled", "false", timeout=60_000)
-    hands.hold(page, stop)
+    input_method.hold(page, stop)
     expect(page.get_by_text("Once more, within 3 s")).to_be_visible()
     assert api.drone(drone["id"])["armed"], "one hold sends nothing"
-    hands.hold(page, page.get_by_role("button", name="Hold again: the motors stop now"))
+    input_method.hold(page, page.get_by_role("button", name="Hold again: the motors stop now"))
     wait_for("its motors stand still", lambda: not api.drone(drone["id"])["armed"], 30)
     expect(page.get_by_text("Emergency stop: Done")).to_be_visible()
     page.context.close()

@@ -57,7 +57,7 @@ def test_a_viewer_reads_why_arming_is_not_for_viewers(
 
     expect(station.button("Arm")).to_have_attribute("aria-disabled", "true")
     station.shows("Viewers watch only")
-    station.hands.hold(page, station.button("Arm"))
+    station.input_method.hold(page, station.button("Arm"))
     assert not sent(wire)
 
 

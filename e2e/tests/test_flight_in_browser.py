@@ -11,10 +11,10 @@ from playwright.sync_api import Browser, Page, ViewportSize, expect
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, judge, triangle
 from dronemap_e2e.message_recorder import VehicleMessages
-from dronemap_e2e.peer import OBEDIENT, Peer
+from dronemap_e2e.peer import STANDARD_HANDLERS, Peer
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Hands, Keyboard, Pointer, Station, Touch
+from dronemap_e2e.station import InputMethod, Keyboard, Pointer, Station, Touch
 from dronemap_e2e.waiting import wait_for
 
 NAV_WAYPOINT = 16
@@ -36,8 +36,8 @@ def open_station(server: Server, browser: Browser, pilot: tuple[str, str]) -> It
     name, password = pilot
     own = secrets.token_hex(10)
 
-    def opened(hands: Hands, size: ViewportSize, dark: bool = False) -> Station:
-        stations.append(Station(open_page(browser, size, isinstance(hands, Touch), dark), hands))
+    def opened(input_method: InputMethod, size: ViewportSize, dark: bool = False) -> Station:
+        stations.append(Station(open_page(browser, size, isinstance(input_method, Touch), dark), input_method))
         # The first sign-in wants another password than the one that the administrator knows.
         stations[-1].sign_in(server.address, name, own if len(stations) > 1 else password, own)
         return stations[-1]
@@ -73,7 +73,7 @@ def click_waypoints(station: Station, _: Json) -> None:
     if box["width"] > 800:
         left, right = left + 40, right - 40
     for across, down in ((0.45, 0.3), (0.57, 0.27), (0.55, 0.36)):
-        station.hands.tap_map(station.page, left + across * (right - left), top + down * height)
+        station.input_method.tap_map(station.page, left + across * (right - left), top + down * height)
 
 
 def type_waypoints(station: Station, drone: Json) -> None:
@@ -84,7 +84,7 @@ def type_waypoints(station: Station, drone: Json) -> None:
 
 
 @pytest.mark.parametrize(
-    ("hands", "size", "dark", "waypoints"),
+    ("input_method", "size", "dark", "waypoints"),
     [
         (Pointer(), DESK, False, click_waypoints),
         (Touch(), PHONE, True, click_waypoints),
@@ -97,14 +97,14 @@ def test_a_person_flies_a_mission(
     open_station: Open,
     wire: VehicleMessages,
     copter: Json,
-    hands: Hands,
+    input_method: InputMethod,
     size: ViewportSize,
     dark: bool,
     waypoints: Callable[[Station, Json], None],
 ) -> None:
     """End to end because hands fly it in a browser, and the judge sees only the wire."""
     name = request.node.callspec.id
-    station = open_station(hands, size, dark)
+    station = open_station(input_method, size, dark)
     station.choose(copter["name"])
     picture(station.page, f"{name}-1-chosen")
     station.hold("Arm")
@@ -134,7 +134,7 @@ def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: O
     sentence = f"PreArm: {secrets.token_hex(6)} not healthy"
 
     def deny(peer: Peer, message: object) -> None:
-        peer.say(sentence)
+        peer.send_text(sentence)
         peer.acknowledge(message, 4)
 
     peer = Peer(server.udp_port, system_id=201, handlers={"COMMAND_LONG": deny})
@@ -150,7 +150,7 @@ def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: O
 
 def test_every_open_page_shows_a_lost_drone(server: Server, open_station: Open, api: Api) -> None:
     """End to end because each browser hears it by a stream of its own."""
-    peer = Peer(server.udp_port, system_id=202, handlers=OBEDIENT)
+    peer = Peer(server.udp_port, system_id=202, handlers=STANDARD_HANDLERS)
     try:
         drone = wait_for("listed", lambda: _by_port(api, peer.port))
         pages = [open_station(Pointer(), DESK), open_station(Touch(), PHONE)]

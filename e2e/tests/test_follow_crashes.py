@@ -11,7 +11,7 @@ import pytest
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.flight import COPTER_RTL
-from dronemap_e2e.followed import COPTER_LAND, Crowd, Followed, Truth, by_soap, by_stream
+from dronemap_e2e.followed_phones import COPTER_LAND, FollowGroup, FollowedPhone, ReportedState, stages_by_soap, stages_by_stream
 from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.server import ROOT, Server
 from dronemap_e2e.simulator import Simulator
@@ -47,7 +47,7 @@ class Case:
     misses: bool = False
     patience: int = LONG
     # Its phone says where it is also when the server is back.
-    speaks: bool = True
+    sends_positions: bool = True
     # Its drone is not heard from before it was started until the server is back.
     grounded: bool = False
     # Into that mode, by the pilot's own switch, while there is no server.
@@ -67,7 +67,7 @@ CASES = (
         ("tracking", "returning", "over"),
         "said nothing for 20 s",
         patience=SHORT,
-        speaks=False,
+        sends_positions=False,
     ),
     Case("waits", "paused", ("paused",)),
     Case("a pilot's", "suspended", ("suspended",)),
@@ -89,7 +89,7 @@ CASES = (
         COMES_HOME,
         misses=True,
         patience=SHORT,
-        speaks=False,
+        sends_positions=False,
     ),
     Case("missed, waits", "paused", ("paused", "returning", "over"), COMES_HOME, misses=True),
     Case("missed, comes home", "returning", ("returning", "over"), "is down; it is over", misses=True),
@@ -116,32 +116,32 @@ class Trial:
     fields: dict[bool, Simulator]
     phone_key: str
     supervisor_key: str
-    follows: dict[Case, Followed] = field(default_factory=dict)
+    follows: dict[Case, FollowedPhone] = field(default_factory=dict)
     dead_since: float = 0.0
     # Since when nobody cares for it.
     alone: dict[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.truth = Truth(self.recorder)
+        self.reported = ReportedState(self.recorder)
         self.phone = Api(self.server.address, self.phone_key)
 
     @property
-    def crowd(self) -> Crowd:
-        return Crowd(self.follows.values(), self.truth)
+    def group(self) -> FollowGroup:
+        return FollowGroup(self.follows.values(), self.reported)
 
-    def those(self, **wanted: object) -> list[Followed]:
+    def those(self, **wanted: object) -> list[FollowedPhone]:
         return [
             one
             for case, one in self.follows.items()
             if all(getattr(case, name) == value for name, value in wanted.items())
         ]
 
-    def named(self, name: str) -> Followed:
+    def named(self, name: str) -> FollowedPhone:
         (found,) = self.those(name=name)
         return found
 
     def stages(self) -> dict[str, str]:
-        seen = self.crowd.seen(self.phone)
+        seen = self.group.follows_by_id(self.phone)
         return {case.name: seen[one.follow]["state"] for case, one in self.follows.items()}
 
     def all_ask(self) -> None:
@@ -150,29 +150,29 @@ class Trial:
             system_id = next(ids[case.misses])
             drone = wait_for("a copter is ready", partial(self.phone.ready, system_id), 90)
             height = HIGH if case.at == "starting" else LOW if case.switched == COPTER_LAND else HEIGHT
-            self.follows[case] = Followed(system_id, drone, height, case.patience)
-            self.follows[case].ask(self.phone)
+            self.follows[case] = FollowedPhone(system_id, drone, height, case.patience)
+            self.follows[case].request_follow(self.phone)
 
     def bring(self) -> None:
         """Each to where it shall be; last those who climb and who come home, as they do not stay there."""
         for one in self.those(grounded=True):
             self.recorder.cut.add(one.system_id)
-            one.wish(self.phone, "start")
+            one.request(self.phone, "start")
         fly = [one for case, one in self.follows.items() if case.at not in ("allocated", "starting")]
         for one in fly:
-            one.wish(self.phone, "start")
-        self.reach("all are there", lambda: all(self.truth.metres_to(one, one.place) < 3 for one in fly), 90)
+            one.request(self.phone, "start")
+        self.reach("all are there", lambda: all(self.reported.metres_to(one, one.place) < 3 for one in fly), 90)
         for one in self.those(at="paused"):
-            one.wish(self.phone, "pause")
+            one.request(self.phone, "pause")
         self.switch(self.named("a pilot's"), False, LOITER)
         climb = self.those(at="starting", grounded=False)
         for one in climb:
-            one.wish(self.phone, "start")
+            one.request(self.phone, "start")
         self.lift(climb)
         back = self.those(at="returning")
         for one in back:
-            one.wish(self.phone, "stop")
-        self.reach("they come home", lambda: all(self.truth.mode(one) == COPTER_RTL for one in back), 10)
+            one.request(self.phone, "stop")
+        self.reach("they come home", lambda: all(self.reported.mode(one) == COPTER_RTL for one in back), 10)
         # Who says nothing for six seconds loses it: this one has it when the server dies.
         taken = self.named("a supervisor's").drone["id"]
         answer = Api(self.server.address, self.supervisor_key).call(
@@ -181,54 +181,54 @@ class Trial:
         assert answer.ok, answer.text
         self.reach("all are there", lambda: self.stages() == {c.name: c.at for c in CASES}, 5)
 
-    def switch(self, one: Followed, misses: bool, mode: int) -> None:
+    def switch(self, one: FollowedPhone, misses: bool, mode: int) -> None:
         self.fields[misses].fault(f"{one.system_id} mode {mode}")
         one.piloted = mode == LOITER
 
-    def lift(self, climb: list[Followed]) -> None:
+    def lift(self, climb: list[FollowedPhone]) -> None:
         """A take-off is over within a second of leaving the ground, for those who are heard of."""
 
         def told() -> bool:
-            self.recorder.cut |= {one.system_id for one in climb if self.truth.told_to_take_off(one)}
+            self.recorder.cut |= {one.system_id for one in climb if self.reported.take_off_commanded(one)}
             return all(one.system_id in self.recorder.cut for one in climb)
 
         wait_for("they are told to take off", told, 30, every=0.05)
-        self.reach("they climb", lambda: all(self.truth.height(one) > 3 for one in climb), 30)
+        self.reach("they climb", lambda: all(self.reported.height(one) > 3 for one in climb), 30)
 
     def reach(self, what: str, condition: object, seconds: float) -> None:
         assert callable(condition)
         try:
-            self.crowd.until(self.phone, what, condition, seconds)
+            self.group.wait_until(self.phone, what, condition, seconds)
         except AssertionError as wrong:
             raise AssertionError(f"{wrong}: {self.stages()}") from wrong
 
     def die(self) -> None:
         """Nobody calls in before it is said so."""
-        self.recorder.cut |= {one.system_id for one in self.crowd.everybody}
+        self.recorder.cut |= {one.system_id for one in self.group.phones}
         self.server.kill()
         self.dead_since = time.monotonic()
         for case, one in self.follows.items():
             if case.switched is not None:
                 self.switch(one, case.misses, case.switched)
         missing = self.those(misses=True)
-        wait_for("they miss it", lambda: all(self.truth.mode(one) == COPTER_RTL for one in missing), 30)
+        wait_for("they miss it", lambda: all(self.reported.mode(one) == COPTER_RTL for one in missing), 30)
         landed = self.those(switched=COPTER_LAND)
-        wait_for("it is down", lambda: not any(self.truth.armed(one) for one in landed), 60)
+        wait_for("it is down", lambda: not any(self.reported.armed(one) for one in landed), 60)
 
     def live_again(self) -> None:
         self.server.start()
         self.phone = Api(self.server.address, self.phone_key)
         for case, one in self.follows.items():
-            one.speaks = case.speaks
+            one.sends_positions = case.sends_positions
             one.stages.clear()
 
     def call_in(self) -> None:
-        for one in self.crowd.everybody:
+        for one in self.group.phones:
             self.recorder.cut.discard(one.system_id)
 
     def settles(self) -> None:
         """Each to where it shall be; all along none is left alone."""
-        drones = {one.drone["id"] for one in self.crowd.everybody}
+        drones = {one.drone["id"] for one in self.group.phones}
 
         def live() -> bool:
             return all(
@@ -236,7 +236,7 @@ class Trial:
             )
 
         def settled() -> bool:
-            now, alone = time.monotonic(), self.crowd.uncared(self.phone)
+            now, alone = time.monotonic(), self.group.unattended(self.phone)
             self.alone = {one: self.alone.get(one, now) for one in alone}
             assert all(now - since < ALONE_SECONDS for since in self.alone.values()), self.alone
             return self.stages() == {case.name: case.stages[-1] for case in CASES}
@@ -255,9 +255,9 @@ class Trial:
         """The vehicles themselves say the same."""
         for case, one in self.follows.items():
             if case.stages[-1] in ("allocated", "over"):
-                assert not self.truth.armed(one), case.name
+                assert not self.reported.armed(one), case.name
         for name in ("waits", "a pilot's"):
-            strayed = self.truth.strayed(self.named(name), self.dead_since)
+            strayed = self.reported.distance_moved(self.named(name), self.dead_since)
             assert strayed < STRAYS_METRES, f"{name}: {strayed:.1f} m"
         led = self.those(stages=("tracking",)) + self.those(stages=("starting", "tracking"))
         led += self.those(stages=("tracking", "starting", "tracking"))
@@ -265,23 +265,23 @@ class Trial:
             one.east += WALKS_METRES
         self.reach(
             "they follow",
-            lambda: all(self.truth.metres_to(one, one.place) < NEAR_METRES for one in led),
+            lambda: all(self.reported.metres_to(one, one.place) < NEAR_METRES for one in led),
             60,
         )
 
     def ends(self) -> None:
         """What is stopped comes home, but for those that a pilot has, and all is over."""
-        self.named("kept").wish(self.phone, "cancel")
+        self.named("kept").request(self.phone, "cancel")
         for case, one in self.follows.items():
             if case.stages[-1] in ("tracking", "paused"):
-                one.wish(self.phone, "stop")
-        piloted = [one for one in self.crowd.everybody if one.piloted]
+                one.request(self.phone, "stop")
+        piloted = [one for one in self.group.phones if one.piloted]
         for one in piloted:
-            one.wish(self.phone, "stop")
+            one.request(self.phone, "stop")
         self.reach("all is over", lambda: set(self.stages().values()) == {"over"}, 180)
-        for one in self.crowd.everybody:
-            assert self.truth.armed(one) == one.piloted, one.system_id
-        assert all(self.truth.mode(one) == LOITER for one in piloted)
+        for one in self.group.phones:
+            assert self.reported.armed(one) == one.piloted, one.system_id
+        assert all(self.reported.mode(one) == LOITER for one in piloted)
 
     def faces(self) -> list[dict[str, str]]:
         ids = {one.follow: case.name for case, one in self.follows.items()}
@@ -289,7 +289,7 @@ class Trial:
             self.stages(),
             *(
                 {ids[follow]: state for follow, state in face(self.server, self.phone_key, ids).items()}
-                for face in (by_soap, by_stream)
+                for face in (stages_by_soap, stages_by_stream)
             ),
         ]
 
@@ -298,7 +298,7 @@ class Trial:
 def trial(own_server: Server, tmp_path: Path) -> Iterator[Trial]:
     api = Api(own_server.address, own_server.local_key())
     keys = api.new_key("phone", "operator"), api.new_key("desk", "supervisor")
-    with closing(MessageRecorder(own_server.udp_port, Truth.KINDS)) as recorder:
+    with closing(MessageRecorder(own_server.udp_port, ReportedState.KINDS)) as recorder:
         address = f"udp://127.0.0.1:{recorder.port}"
         fields = {}
         for misses, first in ((False, PATIENT), (True, MISSING)):

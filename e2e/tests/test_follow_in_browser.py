@@ -15,7 +15,7 @@ from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Touch, launch
-from dronemap_e2e.trust import NAME, make_certificate, trust
+from dronemap_e2e.certificates import NAME, make_certificate, trust_certificate
 from dronemap_e2e.waiting import wait_for
 from dronemap_e2e.walker import Walker, beside, phone, picture, sign_in
 
@@ -96,7 +96,7 @@ def browser(
         page.goto(link)
     stranger.close()
 
-    trust(home, certificate)
+    trust_certificate(home, certificate)
     trusting = launch(playwright, RESOLVE, home=home)
     yield trusting
     trusting.close()

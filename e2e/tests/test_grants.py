@@ -12,7 +12,7 @@ from websockets.sync.client import ClientConnection, connect
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Hands, Pointer, Station, Touch
+from dronemap_e2e.station import InputMethod, Pointer, Station, Touch
 
 PATIENCE = 30_000
 SECONDS = 30
@@ -42,7 +42,7 @@ class Desk(NamedTuple):
     """An administrator's page with its card of grants, and the hands before it."""
 
     page: Page
-    hands: Hands
+    input_method: InputMethod
 
     @property
     def card(self) -> Locator:
@@ -55,10 +55,10 @@ class Desk(NamedTuple):
         self.card.get_by_label("Whom").select_option(user)
         self.card.get_by_label("With which drones").select_option("only some")
         self.card.get_by_label(drone).check()
-        self.hands.press(self.page, self.card.get_by_role("button", name="Grant", exact=True))
+        self.input_method.press(self.page, self.card.get_by_role("button", name="Grant", exact=True))
 
     def take_back(self, user: str) -> None:
-        self.hands.hold(self.page, self.row(user).get_by_role("button", name="Take back"))
+        self.input_method.hold(self.page, self.row(user).get_by_role("button", name="Take back"))
 
 
 def administration(

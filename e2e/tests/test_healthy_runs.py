@@ -14,7 +14,7 @@ import pytest
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.big_trial import place
 from dronemap_e2e.heartbeats import HeartbeatGaps
-from dronemap_e2e.impairer import Impairer, Weather
+from dronemap_e2e.impairer import Impairer, LinkConditions
 from dronemap_e2e.runs import ended, known, planned, stages
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
@@ -28,7 +28,7 @@ WAYPOINTS = 9
 # The simulator's field: as many rows as columns.
 SIDE = 6
 GUSTY_WIND = 6
-LOSSY = Weather(delay=0.03, jitter=0.02, loss=0.1)
+LOSSY = LinkConditions(delay=0.03, jitter=0.02, loss=0.1)
 # What a run says of a drone that it does not count on any more, or not for all that it was to do.
 DOUBTS = {
     *("lost", "gone", "crashed", "lowBattery", "wentHome", "cameDown", "removed"),
@@ -96,8 +96,8 @@ def test_nobody_is_given_up_for_gusts_gaps_between_heartbeats_and_lost_messages(
         for three in sets_of_three()
         for system_id in three
     }
-    field.link.weather = LOSSY
-    field.link.withholds = field.gaps.withholds
+    field.link.conditions = LOSSY
+    field.link.drops = field.gaps.drops
     runs = {}
     for three in sets_of_three():
         fleet = [drones[system_id] for system_id in three]
@@ -116,5 +116,5 @@ def test_nobody_is_given_up_for_gusts_gaps_between_heartbeats_and_lost_messages(
         told = [one["words"] for one in over["explanations"] if one["trigger"] in DOUBTS]
         if told or set(stages(over).values()) != {"landed"} or over["counts"]["visited"] != WAYPOINTS:
             wrong.append((run, stages(over), over["counts"], told))
-    assert field.link.lost > field.link.carried / 20
+    assert field.link.lost > field.link.forwarded / 20
     assert not wrong, "\n".join(map(str, wrong))

@@ -9,7 +9,7 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.peer import OBEDIENT, Peer, with_hardware
+from dronemap_e2e.peer import STANDARD_HANDLERS, Peer, reporting_hardware
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import rounds, wait_for
 
@@ -27,7 +27,7 @@ def make_peer() -> Iterator[MakePeer]:
     peers: list[Peer] = []
 
     def make(server: Server, uid: int | None, system_id: int | None = None, tcp: bool = False) -> Peer:
-        handlers = OBEDIENT if uid is None else {**OBEDIENT, "COMMAND_LONG": with_hardware(uid)}
+        handlers = STANDARD_HANDLERS if uid is None else {**STANDARD_HANDLERS, "COMMAND_LONG": reporting_hardware(uid)}
         port = server.tcp_port if tcp else server.udp_port
         peers.append(Peer(port, system_id=system_id or next(SYSTEM_IDS), handlers=handlers, tcp=tcp))
         return peers[-1]

@@ -7,7 +7,7 @@ import pytest
 import requests
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.carriers import Bridge, OpenSsl
+from dronemap_e2e.frame_links import Bridge, OpenSslDtlsLink
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
@@ -56,7 +56,7 @@ def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_serv
     opened = api.get(path)
     assert (opened["url"], opened["state"], opened["origin"]) == (url, "open", "added")
     system_id = next(SYSTEM_IDS)
-    bridge = Bridge(OpenSsl(port, key["identity"], key["secret"], tmp_path / "openssl.log"))
+    bridge = Bridge(OpenSslDtlsLink(port, key["identity"], key["secret"], tmp_path / "openssl.log"))
     simulator = Simulator(
         tmp_path / "sim.log",
         f"udp://127.0.0.1:{bridge.port}",

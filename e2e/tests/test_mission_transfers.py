@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.impairer import BAD, CLEAR, Impairer
-from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.impairer import BAD, UNIMPAIRED, Impairer
+from dronemap_e2e.direct_station import DirectStation
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
@@ -24,7 +24,7 @@ class Bench:
 
     api: Api
     link: Impairer
-    station: PluggedStation
+    station: DirectStation
     drone: str
 
     def begin_upload(self, items: list[Json]) -> str:
@@ -51,7 +51,7 @@ def bench(request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Pa
         f"udp://127.0.0.1:{link.port}",
         *("--sysid", str(system_id), "--personality", request.param),
     )
-    station = PluggedStation(link, system_id)
+    station = DirectStation(link, system_id)
     drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)["id"]
     yield Bench(api, link, station, drone)
     simulator.stop()
@@ -74,10 +74,10 @@ def waypoints(count: int, seed: int = 0) -> list[Json]:
 @pytest.mark.parametrize(("count", "seconds"), [(200, 1800)], ids=["200 items"])
 def test_a_mission_goes_up_a_bad_link(bench: Bench, count: int, seconds: float) -> None:
     items = waypoints(count)
-    bench.link.weather = BAD
+    bench.link.conditions = BAD
 
     outcome = bench.api.ended(bench.begin_upload(items), seconds)["outcome"]
 
     assert outcome["result"] == "succeeded", outcome
-    bench.link.weather = CLEAR
+    bench.link.conditions = UNIMPAIRED
     assert bench.holds(items)

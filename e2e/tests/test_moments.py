@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from dronemap_e2e.moment_judge import Judgement
-from dronemap_e2e.moment_sortie import Sortie, the_faults
-from dronemap_e2e.moments import Plan, draw, share
+from dronemap_e2e.control_loss_judge import Judgement
+from dronemap_e2e.control_loss_sortie import Sortie, compile_fault_injector
+from dronemap_e2e.control_loss_cases import Plan, draw, share
 
 # Twenty moments each, four flights of five.
 SEEDS = os.environ.get("DRONEMAP_TRIAL_SEEDS", "1-1")
@@ -32,7 +32,7 @@ def judged(plan: Plan, judgements: list[Judgement]) -> None:
 @pytest.mark.soak
 @pytest.mark.parametrize("plan", plans(), ids=named)
 def test_whoever_is_in_the_air_is_somebodys(plan: Plan, tmp_path: Path) -> None:
-    faults = the_faults(tmp_path) if plan.suffers == "heap" else None
+    faults = compile_fault_injector(tmp_path) if plan.suffers == "heap" else None
     judged(plan, Sortie(plan, tmp_path, faults).fly())
 
 

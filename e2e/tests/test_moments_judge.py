@@ -7,13 +7,13 @@ from typing import Any
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.datagram_recorder import Datagram, Log
-from dronemap_e2e.moment_judge import Happened, Limits, judge
-from dronemap_e2e.moments import Moment
+from dronemap_e2e.control_loss_judge import LossRecord, Limits, judge
+from dronemap_e2e.control_loss_cases import LossCase
 
 LIMITS = Limits(lost=5, idle=5, until_return=4, patience=10)
 LEFT = 100.0
 AUTO, GUIDED, LOITER, RTL = 3, 4, 5, 6
-LED = Moment(1, "velocity", "vanish", 1.0, True, "", False)
+LED = LossCase(1, "velocity", "vanish", 1.0, True, "", False)
 PILOT = replace(LED, event="pilot", how="by switch")
 VEHICLE = mavlink.MAVLink(None, srcSystem=7)
 SERVER = mavlink.MAVLink(None, srcSystem=255)
@@ -43,9 +43,9 @@ def flight(*parts: tuple[int, int, int, float]) -> list[Datagram]:
     return [*states, *heard(parts[-1][1], parts[-1][2], armed=False)]
 
 
-def faults(moment: Moment, said: Iterable[Datagram], **happened: Any) -> str:
+def faults(moment: LossCase, said: Iterable[Datagram], **happened: Any) -> str:
     ordered = sorted(said, key=lambda one: one.at)
-    return "; ".join(judge(moment, Log(ordered), Happened(LEFT, **happened), LIMITS).faults)
+    return "; ".join(judge(moment, Log(ordered), LossRecord(LEFT, **happened), LIMITS).faults)
 
 
 def command(number: int, *values: float) -> Any:

@@ -13,7 +13,7 @@ import zeep.transports
 from requests import Session
 
 from dronemap_e2e.api import Api
-from dronemap_e2e.carriers import Bridge, WebSocketCaller
+from dronemap_e2e.frame_links import Bridge, WebSocketLink
 from dronemap_e2e.flight import Point
 from dronemap_e2e.ports import own_host
 from dronemap_e2e.server import Server
@@ -86,7 +86,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
     )
     server.start()
     key = Api(server.address, server.local_key()).new_key("a script of 2017", "operator")
-    bridge = Bridge(WebSocketCaller(8080, host, "/websockets/mavlink"))
+    bridge = Bridge(WebSocketLink(8080, host, "/websockets/mavlink"))
     links = {BY_UDP: f"udp://{host}:14550", BY_WEB_SOCKET: f"udp://127.0.0.1:{bridge.port}"}
     simulators = {
         system_id: Simulator(folder / f"{system_id}.log", link, "--sysid", str(system_id), *QUICK_FLIGHT)

@@ -10,7 +10,7 @@ from dronemap_e2e import sitl
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
 from dronemap_e2e.message_recorder import MessageRecorder
-from dronemap_e2e.peer import OBEDIENT, Kind, Peer
+from dronemap_e2e.peer import STANDARD_HANDLERS, Kind, Peer
 from dronemap_e2e.px4_peer import Px4Peer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
@@ -80,7 +80,7 @@ def test_a_peer_may_come_by_tcp_and_by_mavlink_1(server: Server, api: Api) -> No
     """End to end because pymavlink makes the frames of MAVLink 1, and another program's socket the pieces."""
     for tcp, version in ((True, 2), (False, 1)):
         port = server.tcp_port if tcp else server.udp_port
-        peer = Peer(port, system_id=155, kind=Kind(version=version), handlers=OBEDIENT, tcp=tcp)
+        peer = Peer(port, system_id=155, kind=Kind(version=version), handlers=STANDARD_HANDLERS, tcp=tcp)
         try:
             drone = wait_for("the peer is listed", partial(listed, api, peer))
             api.do(drone["id"], type="arm")
@@ -114,7 +114,7 @@ def test_a_real_autopilot_flies_the_same_flight(api: Api, recorder: MessageRecor
     autopilot = sitl.ArduCopter(tmp_path / "sitl", recorder.port, 153, "47.3977,8.5456,488,0")
     try:
         drone = wait_for("it is ready", lambda: api.ready(153), 120)
-        wait_for("it may fly", lambda: sitl.may_fly(api, drone["id"]), 90, every=3)
+        wait_for("it may fly", lambda: sitl.arms_and_enters_guided(api, drone["id"]), 90, every=3)
         fly(api, drone, patience=3)
     finally:
         autopilot.close()

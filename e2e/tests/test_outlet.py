@@ -7,9 +7,9 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.carriers import WebSocketCaller
+from dronemap_e2e.frame_links import WebSocketLink
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
-from dronemap_e2e.ground import Attach, User, new_user
+from dronemap_e2e.ground_station import Attach, User, new_user
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import now_ticks
 from dronemap_e2e.simulator import Simulator
@@ -44,7 +44,7 @@ def twins(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) ->
         simulator.stop()
 
 
-def hear_both(twins: list[Json], user: User, client: DtlsClient | WebSocketCaller) -> None:
+def receive_both(twins: list[Json], user: User, client: DtlsClient | WebSocketLink) -> None:
     """Attaches by what carries frames, and waits for the vehicles' heartbeats."""
     writer = mavlink.MAVLink(None, srcSystem=250, srcComponent=190)
     writer.signing.secret_key = hashlib.sha256(user.passphrase.encode()).digest()
@@ -75,7 +75,7 @@ def test_a_client_attaches_by_udp_tcp_web_socket_and_dtls_and_every_frame_is_sig
         assert ground.link.mav.signing.badsig_count == 0
         assert [ground.gaps(number) for number in both] == [0] * len(both)
         ground.close()
-    hear_both(twins, viewer, WebSocketCaller(server.outlet_web_socket_port))
+    receive_both(twins, viewer, WebSocketLink(server.outlet_web_socket_port))
 
     # By DTLS with the user's own key alone.
     key = hashlib.sha256(viewer.passphrase.encode()).digest()
@@ -84,4 +84,4 @@ def test_a_client_attaches_by_udp_tcp_web_socket_and_dtls_and_every_frame_is_sig
         DtlsClient(outlet, viewer.name, key, timeout=2)
     with pytest.raises(HandshakeError):
         DtlsClient(outlet, "nobody", hashlib.sha256(key).digest(), timeout=2)
-    hear_both(twins, viewer, DtlsClient(outlet, viewer.name, hashlib.sha256(key).digest()))
+    receive_both(twins, viewer, DtlsClient(outlet, viewer.name, hashlib.sha256(key).digest()))

@@ -16,7 +16,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.copter import PARAMETERS, Copter, ids
-from dronemap_e2e.ground import Ground, User, granted
+from dronemap_e2e.ground_station import GroundStation, User, granted
 from dronemap_e2e.mavproxy import Mavproxy
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import ROOT, Server
@@ -104,22 +104,22 @@ def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing
     opened = pilot.api.call("POST", "/outlet/ports", {"address": "127.0.0.1", "hours": 1})
     assert opened.status_code == 201, opened.text
     endpoint = opened.json()["endpoint"].removeprefix("udpserver://")
-    grounds = [Ground(f"udpout:{endpoint}", None)]
+    grounds = [GroundStation(f"udpout:{endpoint}", None)]
     try:
         (first,) = grounds
         numbers = first.wait_vehicles(len(copters))
         assert not any(m.get_signed() for m in first.all_messages)
-        grounds.append(Ground(f"udpout:{endpoint}", None))
+        grounds.append(GroundStation(f"udpout:{endpoint}", None))
         own = f"/outlet/ports/{opened.json()['id']}"
         wait_for("a second one is counted", lambda: pilot.api.get("/outlet")["ports"][0]["refused"] >= 3)
         assert grounds[1].all_messages == []
 
-        told = [copter.told() for copter in copters]
+        told = [copter.messages_received() for copter in copters]
         for number in numbers:
-            first.say("set_mode", number, 1, 4)
-            first.say("param_set", number, 1, b"RTL_ALT", 900.0, mavlink.MAV_PARAM_TYPE_REAL32)
-            first.say("mission_clear_all", number, 1)
-            first.say("command_long", number, 1, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0, 1, 0, 0, 0, 0, 0, 0)
+            first.send_fields("set_mode", number, 1, 4)
+            first.send_fields("param_set", number, 1, b"RTL_ALT", 900.0, mavlink.MAV_PARAM_TYPE_REAL32)
+            first.send_fields("mission_clear_all", number, 1)
+            first.send_fields("command_long", number, 1, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0, 1, 0, 0, 0, 0, 0, 0)
         for number in numbers:
 
             def refused(number: int = number) -> list[Any]:
@@ -127,17 +127,17 @@ def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing
                 return [m for m in answers if m.command == mavlink.MAV_CMD_COMPONENT_ARM_DISARM]
 
             assert [m.result for m in wait_for("it is answered", refused)] == [DENIED]
-            first.say("mission_request_list", number, 1)
+            first.send_fields("mission_request_list", number, 1)
             wait_for("it is counted", partial(first.messages, "MISSION_COUNT", number))
-            first.say("mission_request_int", number, 1, 0)
+            first.send_fields("mission_request_int", number, 1, 0)
             home = wait_for("home is item 0", partial(first.messages, "MISSION_ITEM_INT", number))
             assert (home[0].seq, home[0].frame) == (0, 0)
-        assert [copter.told() for copter in copters] == told
+        assert [copter.messages_received() for copter in copters] == told
 
         assert pilot.api.call("DELETE", own).status_code == 204
         wait_for("it is closed", lambda: not pilot.api.get("/outlet")["ports"])
         closed = len(first.all_messages)
-        first.say("heartbeat", 6, 8, 0, 0, 4)
+        first.send_fields("heartbeat", 6, 8, 0, 0, 4)
         throughout("nothing more comes", lambda: len(first.all_messages) <= closed + 20, 1)
     finally:
         for ground in grounds:

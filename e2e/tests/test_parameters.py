@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e.api import Api
-from dronemap_e2e.impairer import BAD, CLEAR, Impairer
-from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.impairer import BAD, UNIMPAIRED, Impairer
+from dronemap_e2e.direct_station import DirectStation
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
@@ -24,7 +24,7 @@ class Bench:
 
     api: Api
     link: Impairer
-    station: PluggedStation
+    station: DirectStation
     drone: str
 
     @property
@@ -46,7 +46,7 @@ def bench(request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Pa
         f"udp://127.0.0.1:{link.port}",
         *("--sysid", str(system_id), "--personality", request.param, "--parameters", str(COUNT)),
     )
-    station = PluggedStation(link, system_id)
+    station = DirectStation(link, system_id)
 
     def listed() -> str | None:
         return next((d["id"] for d in api.drones() if d["link"]["systemId"] == system_id), None)
@@ -63,11 +63,11 @@ def test_a_thousand_parameters_go_up_a_bad_link(bench: Bench) -> None:
     bench.read()
     names = [p["name"] for p in bench.api.get(bench.path + "?search=SPARE")["parameters"]]
     file = "\n".join(f"{name},{number % 120}" for number, name in enumerate(names))
-    bench.link.weather = BAD
+    bench.link.conditions = BAD
 
     loading = bench.api.post_text(bench.path + "/file", file).json()["command"]
 
     assert bench.api.ended(loading["id"], 600)["outcome"]["result"] == "succeeded"
-    bench.link.weather = CLEAR
+    bench.link.conditions = UNIMPAIRED
     held = bench.station.parameters()
     assert [held[name][0] for name in names] == [number % 120 for number in range(len(names))]

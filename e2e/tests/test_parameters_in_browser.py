@@ -11,11 +11,11 @@ from playwright.sync_api import Browser, Locator, Page, ViewportSize, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.impairer import Impairer
-from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.direct_station import DirectStation
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.station import Hands, Pointer, Station, Touch
+from dronemap_e2e.station import InputMethod, Pointer, Station, Touch
 from dronemap_e2e.waiting import wait_for
 
 from .conftest import SYSTEM_IDS
@@ -26,7 +26,7 @@ class Bench:
     """One simulated copter with many parameters, and a station plugged into it."""
 
     simulator: Simulator
-    station: PluggedStation
+    station: DirectStation
     system_id: int
     drone: Json
 
@@ -40,7 +40,7 @@ def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
         f"udp://127.0.0.1:{link.port}",
         *("--sysid", str(system_id), "--parameters", "300", "--speedup", "5"),
     )
-    station = PluggedStation(link, system_id)
+    station = DirectStation(link, system_id)
     drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)
     yield Bench(simulator, station, system_id, drone)
     simulator.stop()
@@ -67,8 +67,8 @@ def open_panel(server: Server, api: Api, page: Page, bench: Bench) -> Station:
     name, password = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10)
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
     assert answer.status_code == 201, answer.text
-    hands: Hands = Touch() if page.viewport_size == PHONE else Pointer()
-    station = Station(page, hands)
+    input_method: InputMethod = Touch() if page.viewport_size == PHONE else Pointer()
+    station = Station(page, input_method)
     station.sign_in(server.address, name, password, secrets.token_hex(10))
     station.choose(bench.drone["name"])
     return station
@@ -77,7 +77,7 @@ def open_panel(server: Server, api: Api, page: Page, bench: Bench) -> Station:
 def disclose(station: Station, title: str) -> None:
     # Other buttons may have the word, too, such as what is told of a drone that flies home.
     section = station.page.locator("button[aria-expanded][aria-controls]").filter(has_text=title).first
-    station.hands.press(station.page, section)
+    station.input_method.press(station.page, section)
     expect(section).to_have_attribute("aria-expanded", "true")
 
 
@@ -116,7 +116,7 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
 
     page.get_by_label("Search by name").fill("alt rtl")
     row = page.get_by_role("list", name="Parameters").get_by_role("button").filter(has_text="RTL_ALT")
-    station.hands.press(page, row)
+    station.input_method.press(page, row)
     field = page.get_by_label("New value of RTL_ALT")
     field.fill("1.5")
     station.shows("It must be a whole number")
@@ -128,7 +128,7 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
     assert bench.station.parameters()["RTL_ALT"][0] == 2500
 
     bench.simulator.fault(f"{bench.system_id} alter RTL_ALT")
-    station.hands.press(page, row)
+    station.input_method.press(page, row)
     field.fill("3000")
     station.press("Set")
     station.shows("The vehicle holds RTL_ALT = 3001, not 3000.")
@@ -146,7 +146,7 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
     held = bench.station.parameters()
     assert (held["RTL_ALT"][0], held["LAND_SPEED"][0]) == (1800, 60)
     with page.expect_download() as saved:
-        station.hands.press(page, page.get_by_role("link", name="Save .param", exact=True))
+        station.input_method.press(page, page.get_by_role("link", name="Save .param", exact=True))
     lines = Path(saved.value.path()).read_text().splitlines()
     assert "RTL_ALT,1800" in lines
 
@@ -178,7 +178,7 @@ def test_a_person_sets_home_takes_a_picture_and_switches_a_relay(
     disclose(station, "Turn, camera, relays")
     station.press("Take a picture")
     wait_for("the picture is taken", lambda: "pictures 1 " in bench.simulator.payload(bench.system_id), 30)
-    page.get_by_label("Relay", exact=True).fill("3")
+    page.get_by_label("ReliefTrial", exact=True).fill("3")
     station.press("Switch")
     wait_for("it is on", lambda: bench.simulator.payload(bench.system_id).endswith("relays on: 3"), 30)
     expect(station.button("Turn")).to_have_attribute("aria-disabled", "true")
@@ -190,5 +190,5 @@ def test_a_person_sets_home_takes_a_picture_and_switches_a_relay(
     page.get_by_label("Altitude above sea level (m)").fill("502")
     can_be_pressed(station.button("Set home"))
     disclose(station, "Turn, camera, relays")
-    page.get_by_label("Relay", exact=True).fill("3")
+    page.get_by_label("ReliefTrial", exact=True).fill("3")
     can_be_pressed(station.button("Take a picture"), station.button("Switch"))

@@ -13,14 +13,14 @@ from playwright.sync_api import Browser, Error, Page, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
-from dronemap_e2e.line import Line
+from dronemap_e2e.cuttable_proxy import CuttableProxy
 from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, Touch, launch
 from dronemap_e2e.waiting import rounds, wait_for
-from dronemap_e2e.walker import Walker, a_person, beside, phone, picture, sign_in
+from dronemap_e2e.walker import Walker, create_operator, beside, phone, picture, sign_in
 
 SYSTEM_ID = 78
 PACE = 1.0
@@ -51,17 +51,17 @@ def drone(recorder: MessageRecorder, api: Api, tmp_path: Path) -> Iterator[Json]
 class Network:
     """Between the phone and the cloud; the station has another one."""
 
-    web: Line
-    stream: Line
+    web: CuttableProxy
+    stream: CuttableProxy
 
     @property
-    def lines(self) -> tuple[Line, Line]:
+    def lines(self) -> tuple[CuttableProxy, CuttableProxy]:
         return self.web, self.stream
 
 
 @pytest.fixture
 def network(server: Server) -> Iterator[Network]:
-    made = Network(Line(server.http_port), Line(server.stream_port))
+    made = Network(CuttableProxy(server.http_port), CuttableProxy(server.stream_port))
     yield made
     for line in made.lines:
         line.close()
@@ -148,7 +148,7 @@ def trial(
 ) -> Iterator[Trial]:
     page = phone(browser, beside(drone["home"], Walker.east, Walker.north))
     desk = open_page(browser, dark=True)
-    Station(desk, Pointer()).sign_in(server.address, *a_person(api), secrets.token_hex(10))
+    Station(desk, Pointer()).sign_in(server.address, *create_operator(api), secrets.token_hex(10))
     desk.get_by_role("button", name=re.compile("^Phones that are followed")).click()
     made = Trial(api, recorder, drone, Walker(page, drone["home"]), desk)
     sign_in(page, f"http://localhost:{server.http_port}/follow", api)
@@ -199,7 +199,7 @@ def is_cut_off(trial: Trial, network: Network) -> None:
         trial.walker.step(PACE)
     trial.stood(began)
     for line in network.lines:
-        line.mend()
+        line.restore()
     trial.is_back("The cloud did not answer for", "away-cut-back")
 
 

@@ -12,7 +12,7 @@ from roslink_bridge.robot import Robot as Machine
 from roslink_bridge.web import WebLine
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.helm import Helm
+from dronemap_e2e.steering_client import SteeringClient
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
 
@@ -83,7 +83,7 @@ def test_our_bridge_stops_its_robot_when_the_server_dies_in_mid_twist(killable: 
     api = Api(killable.address, killable.local_key())
     drone = steerable(api, OUR_ID)["id"]
     wait_for("it has both links", lambda: linked(api, drone))
-    with closing(Helm(killable, api.new_key("stick", "operator"), drone)):
+    with closing(SteeringClient(killable, api.new_key("stick", "operator"), drone)):
         wait_for("it drives", lambda: ours.speed > 0.3, every=OFTEN)
         killable.kill()
         wait_for("it stands by itself", lambda: ours.speed == 0, every=OFTEN)

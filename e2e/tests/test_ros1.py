@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.helm import Helm
-from dronemap_e2e.ros1 import Machine, Process, Ros, is_installed
+from dronemap_e2e.steering_client import SteeringClient
+from dronemap_e2e.ros1 import RobotProcess, Process, Ros, is_installed
 from dronemap_e2e.server import Server
 from dronemap_e2e.soap import soap
 from dronemap_e2e.waiting import wait_for
@@ -27,7 +27,7 @@ FREE, OCCUPIED, UNKNOWN = 254, 0, 205
 
 @dataclass
 class Robot:
-    machine: Machine
+    process: RobotProcess
     bridge: Process
     drone: str
 
@@ -43,10 +43,10 @@ def ros(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ros]:
 def robot(server: Server, api: Api, ros: Ros, tmp_path_factory: pytest.TempPathFactory) -> Robot:
     picture = tmp_path_factory.mktemp("picture") / "picture.jpg"
     picture.write_bytes(PICTURE)
-    machine = ros.machine(picture)
+    process = ros.robot(picture)
     bridge = ros.bridge(server, SYSTEM_ID, issued(api, SYSTEM_ID))
     drone = wait_for("it is listed with all that it shows", lambda: shown(api))
-    return Robot(machine, bridge, drone["id"])
+    return Robot(process, bridge, drone["id"])
 
 
 def issued(api: Api, system_id: int) -> str:
@@ -102,27 +102,27 @@ def drawn(png: bytes) -> bytes:
 
 def drive_it(server: Server, api: Api, robot: Robot) -> None:
     before = api.drone(robot.drone)["local"]["x"]
-    with closing(Helm(server, api.new_key("stick", "operator"), robot.drone)) as helm:
-        wait_for("it is told to drive", lambda: robot.machine.forward == 0.4)
+    with closing(SteeringClient(server, api.new_key("stick", "operator"), robot.drone)) as helm:
+        wait_for("it is told to drive", lambda: robot.process.forward == 0.4)
         wait_for("its odometry shows it", lambda: api.drone(robot.drone)["local"]["x"] > before + 0.2)
         assert api.drone(robot.drone)["motion"]["groundSpeed"] == pytest.approx(0.4, abs=0.01)
         helm.cut()
-        wait_for("it is told to stand", lambda: robot.machine.forward == 0, every=0.01)
+        wait_for("it is told to stand", lambda: robot.process.forward == 0, every=0.01)
 
 
 def send_it_somewhere(server: Server, api: Api, robot: Robot) -> None:
     api.do(robot.drone, type="goToLocal", x=2, y=-1)
-    goal = robot.machine.told("goal")[-1]
+    goal = robot.process.orders("goal")[-1]
     assert (goal["x"], goal["y"], goal["frame"]) == (2, -1, "map")
     api.do(robot.drone, type="emergencyStop")
-    wait_for("the way is given up", lambda: robot.machine.told("cancel"))
+    wait_for("the way is given up", lambda: robot.process.orders("cancel"))
 
     service = soap(server, server.local_key())
     assert service.goToLocal(droneId=robot.drone, x=0, y=1).outcome.result == "succeeded"
-    assert (robot.machine.told("goal")[-1]["x"], robot.machine.told("goal")[-1]["y"]) == (0, 1)
+    assert (robot.process.orders("goal")[-1]["x"], robot.process.orders("goal")[-1]["y"]) == (0, 1)
     assert service.readMap(droneId=robot.drone).outcome.result == "succeeded"
     assert service.emergencyStop(droneId=robot.drone).outcome.result == "succeeded"
-    wait_for("this way, too", lambda: len(robot.machine.told("cancel")) == 2)
+    wait_for("this way, too", lambda: len(robot.process.orders("cancel")) == 2)
 
 
 def test_a_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> None:
@@ -133,8 +133,8 @@ def test_a_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> 
 
     def listed() -> Json | None:
         found = [d for d in api.drones() if d["link"]["systemId"] == COPTER_ID]
-        told = ("gps", "mode", "local", "battery", "position")
-        complete = found and all(found[0][one] for one in told)
+        last = ("gps", "mode", "local", "battery", "position")
+        complete = found and all(found[0][one] for one in last)
         return found[0] if complete and found[0]["position"]["altitudeAmsl"] is not None else None
 
     drone = wait_for("it is listed with all that it shows", listed)
@@ -148,26 +148,26 @@ def test_a_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> 
     identity = drone["id"]
     api.do(identity, type="arm")
     api.do(identity, type="takeOff", altitude=3)
-    assert (copter.told("mode")[-1]["name"], copter.told("take off")[-1]["height"]) == ("GUIDED", 3)
+    assert (copter.orders("mode")[-1]["name"], copter.orders("take off")[-1]["height"]) == ("GUIDED", 3)
     assert api.drone(identity)["position"]["altitudeAboveHome"] > 2.5
-    with closing(Helm(server, api.new_key("stick", "operator"), identity, 1.0)):
+    with closing(SteeringClient(server, api.new_key("stick", "operator"), identity, 1.0)):
         wait_for("it flies ahead", lambda: api.drone(identity)["local"]["y"] > 0.3)
-        told = copter.told("speeds")[-1]
-        assert (told["forward"], told["frame"], told["mask"]) == (1, 8, 0b0101_1100_0111)
-    wait_for("it is told to stand", lambda: copter.told("speeds")[-1]["forward"] == 0, every=0.01)
+        last = copter.orders("speeds")[-1]
+        assert (last["forward"], last["frame"], last["mask"]) == (1, 8, 0b0101_1100_0111)
+    wait_for("it is told to stand", lambda: copter.orders("speeds")[-1]["forward"] == 0, every=0.01)
     api.do(identity, type="land")
     wait_for("it is down", lambda: api.drone(identity)["position"]["altitudeAboveHome"] < 0.1)
     api.do(identity, type="disarm")
-    assert [one["wanted"] for one in copter.told("arm")][-1] is False
+    assert [one["wanted"] for one in copter.orders("arm")][-1] is False
     assert not api.drone(identity)["armed"]
 
 
 def end_the_bridge(server: Server, api: Api, robot: Robot) -> None:
     """It is told to stand."""
-    with closing(Helm(server, api.new_key("stick", "operator"), robot.drone)):
-        wait_for("it is told to drive", lambda: robot.machine.forward == 0.4)
+    with closing(SteeringClient(server, api.new_key("stick", "operator"), robot.drone)):
+        wait_for("it is told to drive", lambda: robot.process.forward == 0.4)
         robot.bridge.send_signal(signal.SIGTERM)
-        wait_for("it is told to stand", lambda: robot.machine.forward == 0, every=0.01)
+        wait_for("it is told to stand", lambda: robot.process.forward == 0, every=0.01)
         assert robot.bridge.wait(10) == 0
 
 

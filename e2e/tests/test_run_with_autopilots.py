@@ -75,7 +75,7 @@ def way(copter: ArduCopter) -> Way:
                 amsl - HOME_AMSL,
                 amsl - HOME_AMSL,
             )
-            for seconds, latitude, longitude, amsl in copter.witness.seen()
+            for seconds, latitude, longitude, amsl in copter.ground_truth.positions()
         ]
     )
 
@@ -89,7 +89,7 @@ def test_others_fly_the_waypoints_of_a_real_autopilot_that_is_killed_in_the_air(
     api = Api(own_server.address, own_server.local_key())
     drones = [wait_for("all is known", partial(known, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)]
     for drone in drones:
-        wait_for("it may fly", partial(sitl.may_fly, api, drone["id"]), 90, every=3)
+        wait_for("it may fly", partial(sitl.arms_and_enters_guided, api, drone["id"]), 90, every=3)
     # The words of a vehicle and its own port tell of the same one.
     by_id = {drone["id"]: copter for drone, copter in zip(drones, copters, strict=True)}
     asked = {"plan": planned(api, drones, waypoints()), "onCloudLoss": on_cloud_loss}
@@ -101,7 +101,7 @@ def test_others_fly_the_waypoints_of_a_real_autopilot_that_is_killed_in_the_air(
     killed = drones[1]["id"]
     wait_for("it has visited one", lambda: of(api.get(run), killed, "visited"), 120)
     by_id[killed].kill()
-    truly = by_id[killed].witness.track()
+    truly = by_id[killed].ground_truth.track()
     left = [one["id"] for one in of(api.get(run), killed, "assigned") if distance(one, truly) > NEAR_METRES]
     assert truly[-1][2] > HOME_AMSL + HEIGHT_METRES / 2, "it was in the air"
     assert len(left) >= 2, "it had something left to do"
@@ -111,12 +111,12 @@ def test_others_fly_the_waypoints_of_a_real_autopilot_that_is_killed_in_the_air(
     assert over["counts"]["visited"] == WAYPOINTS, words
     for one in over["waypoints"]:
         by = one["visits"][0]["drone"]
-        assert distance(one, by_id[by].witness.track()) < NEAR_METRES, (one, words)
+        assert distance(one, by_id[by].ground_truth.track()) < NEAR_METRES, (one, words)
         assert by != killed or one["id"] not in left, (one, words)
     lost = next(one for one in over["explanations"] if one["trigger"] == "lost")
     assert lost["drone"] == killed, words
     for drone, copter in by_id.items():
-        assert drone == killed or copter.witness.altitude() < HOME_AMSL + 1, "it is down"
+        assert drone == killed or copter.ground_truth.altitude() < HOME_AMSL + 1, "it is down"
     least = nearest({number: way(copter) for number, copter in enumerate(copters)})
     print("NEAREST", least, "TAKEN OVER", len(left))
     assert least is None or least.metres >= LEAST_METRES, (least, words)

@@ -10,7 +10,7 @@ import zeep.exceptions
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.impairer import Impairer
-from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.direct_station import DirectStation
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.soap import soap
@@ -24,7 +24,7 @@ class Bench:
     """One simulated copter, ready to arm, with a station plugged into it."""
 
     simulator: Simulator
-    station: PluggedStation
+    station: DirectStation
     system_id: int
     drone: str
 
@@ -38,7 +38,7 @@ def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
     link = Impairer(server.udp_port, seed=system_id)
     address = f"udp://127.0.0.1:{link.port}"
     simulator = Simulator(tmp_path / "sim.log", address, "--sysid", str(system_id), "--speedup", "5")
-    station = PluggedStation(link, system_id)
+    station = DirectStation(link, system_id)
     drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)["id"]
     yield Bench(simulator, station, system_id, drone)
     simulator.stop()

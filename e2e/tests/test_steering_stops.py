@@ -7,16 +7,16 @@ from contextlib import closing
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.ground import User, granted
-from dronemap_e2e.helm import Helm
-from dronemap_e2e.impairer import Impairer, Weather
+from dronemap_e2e.ground_station import User, granted
+from dronemap_e2e.steering_client import SteeringClient
+from dronemap_e2e.impairer import Impairer, LinkConditions
 from dronemap_e2e.robot import Robot
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import throughout, wait_for
 
 MOST_SECONDS = 1.0
 OFTEN = 0.005
-TENTH_LOST = Weather(loss=0.1)
+TENTH_LOST = LinkConditions(loss=0.1)
 SYSTEM_ID = 3301
 
 
@@ -55,7 +55,7 @@ def test_it_stands_within_a_second(
     key = pilot.api.new_key("page", "operator")
     took: list[float] = []
     for number in range(times):
-        with closing(Helm(server, key, drone["id"])) as helm:
+        with closing(SteeringClient(server, key, drone["id"])) as helm:
             wait_for(f"it moves, {number}", lambda: robot.speed > 0.3, every=OFTEN)
             acts: dict[str, Callable[[], None]] = {
                 "page killed": helm.kill,

@@ -96,7 +96,7 @@ def test_a_supervisor_draws_imports_and_deletes_zones(
     station.shows(imported)
 
     for name in (drawn, imported):
-        station.hands.hold(page, station.button(f"Delete {name}"))
+        station.input_method.hold(page, station.button(f"Delete {name}"))
         expect(station.button(f"Delete {name}")).to_be_hidden()
         assert named(api, name) is None
 

@@ -16,10 +16,10 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from .api import Api, Json
 from .datagram_recorder import DatagramRecorder
-from .ground import User, new_user
-from .moment_flights import PATIENCE, Flyer
-from .moment_judge import Happened, Judgement, Limits, judge
-from .moments import Moment, Plan
+from .ground_station import User, new_user
+from .control_loss_flights import PATIENCE, FlightClient
+from .control_loss_judge import LossRecord, Judgement, Limits, judge
+from .control_loss_cases import LossCase, Plan
 from .runs import known
 from .server import ROOT, Server
 from .simulator import Simulator
@@ -70,8 +70,8 @@ class Sortie:
             JAVA_TOOL_OPTIONS="-XX:+ExitOnOutOfMemoryError",
             DRONEMAP_CONTROL_LOST=on_loss,
         )
-        self.flyers: list[Flyer] = []
-        self.happened: dict[int, Happened] = {}
+        self.flyers: list[FlightClient] = []
+        self.happened: dict[int, LossRecord] = {}
         self.away: tuple[float, float] | None = None
 
     def fly(self) -> list[Judgement]:
@@ -109,11 +109,11 @@ class Sortie:
             drone = wait_for(f"{moment}: all is known", partial(known, admin, FIRST + number), 120)
             self.flyers.append(self._flyer(admin, moment, FIRST + number, drone))
         with ThreadPoolExecutor(len(self.flyers)) as pool:
-            list(pool.map(Flyer.prepare, self.flyers))
-            list(pool.map(Flyer.start, self.flyers))
+            list(pool.map(FlightClient.prepare, self.flyers))
+            list(pool.map(FlightClient.start, self.flyers))
         wait_for("all fly", lambda: all(one.flies() for one in self.flyers), ALL_UP)
 
-    def _flyer(self, admin: Api, moment: Moment, system_id: int, drone: Json) -> Flyer:
+    def _flyer(self, admin: Api, moment: LossCase, system_id: int, drone: Json) -> FlightClient:
         user = new_user(self.server, admin, "operator")
         if moment.how == "grant":
             _only(admin, user, drone["id"])
@@ -123,7 +123,7 @@ class Sortie:
             absent = f"absent-{secrets.token_hex(4)}"
             body = {"name": absent, "password": secrets.token_hex(10), "role": "operator"}
             assert admin.call("POST", "/users", body).status_code == 201
-        return Flyer(moment, system_id, drone, self.server, user, key, admin, absent)
+        return FlightClient(moment, system_id, drone, self.server, user, key, admin, absent)
 
     def _moments(self) -> None:
         """Each at its time, and the server's last."""
@@ -139,9 +139,9 @@ class Sortie:
         _sleep_until(began + self.plan.suffers_after)
         self._suffer()
 
-    def _leave(self, one: Flyer) -> None:
+    def _leave(self, one: FlightClient) -> None:
         moment = one.moment
-        happened = Happened(left=time.monotonic())
+        happened = LossRecord(left=time.monotonic())
         if moment.event == "vanish":
             one.leave()
         elif moment.event == "hand over":
@@ -150,7 +150,7 @@ class Sortie:
             answer = one.api.call("POST", f"/drones/{one.id}/control/hand-over", {"user": one.absent})
             assert answer.ok, answer.text
             # Nobody has it when the other one did not come, and whoever commands it then has it rightly.
-            threading.Timer(INSISTS, one.says_no_more).start()
+            threading.Timer(INSISTS, one.stop_sending).start()
         elif moment.event == "revoke":
             self._revoke(one)
         elif moment.event == "sign out":
@@ -159,13 +159,13 @@ class Sortie:
             self._pilot(one)
             happened.piloted = happened.left
         if not moment.insists:
-            one.says_no_more()
+            one.stop_sending()
         if moment.event != "vanish":
             # Joining a thread takes no time that the drone is left alone in.
             happened.left = max(happened.left, time.monotonic() if moment.event != "pilot" else 0)
         self.happened[one.system_id] = happened
 
-    def _revoke(self, one: Flyer) -> None:
+    def _revoke(self, one: FlightClient) -> None:
         admin = self._admin()
         if one.moment.how == "grant":
             (grant,) = [each for each in admin.get("/grants")["grants"] if each["user"] == one.user.name]
@@ -177,7 +177,7 @@ class Sortie:
             answer = admin.call("DELETE", f"/users/{one.user.name}/access-keys/{key['id']}")
         assert answer.ok, answer.text
 
-    def _pilot(self, one: Flyer) -> None:
+    def _pilot(self, one: FlightClient) -> None:
         mode = BY_HAND[one.moment.kind]
         if one.moment.how == "by switch":
             self._simulator.fault(f"{one.system_id} mode {mode}")
@@ -193,13 +193,13 @@ class Sortie:
         pilots = [one for one in self.flyers if one.moment.event == "pilot while away"]
         for one in [*stays, *pilots]:
             # Not closed yet: the server does not know before.
-            one.says_no_more()
+            one.stop_sending()
         if self.plan.suffers == "standstill":
             self._stand_still(stays, pilots)
             return
         begin = time.monotonic()
         for one in stays:
-            self.happened[one.system_id] = Happened(left=begin)
+            self.happened[one.system_id] = LossRecord(left=begin)
         if self.plan.suffers == "kill":
             self.server.kill()
         else:
@@ -209,7 +209,7 @@ class Sortie:
         self.server.start()
         self.away = (begin, time.monotonic())
 
-    def _stand_still(self, stays: list[Flyer], pilots: list[Flyer]) -> None:
+    def _stand_still(self, stays: list[FlightClient], pilots: list[FlightClient]) -> None:
         places: dict[int, Json] = {}
         for one in stays:
             if one.moment.kind == "guided":
@@ -229,7 +229,7 @@ class Sortie:
                 for place in [places.get(one.system_id)]
                 if place
             ]
-            self.happened[one.system_id] = Happened(left=begin, forgotten=forgotten)
+            self.happened[one.system_id] = LossRecord(left=begin, forgotten=forgotten)
         self._pilots(pilots)
         _sleep_until(begin + STANDSTILL)
         os.kill(self.server.pid, signal.SIGCONT)
@@ -239,12 +239,12 @@ class Sortie:
                 # Late: whoever had it was silent for all that time.
                 self.happened[one.system_id].kept = _signs(one)
 
-    def _pilots(self, pilots: list[Flyer]) -> None:
+    def _pilots(self, pilots: list[FlightClient]) -> None:
         time.sleep(0.5)
         for one in pilots:
             at = time.monotonic()
             self._pilot(one)
-            self.happened[one.system_id] = Happened(left=at, piloted=at)
+            self.happened[one.system_id] = LossRecord(left=at, piloted=at)
 
     def _use_up_the_heap(self) -> None:
         assert self._faults is not None
@@ -275,7 +275,7 @@ class Sortie:
         return {int(line.split()[0]) for line in lines if " disarmed landed " in line}
 
 
-def _signs(one: Flyer) -> bool:
+def _signs(one: FlightClient) -> bool:
     path, body = f"/drones/{one.id}/control/heartbeat", {"epoch": one.epoch}
     try:
         return one.api.call("POST", path, body).ok
@@ -295,7 +295,7 @@ def _sleep_until(moment: float) -> None:
     time.sleep(max(0.0, moment - time.monotonic()))
 
 
-def the_faults(folder: Path) -> Path:
+def compile_fault_injector(folder: Path) -> Path:
     """The program of faults, made with the JDK and the libraries of a server."""
     libraries = ROOT / "dronemap-ws" / "target" / "unpacked" / "lib"
     asm = next(libraries.glob("spring-core-*.jar"))

@@ -9,7 +9,7 @@ from websockets.sync.client import ClientConnection, connect
 from .server import Server
 
 
-class Helm:
+class SteeringClient:
     """Steers as the page does, ten times a second; once cut, it says nothing and closes nothing."""
 
     def __init__(

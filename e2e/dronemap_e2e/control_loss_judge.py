@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from .datagram_recorder import Log, State, TimedMessage
-from .moments import LED, OPERATIONS, Moment
+from .control_loss_cases import LED, OPERATIONS, LossCase
 
 AUTO, GUIDED, RTL, LAND = 3, 4, 6, 9
 HOMEWARD = (RTL, LAND)
@@ -52,7 +52,7 @@ class Limits:
 
 
 @dataclass
-class Happened:
+class LossRecord:
     """When what happened, monotonic seconds; infinite: it did not."""
 
     # Whoever had the drone did their last sign, or lost it.
@@ -71,13 +71,13 @@ class Happened:
 
 @dataclass(frozen=True)
 class Judgement:
-    moment: Moment
+    moment: LossCase
     faults: list[str]
     # What became of it, in few words.
     sent_since: str
 
 
-def judge(moment: Moment, log: Log, happened: Happened, limits: Limits) -> Judgement:
+def judge(moment: LossCase, log: Log, happened: LossRecord, limits: Limits) -> Judgement:
     faults, told = [], "never in the air"
     was = log.at(happened.left)
     if not was.armed or was.height < UP_METRES:
@@ -92,7 +92,7 @@ def judge(moment: Moment, log: Log, happened: Happened, limits: Limits) -> Judge
     return Judgement(moment, faults, told)
 
 
-def _of_nobody(moment: Moment, log: Log, happened: Happened, limits: Limits) -> tuple[list[str], str]:
+def _of_nobody(moment: LossCase, log: Log, happened: LossRecord, limits: Limits) -> tuple[list[str], str]:
     since = log.since(happened.left)
     home = homeward(since)
     if home is None:
@@ -117,7 +117,7 @@ def _of_nobody(moment: Moment, log: Log, happened: Happened, limits: Limits) -> 
     )
 
 
-def longest_alone(moment: Moment, happened: Happened, limits: Limits) -> float:
+def longest_alone(moment: LossCase, happened: LossRecord, limits: Limits) -> float:
     """For so long it may be in the air with nobody, no mission under way and no way home."""
     begin, end = happened.away
     over = limits.until_return + SLACK
@@ -162,7 +162,7 @@ def waited(states: list[State], until: float) -> float:
     return seconds
 
 
-def _led_on(moment: Moment, log: Log, happened: Happened) -> list[str]:
+def _led_on(moment: LossCase, log: Log, happened: LossRecord) -> list[str]:
     """Whoever steered is not there any more, or may no more: nothing leads it."""
     if moment.kind not in LED:
         return []
@@ -179,7 +179,7 @@ def leads(said: TimedMessage) -> bool:
     return said.kind == "COMMAND_INT" and message.command == mavlink.MAV_CMD_DO_REPOSITION
 
 
-def _of_pilot(log: Log, happened: Happened) -> tuple[list[str], str]:
+def _of_pilot(log: Log, happened: LossRecord) -> tuple[list[str], str]:
     begin, end = happened.away
     seen = visible(log, happened)
     if seen is None:
@@ -208,7 +208,7 @@ def _of_pilot(log: Log, happened: Happened) -> tuple[list[str], str]:
     return faults, told
 
 
-def visible(log: Log, happened: Happened) -> float | None:
+def visible(log: Log, happened: LossRecord) -> float | None:
     """When the server could know: a heartbeat with the mode came to one that was there and moved."""
     before = log.at(happened.piloted).mode
     begin, end = happened.away
@@ -229,7 +229,7 @@ def is_harmless(said: TimedMessage) -> bool:
     return said.kind in HARMLESS
 
 
-def _forgotten(log: Log, happened: Happened) -> list[str]:
+def _forgotten(log: Log, happened: LossRecord) -> list[str]:
     begin, end = happened.away
     if not happened.forgotten:
         return []

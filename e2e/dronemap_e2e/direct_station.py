@@ -13,7 +13,7 @@ PATIENCE = 2.0
 TRIES = 20
 
 
-class PluggedStation:
+class DirectStation:
     """Asks with pymavlink, past the bad link and past the server."""
 
     def __init__(self, link: Impairer, system_id: int) -> None:
@@ -27,7 +27,7 @@ class PluggedStation:
 
     def write(self, data: bytes) -> None:
         """pymavlink sends through this."""
-        self._link.say(data)
+        self._link.send_to_vehicles(data)
 
     def parameters(self) -> dict[str, tuple[float, int]]:
         """Name to value and type, as the vehicle tells them: bits stay bits."""

@@ -33,7 +33,7 @@ def make_certificate(folder: Path) -> dict[str, str]:
     }
 
 
-def trust(home: Path, certificate: Path) -> None:
+def trust_certificate(home: Path, certificate: Path) -> None:
     """What a person does in a browser's settings: this one may sign for servers."""
     store = home / ".pki" / "nssdb"
     store.mkdir(parents=True, exist_ok=True)

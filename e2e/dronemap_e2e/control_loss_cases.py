@@ -21,7 +21,7 @@ ALONE = frozenset({"virtual"})
 
 
 @dataclass(frozen=True)
-class Moment:
+class LossCase:
     """A drone, how it flies, what becomes of whoever has it, and how long after all fly."""
 
     number: int
@@ -53,7 +53,7 @@ class Plan:
     down: float
     # The vehicles' own fail-safe for a lost ground station: 1 flies home.
     failsafe: int
-    moments: tuple[Moment, ...]
+    moments: tuple[LossCase, ...]
 
 
 def _is_free(taken: set[str], kind: str) -> bool:
@@ -70,12 +70,12 @@ def fits(kind: str, suffers: str, event: str) -> bool:
 def draw(seed: int, sorties: int = 4, each: int = 5) -> list[Plan]:
     """Each kind and each event comes about as often as any other; all is decided by the seed."""
     chance = random.Random(seed)
-    kinds, events = Deck(chance, KINDS), Deck(chance, PRIVATE)
-    suffers = Deck(chance, OF_SERVER)
+    kinds, events = EvenChoice(chance, KINDS), EvenChoice(chance, PRIVATE)
+    suffers = EvenChoice(chance, OF_SERVER)
     plans = []
     for number in range(sorties):
         suffered = suffers.next(lambda _: True)
-        moments: list[Moment] = []
+        moments: list[LossCase] = []
         for place in range(each):
             taken = {one.kind for one in moments} & ALONE
             kind = kinds.next(partial(_is_free, taken))
@@ -106,13 +106,13 @@ def share(seed: int) -> Plan:
     return Plan(seed, 1, "kill", 3.0, chance.uniform(0, 1), 0, tuple(moments))
 
 
-def _moment(chance: random.Random, number: int, kind: str, event: str) -> Moment:
+def _moment(chance: random.Random, number: int, kind: str, event: str) -> LossCase:
     how = ""
     if event == "revoke":
         how = chance.choice(REVOCATIONS if kind not in OPERATIONS else REVOCATIONS[1:])
     elif event.startswith("pilot"):
         how = chance.choice(("by switch", "by station"))
-    return Moment(
+    return LossCase(
         number,
         kind,
         event,
@@ -124,7 +124,7 @@ def _moment(chance: random.Random, number: int, kind: str, event: str) -> Moment
     )
 
 
-class Deck:
+class EvenChoice:
     """Deals each card once before any comes again, as far as the wish lets it."""
 
     def __init__(self, chance: random.Random, cards: tuple[str, ...]) -> None:

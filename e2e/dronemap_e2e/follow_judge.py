@@ -1,4 +1,4 @@
-"""Judges follows by where vehicles truly were: `python -m dronemap_e2e.chase_judge TRUTH.json`.
+"""Judges follows by where vehicles truly were: `python -m dronemap_e2e.follow_judge TRUTH.json`.
 
 The file holds the fences in metres, the lowest height above each home, what drones are to keep from each
 other, and for each vehicle rows of seconds, east, north, up and height above its home.

@@ -12,7 +12,7 @@ os.environ.setdefault("MAVLINK20", "1")
 
 from pymavlink import mavutil
 
-from . import newer as newer  # teaches pymavlink
+from . import control_status as control_status  # makes it known to pymavlink
 from .api import Api
 from .server import Server
 from .waiting import wait_for
@@ -53,7 +53,7 @@ def granted(server: Server, api: Api, role: str, drones: list[str]) -> User:
     return user
 
 
-class Ground:
+class GroundStation:
     """Says that it is there twice a second, and keeps what it hears; signs by a passphrase or not at all."""
 
     def __init__(self, address: str, passphrase: str | None, system_id: int = 255) -> None:
@@ -79,7 +79,7 @@ class Ground:
         while not self._closed:
             if time.monotonic() - beat > 0.5 and not self.silent:
                 beat = time.monotonic()
-                self.say("heartbeat", GROUND_STATION, NO_AUTOPILOT, 0, 0, 4)
+                self.send_fields("heartbeat", GROUND_STATION, NO_AUTOPILOT, 0, 0, 4)
             try:
                 message = self.link.recv_match(blocking=True, timeout=0.05)
             except (ConnectionError, OSError):
@@ -88,7 +88,7 @@ class Ground:
                 self.arrived[message.get_srcSystem()] = time.monotonic()
                 self.all_messages.append(message)
 
-    def say(self, message: str, *fields: Any) -> None:
+    def send_fields(self, message: str, *fields: Any) -> None:
         """Sends what pymavlink calls `message`_send."""
         with self._lock:
             getattr(self.link.mav, f"{message}_send")(*fields)
@@ -131,7 +131,7 @@ class Ground:
         """Sends that system a command as a ground station does; the result that it is acknowledged with."""
         before = len(self.messages("COMMAND_ACK", number))
         values = [*params, *([0.0] * (7 - len(params)))]
-        self.say("command_long", number, 1, command, 0, *values)
+        self.send_fields("command_long", number, 1, command, 0, *values)
 
         def answer() -> list[int] | None:
             answers = self.messages("COMMAND_ACK", number)[before:]
@@ -148,4 +148,4 @@ class Ground:
         self.link.close()
 
 
-Attach = Callable[..., Ground]
+Attach = Callable[..., GroundStation]

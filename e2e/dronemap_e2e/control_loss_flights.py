@@ -11,9 +11,9 @@ import requests
 
 from .api import Api, Json
 from .flight import items
-from .ground import User
-from .helm import Helm
-from .moments import OPERATIONS, Moment
+from .ground_station import User
+from .steering_client import SteeringClient
+from .control_loss_cases import OPERATIONS, LossCase
 from .runs import planned
 from .server import Server
 from .waiting import wait_for
@@ -31,10 +31,10 @@ GUIDED_MODES = {"sticks": "LOITER"}
 
 
 @dataclass
-class Flyer:
+class FlightClient:
     """One drone, and the client that flies it."""
 
-    moment: Moment
+    moment: LossCase
     system_id: int
     drone: Json
     server: Server
@@ -45,7 +45,7 @@ class Flyer:
     absent: str = ""
     gone: threading.Event = field(default_factory=threading.Event)
     thread: threading.Thread | None = None
-    helm: Helm | None = None
+    steering: SteeringClient | None = None
     epoch: int = 0
     follow: str = ""
     run: str = ""
@@ -131,10 +131,10 @@ class Flyer:
         if self.moment.kind in GUIDED_MODES:
             api.do(self.id, type="setMode", mode=GUIDED_MODES[self.moment.kind])
         if self.moment.kind in ("velocity", "sticks"):
-            self.helm = self._steer(api)
+            self.steering = self._steer(api)
         self.cruises = True
 
-    def _steer(self, api: Api) -> Helm:
+    def _steer(self, api: Api) -> SteeringClient:
         by = self.moment.kind
         ticket = ""
         if not self.key:
@@ -142,7 +142,7 @@ class Flyer:
             assert answer.ok, answer.text
             ticket = answer.json()["ticket"]
         forward = SPEED if by == "velocity" else STICK
-        return Helm(self.server, self.key, self.id, forward, by, ticket)
+        return SteeringClient(self.server, self.key, self.id, forward, by, ticket)
 
     def flies(self) -> bool:
         """In the air, and at what it is there for."""
@@ -161,16 +161,16 @@ class Flyer:
         self.gone.set()
         if self.thread is not None:
             self.thread.join(10)
-        if self.helm is not None:
-            self.helm.kill()
+        if self.steering is not None:
+            self.steering.kill()
 
-    def says_no_more(self) -> None:
+    def stop_sending(self) -> None:
         """What it has open stays open: it is cut off."""
         self.gone.set()
         if self.thread is not None:
             self.thread.join(10)
-        if self.helm is not None:
-            self.helm.cut()
+        if self.steering is not None:
+            self.steering.cut()
 
     def goes_to(self, metres: float) -> Json:
         place = self.there(metres)
