@@ -93,7 +93,9 @@ def place(origin: Json, east: float, north: float) -> Json:
 class BigTrialRunner:
     """Has one trial flown."""
 
-    def __init__(self, folder: Path, seed: int, conditions: LinkConditions = UNIMPAIRED, speedup: float = 1) -> None:
+    def __init__(
+        self, folder: Path, seed: int, conditions: LinkConditions = UNIMPAIRED, speedup: float = 1
+    ) -> None:
         self.random = random.Random(seed)
         self.seed = seed
         self.folder = folder

@@ -1,12 +1,12 @@
-"""Whoever is in the air is somebody's: judged by the bytes between vehicles and server alone."""
+"""Judges by recorded datagrams that no drone stays in the air without controller, mission or return."""
 
 import math
 from dataclasses import dataclass, field
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
+from .control_loss_cases import OPERATIONS, STEERED, LossCase
 from .datagram_recorder import Log, State, TimedMessage
-from .control_loss_cases import LED, OPERATIONS, LossCase
 
 AUTO, GUIDED, RTL, LAND = 3, 4, 6, 9
 HOMEWARD = (RTL, LAND)
@@ -34,7 +34,7 @@ READS = {
     mavlink.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES,
 }
 # What may be said to a vehicle that a pilot has; all else is forbidden.
-HARMLESS = {
+ALLOWED_BESIDE_PILOT = {
     *("HEARTBEAT", "TIMESYNC", "PING", "SYSTEM_TIME", "REQUEST_DATA_STREAM"),
     *("PARAM_REQUEST_READ", "PARAM_REQUEST_LIST", "LOG_REQUEST_LIST"),
     *("MISSION_REQUEST_LIST", "MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK"),
@@ -53,53 +53,55 @@ class Limits:
 
 @dataclass
 class LossRecord:
-    """When what happened, monotonic seconds; infinite: it did not."""
+    """Events of one drone and its server; monotonic seconds, infinite: it did not happen."""
 
     # Whoever had the drone did their last sign, or lost it.
-    left: float
+    lost_at: float
     # From when to when no server was there, or none that moved.
-    away: tuple[float, float] = (math.inf, math.inf)
+    server_away: tuple[float, float] = (math.inf, math.inf)
     stood_still: bool = False
     # A pilot chose a mode at the vehicle.
-    piloted: float = math.inf
+    piloted_at: float = math.inf
     # Places that were commanded before the server stood still, and were to be forgotten since: degrees 1e7.
-    forgotten: list[tuple[int, int]] = field(default_factory=list)
-    until: float = math.inf
+    expired_targets: list[tuple[int, int]] = field(default_factory=list)
+    observed_until: float = math.inf
     # A sign that came after a standstill was taken for one in time.
-    kept: bool = False
+    kept_over_standstill: bool = False
 
 
 @dataclass(frozen=True)
 class Judgement:
-    moment: LossCase
+    case: LossCase
     faults: list[str]
-    # What became of it, in few words.
+    # Its outcome in few words.
     sent_since: str
 
 
-def judge(moment: LossCase, log: Log, happened: LossRecord, limits: Limits) -> Judgement:
-    faults, told = [], "never in the air"
-    was = log.at(happened.left)
+def judge(case: LossCase, log: Log, happened: LossRecord, limits: Limits) -> Judgement:
+    faults, summary = [], "never in the air"
+    was = log.at(happened.lost_at)
     if not was.armed or was.height < UP_METRES:
         faults.append(f"it was not in the air when it was left: {was}")
-    elif happened.piloted < math.inf:
-        faults, told = _of_pilot(log, happened)
+    elif happened.piloted_at < math.inf:
+        faults, summary = _faults_beside_pilot(log, happened)
     else:
-        faults, told = _of_nobody(moment, log, happened, limits)
-    faults += _forgotten(log, happened)
-    if happened.kept:
+        faults, summary = _faults_without_controller(case, log, happened, limits)
+    faults += _expired_targets_sent(log, happened)
+    if happened.kept_over_standstill:
         faults.append("control was kept over a standstill in which no sign came")
-    return Judgement(moment, faults, told)
+    return Judgement(case, faults, summary)
 
 
-def _of_nobody(moment: LossCase, log: Log, happened: LossRecord, limits: Limits) -> tuple[list[str], str]:
-    since = log.since(happened.left)
-    home = homeward(since)
+def _faults_without_controller(
+    case: LossCase, log: Log, happened: LossRecord, limits: Limits
+) -> tuple[list[str], str]:
+    since = log.since(happened.lost_at)
+    home = return_begin(since)
     if home is None:
         return [f"it never went home; last {since[-1]}"], "stayed"
     faults = []
-    limit = longest_alone(moment, happened, limits)
-    alone = waited(since, home.at)
+    limit = unattended_limit(case, happened, limits)
+    alone = unattended_seconds(since, home.at)
     if alone > limit:
         faults.append(
             f"it waited for {alone:.1f} s in the air before it went home, not {limit:.1f} s at most"
@@ -109,35 +111,35 @@ def _of_nobody(moment: LossCase, log: Log, happened: LossRecord, limits: Limits)
         faults.append(f"it went home and is not down; last {since[-1]}")
     elif down.at - home.at > DOWN:
         faults.append(f"it was down {down.at - home.at:.1f} s after it went home, not within {DOWN:.0f} s")
-    faults += _led_on(moment, log, happened)
-    landed = "?" if down is None else f"{down.at - happened.left:.1f} s"
+    faults += _steered_after_loss(case, log, happened)
+    landed = "?" if down is None else f"{down.at - happened.lost_at:.1f} s"
     return (
         faults,
-        f"home after {home.at - happened.left:.1f} s (alone {alone:.1f} of {limit:.0f}), down {landed}",
+        f"home after {home.at - happened.lost_at:.1f} s (alone {alone:.1f} of {limit:.0f}), down {landed}",
     )
 
 
-def longest_alone(moment: LossCase, happened: LossRecord, limits: Limits) -> float:
+def unattended_limit(case: LossCase, happened: LossRecord, limits: Limits) -> float:
     """For so long it may be in the air with nobody, no mission under way and no way home."""
-    begin, end = happened.away
+    begin, end = happened.server_away
     over = limits.until_return + SLACK
-    if moment.kind in OPERATIONS:
+    if case.kind in OPERATIONS:
         wait = max(limits.patience, over)
-    elif moment.event in ("vanish", "sign out", "revoke", "hand over"):
+    elif case.event in ("vanish", "sign out", "revoke", "hand over"):
         # What was taken away ends at once, or when no sign comes any more.
         wait = max(limits.lost, limits.idle)
     else:
         wait = 0.0
-    if begin is math.inf or begin - happened.left > wait + over:
+    if begin is math.inf or begin - happened.lost_at > wait + over:
         return wait + over
     if happened.stood_still:
         # All times went by meanwhile, but for that from the lapse that is seen then to the return.
-        return end - happened.left + over + (wait if moment.kind in OPERATIONS else 0)
-    back = RETURNING + limits.lost if moment.explicit and moment.event != "hand over" else 0.0
-    return end - happened.left + wait + back + over
+        return end - happened.lost_at + over + (wait if case.kind in OPERATIONS else 0)
+    back = RETURNING + limits.lost if case.explicit and case.event != "hand over" else 0.0
+    return end - happened.lost_at + wait + back + over
 
 
-def homeward(states: list[State]) -> State | None:
+def return_begin(states: list[State]) -> State | None:
     """From when on it was on its way home or down until it was there; None: never, or not for good."""
     found: State | None = None
     for state in states:
@@ -150,27 +152,27 @@ def homeward(states: list[State]) -> State | None:
     return found
 
 
-def waited(states: list[State], until: float) -> float:
+def unattended_seconds(states: list[State], observed_until: float) -> float:
     """How long it was nobody's: what flies its mission is not, until it stands at its end."""
     seconds = 0.0
     for before, after in zip(states, states[1:], strict=False):
-        if before.at >= until:
+        if before.at >= observed_until:
             break
-        flies = before.mode == AUTO and (before.speed > STANDS)
-        if not flies and before.armed:
+        is_flying = before.mode == AUTO and (before.speed > STANDS)
+        if not is_flying and before.armed:
             seconds += after.at - before.at
     return seconds
 
 
-def _led_on(moment: LossCase, log: Log, happened: LossRecord) -> list[str]:
+def _steered_after_loss(case: LossCase, log: Log, happened: LossRecord) -> list[str]:
     """Whoever steered is not there any more, or may no more: nothing leads it."""
-    if moment.kind not in LED:
+    if case.kind not in STEERED:
         return []
-    late = [one for one in log.sent_since(happened.left + LEADS) if leads(one)]
-    return [f"{late[0].at - happened.left:.1f} s later it was steered on: {late[0]}"] if late else []
+    late = [one for one in log.sent_since(happened.lost_at + LEADS) if steers(one)]
+    return [f"{late[0].at - happened.lost_at:.1f} s later it was steered on: {late[0]}"] if late else []
 
 
-def leads(said: TimedMessage) -> bool:
+def steers(said: TimedMessage) -> bool:
     message = said.message
     if said.kind.startswith("SET_POSITION_TARGET"):
         return any(abs(each) > 0.01 for each in (message.vx, message.vy, message.vz))
@@ -179,17 +181,21 @@ def leads(said: TimedMessage) -> bool:
     return said.kind == "COMMAND_INT" and message.command == mavlink.MAV_CMD_DO_REPOSITION
 
 
-def _of_pilot(log: Log, happened: LossRecord) -> tuple[list[str], str]:
-    begin, end = happened.away
-    seen = visible(log, happened)
+def _faults_beside_pilot(log: Log, happened: LossRecord) -> tuple[list[str], str]:
+    begin, end = happened.server_away
+    seen = pilot_visible_at(log, happened)
     if seen is None:
         return ["the vehicle never said that a pilot has it"], "?"
     # What lay in its socket when it moved again was there to be read before anything was decided.
     noticed = seen if happened.stood_still and seen == end else seen + NOTICED
-    forbidden = [one for one in log.sent_since(noticed) if one.at < happened.until and not is_harmless(one)]
-    faults = [f"{one.at - happened.piloted:.1f} s after a pilot took it: {one}" for one in forbidden[:5]]
-    beats = [one.at for one in log.sent_since(seen, "HEARTBEAT") if one.at < happened.until]
-    marks = [seen, *beats, happened.until]
+    forbidden = [
+        one
+        for one in log.sent_since(noticed)
+        if one.at < happened.observed_until and not is_allowed_beside_pilot(one)
+    ]
+    faults = [f"{one.at - happened.piloted_at:.1f} s after a pilot took it: {one}" for one in forbidden[:5]]
+    beats = [one.at for one in log.sent_since(seen, "HEARTBEAT") if one.at < happened.observed_until]
+    marks = [seen, *beats, happened.observed_until]
     for before, after in zip(marks, marks[1:], strict=False):
         gap = after - before
         if before < end and after > begin:
@@ -197,51 +203,54 @@ def _of_pilot(log: Log, happened: LossRecord) -> tuple[list[str], str]:
             continue
         if gap > BEAT:
             faults.append(
-                f"no heartbeat for {gap:.1f} s, {before - happened.piloted:.1f} s after a pilot took it"
+                f"no heartbeat for {gap:.1f} s, {before - happened.piloted_at:.1f} s after a pilot took it"
             )
     modes = sorted(
-        {state.mode for state in log.since(happened.piloted + NOTICED) if state.at < happened.until}
+        {
+            state.mode
+            for state in log.since(happened.piloted_at + NOTICED)
+            if state.at < happened.observed_until
+        }
     )
-    told = (
-        f"{len(forbidden)} forbidden, {len(beats)} heartbeats in {happened.until - seen:.0f} s, modes {modes}"
-    )
-    return faults, told
+    seconds = happened.observed_until - seen
+    summary = f"{len(forbidden)} forbidden, {len(beats)} heartbeats in {seconds:.0f} s, modes {modes}"
+    return faults, summary
 
 
-def visible(log: Log, happened: LossRecord) -> float | None:
+def pilot_visible_at(log: Log, happened: LossRecord) -> float | None:
     """When the server could know: a heartbeat with the mode came to one that was there and moved."""
-    before = log.at(happened.piloted).mode
-    begin, end = happened.away
+    before = log.at(happened.piloted_at).mode
+    begin, end = happened.server_away
     if not happened.stood_still:
         # It is there again as soon as it speaks, long before its pages are.
         end = min((one.at for one in log.sent_since(begin + IN_FLIGHT)), default=end)
     for state in log.states:
         # What comes while it stands still lies in its socket; while there is none, vehicles speak to nobody.
         counts = state.mode != before and (happened.stood_still or not begin <= state.at < end)
-        if state.at > happened.piloted and counts:
+        if state.at > happened.piloted_at and counts:
             return end if begin <= state.at < end else state.at
     return None
 
 
-def is_harmless(said: TimedMessage) -> bool:
+def is_allowed_beside_pilot(said: TimedMessage) -> bool:
     if said.kind in ("COMMAND_LONG", "COMMAND_INT"):
         return said.message.command in READS
-    return said.kind in HARMLESS
+    return said.kind in ALLOWED_BESIDE_PILOT
 
 
-def _forgotten(log: Log, happened: LossRecord) -> list[str]:
-    begin, end = happened.away
-    if not happened.forgotten:
+def _expired_targets_sent(log: Log, happened: LossRecord) -> list[str]:
+    begin, end = happened.server_away
+    if not happened.expired_targets:
         return []
-    if not any(one.at <= begin for one in log.down if place(one) in happened.forgotten):
+    if not any(one.at <= begin for one in log.down if target(one) in happened.expired_targets):
         return ["what was to be forgotten was never said"]
-    late = [one for one in log.sent_since(end) if place(one) in happened.forgotten]
+    late = [one for one in log.sent_since(end) if target(one) in happened.expired_targets]
     return [
         f"{one.at - end:.1f} s after a standstill, what was commanded before it: {one}" for one in late[:3]
     ]
 
 
-def place(said: TimedMessage) -> tuple[int, int] | None:
+def target(said: TimedMessage) -> tuple[int, int] | None:
     message = said.message
     if said.kind == "COMMAND_INT":
         return message.x, message.y

@@ -59,7 +59,7 @@ class TimedMessage:
 
 
 class DatagramRecorder:
-    """A UDP relay that records: vehicles connect to `port`; each has a socket of its own towards the server."""
+    """A UDP relay that records: vehicles connect to `port`, each has a socket towards the server."""
 
     def __init__(self, server_port: int) -> None:
         self._server: Address = ("127.0.0.1", server_port)
@@ -79,7 +79,7 @@ class DatagramRecorder:
         self._thread.start()
 
     def inject(self, vehicle: int, data: bytes) -> None:
-        """Sends what another ground station sends to a vehicle on its own link; the server has no part in it."""
+        """Sends as another ground station on the vehicle's own link; the server has no part in it."""
         self._vehicle_socket.sendto(data, self._vehicles[vehicle])
 
     def of(self, vehicle: int) -> "Log":

@@ -163,7 +163,9 @@ class SimulatedPhone:
         position = {"id": self._position_count, "at": at, "accuracy": 5} | place(origin, east, north)
         if self._random.random() >= conditions.loss:
             delay = conditions.delay + self._random.uniform(-conditions.jitter, conditions.jitter)
-            heapq.heappush(self._due, (now + delay, self._position_count, {"sent": at, "positions": [position]}))
+            heapq.heappush(
+                self._due, (now + delay, self._position_count, {"sent": at, "positions": [position]})
+            )
 
     def arrived(self, now: float) -> list[Json]:
         found = []
@@ -246,7 +248,11 @@ class FollowTrial:
         return all(seen[phone.follow] == state for phone in phones)
 
     def _send_positions(
-        self, phones: list[SimulatedPhone], origin: Json, seconds: float, until: Callable[[], bool] | None = None
+        self,
+        phones: list[SimulatedPhone],
+        origin: Json,
+        seconds: float,
+        until: Callable[[], bool] | None = None,
     ) -> None:
         """Lets them go and say where they are, for so long or until that is so."""
         said = [time.monotonic() - self.random.random() for _ in phones]

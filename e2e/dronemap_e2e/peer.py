@@ -206,4 +206,8 @@ def reporting_hardware(uid: int, then: Handler = apply_command) -> Handler:
     return answer
 
 
-STANDARD_HANDLERS: dict[str, Handler] = {"COMMAND_LONG": apply_command, "COMMAND_INT": apply_command, "SET_MODE": set_mode_message}
+STANDARD_HANDLERS: dict[str, Handler] = {
+    "COMMAND_LONG": apply_command,
+    "COMMAND_INT": apply_command,
+    "SET_MODE": set_mode_message,
+}

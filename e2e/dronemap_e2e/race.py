@@ -51,7 +51,9 @@ class HoveringCopter:
     def __init__(self, port: int, system_id: int) -> None:
         self.moves: list[ReceivedMove] = []
         self.peer = Peer(
-            port, system_id=system_id, handlers={"COMMAND_INT": self._apply_command, "COMMAND_LONG": self._apply_command}
+            port,
+            system_id=system_id,
+            handlers={"COMMAND_INT": self._apply_command, "COMMAND_LONG": self._apply_command},
         )
         self.peer.state.armed = True
         self.peer.state.custom_mode = GUIDED
@@ -213,7 +215,9 @@ def race(racers: list[Racer], rounds: int, during: Callable[[int], None] = lambd
         thread.join()
 
 
-def fill_epochs_from_records(moves: list[ReceivedMove], racers: list[Racer], record: Callable[[str], Json | None]) -> int:
+def fill_epochs_from_records(
+    moves: list[ReceivedMove], racers: list[Racer], record: Callable[[str], Json | None]
+) -> int:
     """Of commands whose answer was lost with the server, the records say the epoch. Returns how many."""
     asked = 0
     for move in {seen.move for seen in moves}:

@@ -197,7 +197,9 @@ class ReliefTrial:
         }
 
     @staticmethod
-    def _distances(phone: WanderingPhone, tracks: list[list[list[float]]], when: tuple[float, float]) -> list[float]:
+    def _distances(
+        phone: WanderingPhone, tracks: list[list[list[float]]], when: tuple[float, float]
+    ) -> list[float]:
         """How far a phone was from the nearest of its drones in the air, each moment; infinite: none flew."""
         nearest: dict[int, float] = {}
         for track in tracks:

@@ -57,7 +57,9 @@ class Robot:
     def report(self) -> None:
         """A ground robot's status has the body of a heartbeat, and its z is a yaw."""
         self.send(STATUS, {"type": self.kind, "name": "robot", "system_status": 2, "mode": 0})
-        self.send(MOTION, {"x": self.x, "y": 0.5, "z": 0.0, "vx": self.speed, "vy": 0.0, "vz": 0.0, "wz": 0.0})
+        self.send(
+            MOTION, {"x": self.x, "y": 0.5, "z": 0.0, "vx": self.speed, "vy": 0.0, "vz": 0.0, "wz": 0.0}
+        )
 
     def send(self, message_id: int, body: Message) -> None:
         self._udp.sendto(self._text(message_id, body).encode(), self._server)

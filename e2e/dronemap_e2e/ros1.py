@@ -48,7 +48,9 @@ class Ros:
         self._start("core", CORE, "-p", str(port))
 
     def robot(self, picture: Path) -> "RobotProcess":
-        return RobotProcess(self._start("machine", str(PROGRAMS / "ros1_robot.py"), str(picture), read_output=True))
+        return RobotProcess(
+            self._start("machine", str(PROGRAMS / "ros1_robot.py"), str(picture), read_output=True)
+        )
 
     def copter(self, namespace: str) -> "RobotProcess":
         """Behind a stand-in for mavros."""

@@ -95,7 +95,9 @@ class SimulatedCopter:
 
     def _report(self) -> None:
         system = ACTIVE if self._height > 0 else STANDBY
-        self._publish("state", State(connected=True, armed=self._armed, mode=self._mode, system_status=system))
+        self._publish(
+            "state", State(connected=True, armed=self._armed, mode=self._mode, system_status=system)
+        )
         self._publish("altitude", Altitude(amsl=AMSL + self._height))
         self._publish("battery", BatteryState(percentage=0.8, voltage=12.1, current=-3.5))
         place = Odometry()

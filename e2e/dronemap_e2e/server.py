@@ -25,7 +25,12 @@ class Server:
     """One server process; it may be killed and started again over the same data."""
 
     def __init__(
-        self, data: Path, as_shipped: bool = False, copy_initial_data: bool = True, heap: str = "384m", **settings: str
+        self,
+        data: Path,
+        as_shipped: bool = False,
+        copy_initial_data: bool = True,
+        heap: str = "384m",
+        **settings: str,
     ) -> None:
         """`as_shipped`: for tests that measure it; `begun`: where no folder is yet, it is a copy of what
         a first start leaves, which is quicker than another; `heap`: its most, as Java has it."""

@@ -23,7 +23,9 @@ class SigningPeer(Peer):
     def __init__(self, port: int, system_id: int, handlers: dict[str, Handler] | None = None) -> None:
         self.keys: list[bytes] = []
         super().__init__(
-            port, system_id=system_id, handlers=STANDARD_HANDLERS | {"SETUP_SIGNING": apply_signing_key} | (handlers or {})
+            port,
+            system_id=system_id,
+            handlers=STANDARD_HANDLERS | {"SETUP_SIGNING": apply_signing_key} | (handlers or {}),
         )
 
     def use_key(self, key: bytes, timestamp: int) -> None:

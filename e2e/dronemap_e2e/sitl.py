@@ -71,7 +71,11 @@ class GroundTruthReceiver:
             fix = (now, message.lat_int / 1e7, message.lon_int / 1e7, message.alt)
             with self._lock:
                 self._positions.append(fix)
-        elif not self._positions and message.get_type() == "HEARTBEAT" and now - self._asked > ASK_EVERY_SECONDS:
+        elif (
+            not self._positions
+            and message.get_type() == "HEARTBEAT"
+            and now - self._asked > ASK_EVERY_SECONDS
+        ):
             self._asked = now
             asked = mavlink.MAVLink_command_long_message(
                 *(message.get_srcSystem(), message.get_srcComponent()),

@@ -165,7 +165,9 @@ def hold_control(pilot: Api, drone: Json) -> None:
 
 
 def under_way(api: Api, pilot: Api, drones: list[Json]) -> Json:
-    given_up, follow = (FollowedPhone(FIRST_SYSTEM_ID + FOLLOW, drones[FOLLOW], HEIGHT, 600) for _ in range(2))
+    given_up, follow = (
+        FollowedPhone(FIRST_SYSTEM_ID + FOLLOW, drones[FOLLOW], HEIGHT, 600) for _ in range(2)
+    )
     given_up.request_follow(pilot)
     given_up.request(pilot, "cancel")
     follow.request_follow(pilot)

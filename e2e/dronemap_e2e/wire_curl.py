@@ -165,8 +165,18 @@ def follows(curl: Curl, relay: ReliefTrial, drone: str) -> None:
     follow = curl("POST", "/follows", here | {"name": "Ann", "place": {"side": "behind", "distance": 8}})
     curl("POST", "/follows", here | {"minutes": 600})
     curl("GET", f"/follows/{follow.get('id')}")
-    request_headers = {"id": 1, "at": "2026-01-31T12:00:00Z", "latitude": 47.398, "longitude": 8.5456, "accuracy": 5}
-    curl("POST", f"/follows/{follow.get('id')}/positions", {"sent": request_headers["at"], "positions": [request_headers]})
+    request_headers = {
+        "id": 1,
+        "at": "2026-01-31T12:00:00Z",
+        "latitude": 47.398,
+        "longitude": 8.5456,
+        "accuracy": 5,
+    }
+    curl(
+        "POST",
+        f"/follows/{follow.get('id')}/positions",
+        {"sent": request_headers["at"], "positions": [request_headers]},
+    )
     curl("POST", f"/follows/{follow.get('id')}/cancel")
     curl("POST", f"/follows/{follow.get('id')}/start")
 

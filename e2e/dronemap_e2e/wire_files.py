@@ -63,7 +63,9 @@ def write(exchanges: list[Exchange], folder: Path, known: dict[str, str]) -> Non
         told = "".join(f"{name}: {value}\n" for name, value in one.response_headers.items())
         answer = f"{one.status} {one.content_type}\n{told}\n{readable(one.answer, one.content_type)}"
         names.name_values(answer)
-        words = re.sub(r"[^A-Za-z0-9]+", "-", names.with_names(one.path.split("?")[0]).removeprefix("/api/v1/"))
+        words = re.sub(
+            r"[^A-Za-z0-9]+", "-", names.with_names(one.path.split("?")[0]).removeprefix("/api/v1/")
+        )
         client = one.client.split()[0].lower()
         name = f"{number:03d}-{client}-{one.method.lower()}-{words.strip('-')[:50].strip('-')}.txt"
         text = f"{request}\n=> {names.with_names(answer)}"

@@ -72,7 +72,9 @@ class ReliefTrial:
         content = answer.read()
         server.close()
         if number is not None:
-            request_headers = {name: client.headers[name] for name in REQUEST_HEADERS if name in client.headers}
+            request_headers = {
+                name: client.headers[name] for name in REQUEST_HEADERS if name in client.headers
+            }
             told = {name: answer.headers[name] for name in RESPONSE_HEADERS if name in answer.headers}
             self.exchanges[number] = Exchange(
                 self.exchanges[number].client,

@@ -13,10 +13,18 @@ import pytest
 from playwright.sync_api import Browser, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.race import HoveringCopter, Racer, RestClient, StreamClient, check_epochs, race, fill_epochs_from_records
+from dronemap_e2e.database_stall import DatabaseStall
+from dronemap_e2e.race import (
+    HoveringCopter,
+    Racer,
+    RestClient,
+    StreamClient,
+    check_epochs,
+    fill_epochs_from_records,
+    race,
+)
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.database_stall import DatabaseStall
 from dronemap_e2e.station import Pointer, Station, launch
 from dronemap_e2e.waiting import wait_for
 

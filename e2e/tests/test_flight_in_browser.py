@@ -37,7 +37,9 @@ def open_station(server: Server, browser: Browser, pilot: tuple[str, str]) -> It
     own = secrets.token_hex(10)
 
     def opened(input_method: InputMethod, size: ViewportSize, dark: bool = False) -> Station:
-        stations.append(Station(open_page(browser, size, isinstance(input_method, Touch), dark), input_method))
+        stations.append(
+            Station(open_page(browser, size, isinstance(input_method, Touch), dark), input_method)
+        )
         # The first sign-in wants another password than the one that the administrator knows.
         stations[-1].sign_in(server.address, name, own if len(stations) > 1 else password, own)
         return stations[-1]

@@ -11,7 +11,14 @@ import pytest
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.flight import COPTER_RTL
-from dronemap_e2e.followed_phones import COPTER_LAND, FollowGroup, FollowedPhone, ReportedState, stages_by_soap, stages_by_stream
+from dronemap_e2e.followed_phones import (
+    COPTER_LAND,
+    FollowedPhone,
+    FollowGroup,
+    ReportedState,
+    stages_by_soap,
+    stages_by_stream,
+)
 from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.server import ROOT, Server
 from dronemap_e2e.simulator import Simulator
@@ -161,7 +168,9 @@ class Trial:
         fly = [one for case, one in self.follows.items() if case.at not in ("allocated", "starting")]
         for one in fly:
             one.request(self.phone, "start")
-        self.reach("all are there", lambda: all(self.reported.metres_to(one, one.place) < 3 for one in fly), 90)
+        self.reach(
+            "all are there", lambda: all(self.reported.metres_to(one, one.place) < 3 for one in fly), 90
+        )
         for one in self.those(at="paused"):
             one.request(self.phone, "pause")
         self.switch(self.named("a pilot's"), False, LOITER)

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from dronemap_e2e.follow_trial import FollowTrial
 from dronemap_e2e.follow_judge import judged
+from dronemap_e2e.follow_trial import FollowTrial
 
 # "3-9": these rounds; ten times twenty follows by default.
 SEEDS = os.environ.get("DRONEMAP_TRIAL_SEEDS", "1-10")
@@ -63,7 +63,9 @@ def follow_trial(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Fol
 
 @pytest.mark.soak
 @pytest.mark.parametrize("follow_trial", seeds(), indirect=True)
-def test_twenty_follows_at_once_keep_within_fences_above_the_lowest_height_and_apart(follow_trial: FollowTrial) -> None:
+def test_twenty_follows_at_once_keep_within_fences_above_the_lowest_height_and_apart(
+    follow_trial: FollowTrial,
+) -> None:
     found = follow_trial.fly(SECONDS)
     print(found)
     assert found["vehicles"] == FOLLOWS, found

@@ -10,12 +10,12 @@ import pytest
 from playwright.sync_api import Browser, Error, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.certificates import NAME, make_certificate, trust_certificate
 from dronemap_e2e.flight import Point
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Touch, launch
-from dronemap_e2e.certificates import NAME, make_certificate, trust_certificate
 from dronemap_e2e.waiting import wait_for
 from dronemap_e2e.walker import Walker, beside, phone, picture, sign_in
 

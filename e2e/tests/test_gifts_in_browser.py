@@ -23,9 +23,16 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png", full_page=True)
 
 
-@pytest.mark.parametrize(("viewport", "input_method"), [(DESK, Pointer()), (PHONE, Touch())], ids=["desk", "phone"])
+@pytest.mark.parametrize(
+    ("viewport", "input_method"), [(DESK, Pointer()), (PHONE, Touch())], ids=["desk", "phone"]
+)
 def test_a_drone_is_given_away_and_taken_back(
-    server: Server, api: Api, copter: Json, browser: Browser, viewport: ViewportSize, input_method: InputMethod
+    server: Server,
+    api: Api,
+    copter: Json,
+    browser: Browser,
+    viewport: ViewportSize,
+    input_method: InputMethod,
 ) -> None:
     """End to end because the list of what was given follows what the page itself does."""
     chief, password, name = f"chief-{secrets.token_hex(4)}", secrets.token_hex(10), secrets.token_hex(4)

@@ -27,7 +27,11 @@ def make_peer() -> Iterator[MakePeer]:
     peers: list[Peer] = []
 
     def make(server: Server, uid: int | None, system_id: int | None = None, tcp: bool = False) -> Peer:
-        handlers = STANDARD_HANDLERS if uid is None else {**STANDARD_HANDLERS, "COMMAND_LONG": reporting_hardware(uid)}
+        handlers = (
+            STANDARD_HANDLERS
+            if uid is None
+            else {**STANDARD_HANDLERS, "COMMAND_LONG": reporting_hardware(uid)}
+        )
         port = server.tcp_port if tcp else server.udp_port
         peers.append(Peer(port, system_id=system_id or next(SYSTEM_IDS), handlers=handlers, tcp=tcp))
         return peers[-1]

@@ -7,8 +7,8 @@ import pytest
 import requests
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.frame_links import Bridge, OpenSslDtlsLink
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
+from dronemap_e2e.frame_links import Bridge, OpenSslDtlsLink
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.impairer import BAD, UNIMPAIRED, Impairer
 from dronemap_e2e.direct_station import DirectStation
+from dronemap_e2e.impairer import BAD, UNIMPAIRED, Impairer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for

@@ -13,8 +13,8 @@ import zeep.transports
 from requests import Session
 
 from dronemap_e2e.api import Api
-from dronemap_e2e.frame_links import Bridge, WebSocketLink
 from dronemap_e2e.flight import Point
+from dronemap_e2e.frame_links import Bridge, WebSocketLink
 from dronemap_e2e.ports import own_host
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator

@@ -7,8 +7,8 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.frame_links import WebSocketLink
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
+from dronemap_e2e.frame_links import WebSocketLink
 from dronemap_e2e.ground_station import Attach, User, new_user
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import now_ticks

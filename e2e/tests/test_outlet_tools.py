@@ -119,7 +119,9 @@ def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing
             first.send_fields("set_mode", number, 1, 4)
             first.send_fields("param_set", number, 1, b"RTL_ALT", 900.0, mavlink.MAV_PARAM_TYPE_REAL32)
             first.send_fields("mission_clear_all", number, 1)
-            first.send_fields("command_long", number, 1, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0, 1, 0, 0, 0, 0, 0, 0)
+            first.send_fields(
+                "command_long", number, 1, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0, 1, 0, 0, 0, 0, 0, 0
+            )
         for number in numbers:
 
             def refused(number: int = number) -> list[Any]:

@@ -10,8 +10,8 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, ViewportSize, expect
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.impairer import Impairer
 from dronemap_e2e.direct_station import DirectStation
+from dronemap_e2e.impairer import Impairer
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator

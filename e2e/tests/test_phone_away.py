@@ -12,15 +12,15 @@ import pytest
 from playwright.sync_api import Browser, Error, Page, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.flight import Point
 from dronemap_e2e.cuttable_proxy import CuttableProxy
+from dronemap_e2e.flight import Point
 from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, Touch, launch
 from dronemap_e2e.waiting import rounds, wait_for
-from dronemap_e2e.walker import Walker, create_operator, beside, phone, picture, sign_in
+from dronemap_e2e.walker import Walker, beside, create_operator, phone, picture, sign_in
 
 SYSTEM_ID = 78
 PACE = 1.0

@@ -12,8 +12,8 @@ from roslink_bridge.robot import Robot as Machine
 from roslink_bridge.web import WebLine
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.steering_client import SteeringClient
 from dronemap_e2e.server import Server
+from dronemap_e2e.steering_client import SteeringClient
 from dronemap_e2e.waiting import wait_for
 
 OUR_ID = 3502

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.steering_client import SteeringClient
-from dronemap_e2e.ros1 import RobotProcess, Process, Ros, is_installed
+from dronemap_e2e.ros1 import Process, RobotProcess, Ros, is_installed
 from dronemap_e2e.server import Server
 from dronemap_e2e.soap import soap
+from dronemap_e2e.steering_client import SteeringClient
 from dronemap_e2e.waiting import wait_for
 
 pytestmark = pytest.mark.skipif(

@@ -9,8 +9,8 @@ import pytest
 import zeep.exceptions
 
 from dronemap_e2e.api import Api
-from dronemap_e2e.impairer import Impairer
 from dronemap_e2e.direct_station import DirectStation
+from dronemap_e2e.impairer import Impairer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.soap import soap

@@ -8,10 +8,10 @@ import pytest
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.ground_station import User, granted
-from dronemap_e2e.steering_client import SteeringClient
 from dronemap_e2e.impairer import Impairer, LinkConditions
 from dronemap_e2e.robot import Robot
 from dronemap_e2e.server import Server
+from dronemap_e2e.steering_client import SteeringClient
 from dronemap_e2e.waiting import throughout, wait_for
 
 MOST_SECONDS = 1.0

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.separation import fixes, nearest
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.datagram_recorder import DatagramRecorder
+from dronemap_e2e.separation import fixes, nearest
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.sitl import ArduCopter, arms_and_enters_guided
@@ -141,7 +141,9 @@ def test_four_real_autopilots_come_home_by_themselves(own_server: Server, tmp_pa
         api = Api(own_server.address, own_server.local_key())
         drones = ready(api, REAL, 180)
         for drone in drones:
-            wait_for(f"{drone['name']} may fly", partial(arms_and_enters_guided, api, drone["id"]), 120, every=3)
+            wait_for(
+                f"{drone['name']} may fly", partial(arms_and_enters_guided, api, drone["id"]), 120, every=3
+            )
         side_by_side(api, drones)
         own_server.kill()
         all_come_home(recorder, REAL, time.monotonic())
