@@ -79,7 +79,7 @@ def api(server: Server) -> Api:
 
 
 @pytest.fixture(scope="session")
-def fallen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+def restartable_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     """A server that the tests share which break one; `killable` makes sure that it runs."""
     server = Server(tmp_path_factory.mktemp("fallen") / "data")
     yield server
@@ -87,10 +87,10 @@ def fallen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 
 @pytest.fixture
-def killable(fallen: Server) -> Server:
+def killable_server(restartable_server: Server) -> Server:
     """One that the test may kill, stop and start again; it knows the drones and users of other such tests."""
-    fallen.start_unless_it_runs()
-    return fallen
+    restartable_server.start_unless_it_runs()
+    return restartable_server
 
 
 @pytest.fixture

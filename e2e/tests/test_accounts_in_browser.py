@@ -18,27 +18,27 @@ from dronemap_e2e.waiting import wait_for
 PATIENCE = 30_000
 
 
-class People:
+class UserPages:
     """Pages that share nothing, as those of several people: by day at a desk, by night on a phone."""
 
     def __init__(self, browser: Browser) -> None:
         self._browser = browser
         self.stations: list[Station] = []
 
-    def at_desk(self) -> Station:
-        return self._sits(Station(open_page(self._browser, DESK), Pointer()))
+    def on_desk(self) -> Station:
+        return self._add(Station(open_page(self._browser, DESK), Pointer()))
 
     def on_phone(self) -> Station:
-        return self._sits(Station(open_page(self._browser, PHONE, touch=True, dark=True), Touch()))
+        return self._add(Station(open_page(self._browser, PHONE, touch=True, dark=True), Touch()))
 
-    def _sits(self, station: Station) -> Station:
+    def _add(self, station: Station) -> Station:
         self.stations.append(station)
         return station
 
 
 @pytest.fixture
-def people(browser: Browser) -> Iterator[People]:
-    together = People(browser)
+def pages(browser: Browser) -> Iterator[UserPages]:
+    together = UserPages(browser)
     yield together
     for station in together.stations:
         station.page.context.close()
@@ -80,13 +80,13 @@ def press_in(station: Station, where: Locator, label: str | re.Pattern[str]) -> 
 
 
 def test_what_a_thumb_aims_at_stays_where_it_is_while_the_line_comes_up(
-    server: Server, api: Api, people: People
+    server: Server, api: Api, pages: UserPages
 ) -> None:
     """End to end because only a browser lays a page out."""
     name, password = new_name("viewer"), secrets.token_hex(10)
     made = api.call("POST", "/users", {"name": name, "password": password, "role": "viewer"})
     assert made.status_code == 201, made.text
-    station = people.on_phone()
+    station = pages.on_phone()
     waiting: list[WebSocketRoute] = []
     station.page.route_web_socket(re.compile("^wss?:"), lambda socket: waiting.append(socket))
     station.sign_in(server.address, name, password, secrets.token_hex(10))
@@ -109,10 +109,10 @@ def reload_users(station: Station) -> None:
 
 
 def test_an_invited_viewer_watches_until_disabled(
-    server: Server, api: Api, copter: Json, people: People
+    server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because two people have pages of their own, and one of them loses what it shows."""
-    chief = administrator(server, api, people.at_desk())
+    chief = administrator(server, api, pages.on_desk())
     invitations = card(chief, "Invitations")
     invitations.get_by_label("Whom you invite").fill("Ann of the fire brigade")
     invitations.get_by_label("Role of the invited").select_option("viewer")
@@ -125,7 +125,7 @@ def test_an_invited_viewer_watches_until_disabled(
     assert link.startswith(server.address + "/#invitation=")
 
     ann, password = new_name("ann"), secrets.token_hex(10)
-    guest = people.on_phone()
+    guest = pages.on_phone()
     guest.page.goto(link)
     expect(guest.page.get_by_role("heading", name="You are invited")).to_be_visible()
     guest.page.get_by_label("User name").fill(ann)
@@ -139,7 +139,7 @@ def test_an_invited_viewer_watches_until_disabled(
     expect(guest.page.get_by_role("button", name=f"Rename {copter['name']}")).to_have_count(0)
     picture(guest.page, "accounts-3-viewer")
 
-    again = people.on_phone()
+    again = pages.on_phone()
     again.page.goto(link)
     again.page.get_by_label("User name").fill(new_name("bob"))
     again.page.get_by_label("Password", exact=True).fill(password)
@@ -161,11 +161,11 @@ def test_an_invited_viewer_watches_until_disabled(
 
 
 def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_password(
-    server: Server, api: Api, copter: Json, people: People
+    server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because the pages of two people change with what one does on the other."""
     carol, password = new_name("carol"), secrets.token_hex(10)
-    guest = people.at_desk()
+    guest = pages.on_desk()
     guest.page.goto(server.address)
     guest.press("No account yet? Ask for one")
     guest.page.get_by_label("User name").fill(carol)
@@ -181,7 +181,7 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
     guest.press("Sign in")
     guest.shows("Your account waits until an administrator lets you in")
 
-    chief = administrator(server, api, people.on_phone())
+    chief = administrator(server, api, pages.on_phone())
     expect(row(chief, carol)).to_contain_text("waits to be let in")
     picture(chief.page, "accounts-8-users")
     press_in(chief, row(chief, carol), re.compile("^Let in"))
@@ -216,10 +216,10 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
 
 
 def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
-    server: Server, api: Api, copter: Json, people: People
+    server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because a key that a page shows once is used by a program."""
-    station = administrator(server, api, people.on_phone())
+    station = administrator(server, api, pages.on_phone())
     keys = card(station, "Access keys")
     keys.get_by_label("What the key is for").fill("survey script")
     keys.get_by_label("What it may do").select_option("only look")

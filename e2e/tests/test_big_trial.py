@@ -35,7 +35,7 @@ def seeds() -> range:
 
 
 @pytest.fixture
-def conductor(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[BigTrialRunner]:
+def runner(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[BigTrialRunner]:
     seed, bad = request.param
     opened = BigTrialRunner(tmp_path, seed, BAD if bad else UNIMPAIRED, SPEEDUP)
     yield opened
@@ -43,27 +43,27 @@ def conductor(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[BigTri
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("conductor", [(seed, False) for seed in seeds()], indirect=True, ids=str)
-def test_all_waypoints_are_visited_whatever_befalls(conductor: BigTrialRunner) -> None:
-    trial = conductor.fly()
-    seconds = judged(conductor, trial)
+@pytest.mark.parametrize("runner", [(seed, False) for seed in seeds()], indirect=True, ids=str)
+def test_all_waypoints_are_visited_whatever_befalls(runner: BigTrialRunner) -> None:
+    trial = runner.fly()
+    seconds = judged(runner, trial)
     for kind, limit in LIMITS.items():
         assert seconds[kind] <= limit, (kind, seconds)
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("conductor", [(max(seeds()) + 1000, True)], indirect=True, ids=str)
-def test_all_waypoints_are_visited_over_bad_links(conductor: BigTrialRunner) -> None:
-    judged(conductor, conductor.fly())
+@pytest.mark.parametrize("runner", [(max(seeds()) + 1000, True)], indirect=True, ids=str)
+def test_all_waypoints_are_visited_over_bad_links(runner: BigTrialRunner) -> None:
+    judged(runner, runner.fly())
 
 
-def judged(conductor: BigTrialRunner, trial: Trial) -> dict[str, float]:
+def judged(runner: BigTrialRunner, trial: Trial) -> dict[str, float]:
     """All that must hold; from each fault to the acknowledged missions."""
-    tracks = conductor.tracks(trial)
+    tracks = runner.tracks(trial)
     found = visits(tracks, trial.spots)
     least = nearest(tracks)
     twice = doubles(found)
-    seconds = {f.kind: until_on_board(conductor, trial, f) for f in trial.faults}
+    seconds = {f.kind: wait_until_on_board(runner, trial, f) for f in trial.faults}
     said = {
         "seed": trial.seed,
         "onCloudLoss": trial.on_cloud_loss,
@@ -77,11 +77,11 @@ def judged(conductor: BigTrialRunner, trial: Trial) -> dict[str, float]:
         "dead": round(trial.dead[1] - trial.dead[0], 1),
         "minutes": round(max(f.fixes[-1].seconds for f in tracks.values()) / 60, 1),
     }
-    (conductor.folder / "trial.json").write_text(json.dumps(said))
+    (runner.folder / "trial.json").write_text(json.dumps(said))
     print("TRIAL", json.dumps(said))
     words = "\n".join(one["words"] for one in trial.over["explanations"])
     check_visits(trial, found, f"{said}\n{words}")
-    check_doubles(conductor, trial, twice, f"{said}\n{words}")
+    check_doubles(runner, trial, twice, f"{said}\n{words}")
     assert not crossings(tracks, trial.discs), (crossings(tracks, trial.discs), words)
     assert least is None or least.metres >= LEAST_METRES, f"{least}\n{said}\n{words}"
     assert trial.replay["same"], trial.replay
@@ -100,11 +100,11 @@ def check_visits(trial: Trial, found: list[Visit], words: str) -> None:
         assert by is None or (one["id"], by) in truly, f"{one}\n{words}"
 
 
-def check_doubles(conductor: BigTrialRunner, trial: Trial, twice: dict[str, list[Visit]], words: str) -> None:
+def check_doubles(runner: BigTrialRunner, trial: Trial, twice: dict[str, list[Visit]], words: str) -> None:
     """Of those who came to one waypoint at most one was in contact, long enough to say so."""
     cut = trial.of("link")
-    since = conductor.boot_seconds(cut.at) - TELLING_SECONDS
-    gone, back = (conductor.boot_seconds(moment) for moment in trial.dead)
+    since = runner.boot_seconds(cut.at) - TELLING_SECONDS
+    gone, back = (runner.boot_seconds(moment) for moment in trial.dead)
     missed = max(back, gone + MISSING_SECONDS)
     for name, some in twice.items():
         in_contact = [
@@ -112,19 +112,19 @@ def check_doubles(conductor: BigTrialRunner, trial: Trial, twice: dict[str, list
             for visit in some
             if not (visit.vehicle == cut.system_id and visit.seconds >= since)
             and not gone - TELLING_SECONDS <= visit.seconds <= missed + TELLING_SECONDS
-            and not passes_by(visit, some)
+            and not is_pass_by(visit, some)
         ]
         assert len(in_contact) <= 1, f"waypoint {name}: {some}\n{words}"
 
 
-def passes_by(visit: Visit, some: list[Visit]) -> bool:
+def is_pass_by(visit: Visit, some: list[Visit]) -> bool:
     """It took off beside a waypoint that it came to only later."""
     return visit.at_start and any(
         other.vehicle == visit.vehicle and other.seconds > visit.seconds for other in some
     )
 
 
-def until_on_board(conductor: BigTrialRunner, trial: Trial, fault: Fault) -> float:
+def wait_until_on_board(runner: BigTrialRunner, trial: Trial, fault: Fault) -> float:
     """From the fault until the last of what was taken from that drone was acknowledged by another one."""
     taken = taken_from(trial, fault)
     if not taken:
@@ -133,7 +133,7 @@ def until_on_board(conductor: BigTrialRunner, trial: Trial, fault: Fault) -> flo
     for name in taken:
         acknowledged_missions = [
             at
-            for at, system_id, waypoints in conductor.acknowledged_missions(trial)
+            for at, system_id, waypoints in runner.acknowledged_missions(trial)
             if at > fault.at and system_id != fault.system_id and name in waypoints
         ]
         assert acknowledged_missions, f"nobody got {name}"

@@ -37,7 +37,7 @@ class User(NamedTuple):
     password: str
 
 
-class Sky(NamedTuple):
+class ControlServer(NamedTuple):
     """A server that calls drones back soon after their holder is lost."""
 
     server: Server
@@ -67,29 +67,29 @@ class Sky(NamedTuple):
 
 
 @pytest.fixture(scope="module")
-def sky(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Sky]:
+def control_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ControlServer]:
     server = Server(
         tmp_path_factory.mktemp("control") / "data",
         DRONEMAP_CONTROL_RETURN_SECONDS="2",
         DRONEMAP_RATE_COMMANDS="0",  # racers are no people
     )
     server.start()
-    yield Sky(server)
+    yield ControlServer(server)
     server.stop()
 
 
 @pytest.fixture
-def hover(sky: Sky) -> Iterator[Callable[[], tuple[HoveringCopter, str]]]:
+def hovering_copter(control_server: ControlServer) -> Iterator[Callable[[], tuple[HoveringCopter, str]]]:
     """Makes drones that hover, guided."""
     flying: list[HoveringCopter] = []
 
     def make() -> tuple[HoveringCopter, str]:
-        hoverer = HoveringCopter(sky.server.udp_port, 50 + len(flying))
+        hoverer = HoveringCopter(control_server.server.udp_port, 50 + len(flying))
         flying.append(hoverer)
-        drone = wait_for("it flies", lambda: _flying(sky.api, hoverer.peer.port), 60)
+        drone = wait_for("it flies", lambda: _flying(control_server.api, hoverer.peer.port), 60)
         # On the page those of earlier tests, lost by now, would else be called the same.
         name = {"name": f"Hoverer {hoverer.peer.port}"}
-        assert sky.api.call("PATCH", f"/drones/{drone['id']}", name).ok
+        assert control_server.api.call("PATCH", f"/drones/{drone['id']}", name).ok
         return hoverer, drone["id"]
 
     yield make
@@ -108,39 +108,39 @@ def _flying(api: Api, port: int) -> Json | None:
     )
 
 
-def racers(sky: Sky, drone: str, quiet_every: int = 8) -> list[Racer]:
-    stream = StreamClient(sky.server.stream_address, sky.key("supervisor"), drone)
-    rest = RestClient(Api(sky.server.address, sky.key("supervisor")), drone)
+def racers(control_server: ControlServer, drone: str, quiet_every: int = 8) -> list[Racer]:
+    stream = StreamClient(control_server.server.stream_address, control_server.key("supervisor"), drone)
+    rest = RestClient(Api(control_server.server.address, control_server.key("supervisor")), drone)
     return [
         Racer("rest", rest, 0, seed=1, quiet_every=quiet_every),
         Racer("stream", stream, 1, seed=2, quiet_every=quiet_every),
     ]
 
 
-def recorded(sky: Sky, command: str) -> Json | None:
-    answer = sky.api.call("GET", f"/commands/{command}")
+def command_record(control_server: ControlServer, command: str) -> Json | None:
+    answer = control_server.api.call("GET", f"/commands/{command}")
     found: Json | None = answer.json() if answer.ok else None
     return found
 
 
 @pytest.mark.soak
 def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
-    sky: Sky, hover: Callable[[], tuple[HoveringCopter, str]]
+    control_server: ControlServer, hovering_copter: Callable[[], tuple[HoveringCopter, str]]
 ) -> None:
-    hoverer, drone = hover()
-    both = racers(sky, drone, quiet_every=100)
+    hoverer, drone = hovering_copter()
+    both = racers(control_server, drone, quiet_every=100)
 
     def restart(round_number: int) -> None:
         if round_number and round_number % (SOAK_ROUNDS // 4) == 0:
-            sky.server.kill()
-            sky.server.start()
-            wait_for("it flies again", lambda: _flying(sky.api, hoverer.peer.port), 60)
+            control_server.server.kill()
+            control_server.server.start()
+            wait_for("it flies again", lambda: _flying(control_server.api, hoverer.peer.port), 60)
 
-    with DatabaseStall(sky.server.data, seed=4) as stall:
+    with DatabaseStall(control_server.server.data, seed=4) as stall:
         race(both, SOAK_ROUNDS, restart)
 
     moves = list(hoverer.moves)
-    lost = fill_epochs_from_records(moves, both, partial(recorded, sky))
+    lost = fill_epochs_from_records(moves, both, partial(command_record, control_server))
     changes = check_epochs(moves, both)
     refused = sum(len(racer.refused) for racer in both)
     print(
@@ -150,11 +150,13 @@ def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
     assert changes > SOAK_ROUNDS / 100 and stall.times > SOAK_ROUNDS / 100
 
 
-def holds_and_returns(sky: Sky, hoverer: HoveringCopter, drone: str) -> None:
+def holds_and_returns(control_server: ControlServer, hoverer: HoveringCopter, drone: str) -> None:
     wait_for("it holds", lambda: hoverer.peer.state.custom_mode in (LOITER, BRAKE), 60)
     wait_for("it returns", lambda: hoverer.peer.state.custom_mode == RTL, 60)
-    assert sky.api.drone(drone)["control"]["state"] == "free"
-    assert [c["by"] for c in sky.api.get(f"/drones/{drone}/commands")["commands"][:2]] == ["dronemap"] * 2
+    assert control_server.api.drone(drone)["control"]["state"] == "free"
+    assert [c["by"] for c in control_server.api.get(f"/drones/{drone}/commands")["commands"][:2]] == [
+        "dronemap"
+    ] * 2
 
 
 def kill_browser(mark: str) -> None:
@@ -169,34 +171,36 @@ def kill_browser(mark: str) -> None:
 
 
 def test_the_drone_of_a_killed_browser_holds_and_then_returns(
-    sky: Sky, hover: Callable[[], tuple[HoveringCopter, str]], playwright: Playwright
+    control_server: ControlServer,
+    hovering_copter: Callable[[], tuple[HoveringCopter, str]],
+    playwright: Playwright,
 ) -> None:
     """End to end because a browser that is killed says nothing more, and its real connection is what ends."""
-    hoverer, drone = hover()
+    hoverer, drone = hovering_copter()
     mark = f"--doomed={secrets.token_hex(8)}"
     doomed = launch(playwright, mark)
     station = Station(open_page(doomed), Pointer())
-    station.sign_in(sky.server.address, *sky.user("operator"), secrets.token_hex(10))
-    station.choose(sky.api.drone(drone)["name"])
+    station.sign_in(control_server.server.address, *control_server.user("operator"), secrets.token_hex(10))
+    station.choose(control_server.api.drone(drone)["name"])
     station.press("Take control")
     station.shows("You have control")
-    wait_for("the page keeps it", lambda: sky.api.drone(drone)["control"]["explicit"], 30)
+    wait_for("the page keeps it", lambda: control_server.api.drone(drone)["control"]["explicit"], 30)
 
     kill_browser(mark)
 
-    holds_and_returns(sky, hoverer, drone)
+    holds_and_returns(control_server, hoverer, drone)
 
 
 def test_people_see_who_has_control_and_hand_it_over(
-    sky: Sky, hover: Callable[[], tuple[HoveringCopter, str]], browser: Browser
+    control_server: ControlServer, hovering_copter: Callable[[], tuple[HoveringCopter, str]], browser: Browser
 ) -> None:
     """End to end because people do it on the page, each in a browser of their own."""
-    _, drone = hover()
-    name = sky.api.drone(drone)["name"]
-    users = [sky.user("operator"), sky.user("operator")]
+    _, drone = hovering_copter()
+    name = control_server.api.drone(drone)["name"]
+    users = [control_server.user("operator"), control_server.user("operator")]
     ann, bob = (Station(open_page(browser), Pointer()) for _ in users)
     for station, user in zip((ann, bob), users, strict=True):
-        station.sign_in(sky.server.address, *user, secrets.token_hex(10))
+        station.sign_in(control_server.server.address, *user, secrets.token_hex(10))
         station.choose(name)
 
     ann.press("Take control")

@@ -43,15 +43,15 @@ COMMANDS = ("Arm", "Disarm", "Take off", "Hold", "Return to launch", "Land", "Ke
 
 
 @pytest.fixture
-def hovering(killable: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
+def hovering(killable_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
     system_id = next(SYSTEM_IDS)
     simulator = Simulator(
         tmp_path / "sim.log",
-        f"udp://127.0.0.1:{killable.udp_port}",
+        f"udp://127.0.0.1:{killable_server.udp_port}",
         *("--count", "1", "--sysid", str(system_id)),
         *QUICK_FLIGHT,
     )
-    api = Api(killable.address, killable.local_key())
+    api = Api(killable_server.address, killable_server.local_key())
     drone = wait_for("the copter is ready", lambda: api.ready(system_id), 90)
     api.do(drone["id"], type="arm")
     api.do(drone["id"], type="takeOff", altitude=10)
@@ -82,14 +82,14 @@ def pictures(page: Page, name: str) -> None:
 
 
 def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
-    killable: Server, browser: Browser, hovering: tuple[Api, Json]
+    killable_server: Server, browser: Browser, hovering: tuple[Api, Json]
 ) -> None:
     """End to end because a stopped server keeps its connections open: only a browser shows what it sees."""
     api, drone = hovering
     page = open_page(browser)
     page.add_init_script(WATCH)
     station = Station(page, Pointer())
-    station.sign_in(killable.address, *supervisor(api), secrets.token_hex(10))
+    station.sign_in(killable_server.address, *supervisor(api), secrets.token_hex(10))
     station.choose(drone["name"])
     # Who flew it up has control for 30 s after that.
     expect(station.button("Take control")).to_be_visible(timeout=60_000)
@@ -98,7 +98,7 @@ def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
     expect(page.get_by_text("Connected")).to_be_visible()
     pictures(page, "line-up")
 
-    os.kill(killable.pid, signal.SIGSTOP)
+    os.kill(killable_server.pid, signal.SIGSTOP)
     try:
         expect(page.get_by_role("alert").filter(has_text="No connection to the cloud for")).to_be_visible()
         told = page.evaluate("window.told")
@@ -113,7 +113,7 @@ def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
                 expect(button).to_have_attribute("aria-disabled", "true")
         pictures(page, "line-cut")
     finally:
-        os.kill(killable.pid, signal.SIGCONT)
+        os.kill(killable_server.pid, signal.SIGCONT)
     expect(page.get_by_text("Connected")).to_be_visible()
     expect(page.get_by_text(re.compile("these are the last values"))).to_have_count(0)
     expect(station.button("Hold")).to_have_attribute("aria-disabled", "false")
@@ -122,14 +122,14 @@ def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
 
 @pytest.mark.parametrize("input_method", [Keyboard(), Touch()], ids=["keyboard", "touch"])
 def test_two_holds_stop_the_motors_in_the_air(
-    killable: Server, browser: Browser, hovering: tuple[Api, Json], input_method: InputMethod
+    killable_server: Server, browser: Browser, hovering: tuple[Api, Json], input_method: InputMethod
 ) -> None:
     """End to end because holds are of real keys and fingers, and what follows is seen at the vehicle."""
     api, drone = hovering
     touch = isinstance(input_method, Touch)
     page = open_page(browser, PHONE if touch else DESK, touch=touch)
     station = Station(page, input_method)
-    station.sign_in(killable.address, *supervisor(api), secrets.token_hex(10))
+    station.sign_in(killable_server.address, *supervisor(api), secrets.token_hex(10))
     station.choose(drone["name"])
     input_method.press(page, page.get_by_role("button", name=re.compile("^Emergency stop")).first)
     expect(page.get_by_text(f"{drone['name']} FALLS from where it is")).to_be_visible()

@@ -25,16 +25,16 @@ LONGEST_SECONDS_MORE = 2.0
     [(300, 2), pytest.param(1_000, 4, marks=pytest.mark.soak)],
     ids=["some", "a thousand"],
 )
-def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, killable: Server) -> None:
+def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, killable_server: Server) -> None:
     """End to end because a process is killed with -9 under its clients, and its own PostgreSQL goes on."""
     chance = random.Random(20)
     acknowledged: list[str] = []
     for kill in range(kills):
         goal = writes * (kill + 1) // (kills + 1) + chance.randrange(50)
-        _write_until(killable, acknowledged, goal, and_then=killable.kill)
-        killable.start()
-    _write_until(killable, acknowledged, writes)
-    api = Api(killable.address, killable.local_key())
+        _write_until(killable_server, acknowledged, goal, and_then=killable_server.kill)
+        killable_server.start()
+    _write_until(killable_server, acknowledged, writes)
+    api = Api(killable_server.address, killable_server.local_key())
     kept = {mission["name"] for mission in api.get("/missions")["missions"]}
 
     assert len(acknowledged) >= writes

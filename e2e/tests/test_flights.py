@@ -42,7 +42,7 @@ WATCH = """map => {
 SEEK = "(line, time) => { line.value = time; line.dispatchEvent(new Event('input', { bubbles: true })); }"
 
 
-class OnTheWire:
+class WirePositions:
     """Where a vehicle said that it was, by the time of day when it was heard."""
 
     def __init__(self, wire: VehicleMessages) -> None:
@@ -130,7 +130,7 @@ def test_a_flight_is_played_and_taken_along_as_it_was_on_the_wire(
     """End to end because a browser plays it, and DuckDB reads its columns."""
     flight = fly(api, copter)
     check_files(api, flight, tmp_path)
-    check_replay(server, api, page, copter, OnTheWire(wire))
+    check_replay(server, api, page, copter, WirePositions(wire))
 
 
 def check_files(api: Api, flight: Json, folder: Path) -> None:
@@ -187,7 +187,7 @@ def as_text(name: str, value: object, text: str) -> str:
     return str(value)
 
 
-def check_replay(server: Server, api: Api, page: Page, copter: Json, flown: OnTheWire) -> None:
+def check_replay(server: Server, api: Api, page: Page, copter: Json, flown: WirePositions) -> None:
     """Played on the page at ten times its speed, the drone is where it was."""
     name, password = f"viewer-{secrets.token_hex(4)}", secrets.token_hex(10)
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "viewer"})

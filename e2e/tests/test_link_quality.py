@@ -17,9 +17,9 @@ def stands_still(server: Server) -> bool:
     return Path(f"/proc/{server.pid}/stat").read_text().rpartition(") ")[2].startswith("T")
 
 
-def test_nobody_is_called_lost_while_the_server_itself_stood_still(killable: Server) -> None:
+def test_nobody_is_called_lost_while_the_server_itself_stood_still(killable_server: Server) -> None:
     """End to end because only a process that is stopped stands still with all of its threads."""
-    server = killable
+    server = killable_server
     peers = [Peer(server.udp_port, system_id=220 + i) for i in range(4)]
     peers += [Peer(server.tcp_port, system_id=230, tcp=True)]
     try:

@@ -35,7 +35,7 @@ def pilot(server: Server, api: Api, copters: list[Copter]) -> Iterator[User]:
 
 
 @pytest.fixture
-def sign(server: Server, tmp_path: Path) -> Iterator[Sign]:
+def signing_relay(server: Server, tmp_path: Path) -> Iterator[Sign]:
     """Starts a signer towards a port at which a tool listens."""
     started: list[subprocess.Popen[bytes]] = []
 
@@ -75,10 +75,10 @@ def flown_over_the_outlet(api: Api, copters: list[Copter], user: User) -> list[s
 
 
 def test_mavsdk_behind_the_signer_reads_writes_and_flies_two_vehicles_of_one_system_id(
-    api: Api, copters: list[Copter], pilot: User, sign: Sign
+    api: Api, copters: list[Copter], pilot: User, signing_relay: Sign
 ) -> None:
     """End to end because MAVSDK and the signer are foreign programs."""
-    port = sign(pilot)
+    port = signing_relay(pilot)
     ended = subprocess.run(
         [sys.executable, "-m", "dronemap_e2e.mavsdk_pilot", f"udpin://127.0.0.1:{port}", str(len(copters))],
         cwd=ROOT / "e2e",

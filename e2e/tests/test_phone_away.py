@@ -78,7 +78,7 @@ def browser(server: Server, network: Network, playwright: Playwright) -> Iterato
 
 
 @dataclass
-class Trial:
+class PhoneTrial:
     """A person with a phone, a drone that follows, and somebody at the station who looks on."""
 
     api: Api
@@ -91,7 +91,7 @@ class Trial:
     def seen(self) -> Json:
         return self.api.get(f"/follows/{self.follow}")
 
-    def walks_until(self, what: str, condition: Callable[[], object], seconds: float = 60) -> None:
+    def walk_until(self, what: str, condition: Callable[[], object], seconds: float = 60) -> None:
         def stepped() -> object:
             self.walker.step(PACE)
             return condition()
@@ -102,7 +102,7 @@ class Trial:
         position = self.api.drone(self.drone["id"])["position"]
         return self.walker.place.metres_to(position["latitude"], position["longitude"]) < NEAR
 
-    def told_within(self, words: str, seconds: float = 20) -> None:
+    def wait_for_message(self, words: str, seconds: float = 20) -> None:
         """The cloud says so, and the station."""
         wait_for(f"told: {words}", lambda: (self.seen()["note"] or "").startswith(words), seconds)
         assert self.seen()["now"]["reach"] == {SLEEPS: "asleep", CUT_OFF: "cut", CLOSED: "gone"}[words]
@@ -111,7 +111,7 @@ class Trial:
         expect(shelf).to_contain_text("stands still and waits for")
         expect(shelf).to_contain_text(re.compile(r"Silent for \d+ s; flies home in \d+ s"))
 
-    def stood(self, since: float) -> None:
+    def check_drone_stood(self, since: float) -> None:
         """From then on, as the vehicle itself said."""
         heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True, since=since + STANDS_AFTER)
         places = [Point(h.message.lat / 1e7, h.message.lon / 1e7, 0) for h in heard]
@@ -120,7 +120,7 @@ class Trial:
         print(f"it strayed {strayed:.2f} m in {heard[-1].at - heard[0].at:.0f} s")
         assert strayed < STANDS_WITHIN
 
-    def is_back(self, words: str, name: str) -> None:
+    def check_following_again(self, words: str, name: str) -> None:
         """The page says what was, and the drone comes along again."""
         page = self.walker.page
         said = self.walker.reads(words, "Now it follows you again.", seconds=BACK_SECONDS)
@@ -130,7 +130,7 @@ class Trial:
         expect(page.get_by_role("heading", name="Following you")).to_be_visible()
         assert self.seen()["state"] == "tracking"
         begun = self.walker.north
-        self.walks_until(
+        self.walk_until(
             "it follows again", lambda: self.walker.north > begun + 8 and self.is_near(), seconds=60
         )
 
@@ -145,12 +145,12 @@ class Trial:
 @pytest.fixture
 def trial(
     server: Server, api: Api, recorder: MessageRecorder, drone: Json, browser: Browser
-) -> Iterator[Trial]:
+) -> Iterator[PhoneTrial]:
     page = phone(browser, beside(drone["home"], Walker.east, Walker.north))
     desk = open_page(browser, dark=True)
     Station(desk, Pointer()).sign_in(server.address, *create_operator(api), secrets.token_hex(10))
     desk.get_by_role("button", name=re.compile("^Phones that are followed")).click()
-    made = Trial(api, recorder, drone, Walker(page, drone["home"]), desk)
+    made = PhoneTrial(api, recorder, drone, Walker(page, drone["home"]), desk)
     sign_in(page, f"http://localhost:{server.http_port}/follow", api)
     page.get_by_role("button", name="Change that").tap()
     page.get_by_role("combobox", name=re.compile("^Drone")).select_option(drone["id"])
@@ -160,35 +160,35 @@ def trial(
     made.follow = follow["id"]
     Touch().hold(page, page.get_by_role("button", name="Start", exact=True))
     made.walker.stands_until("Following you", 60)
-    made.walks_until("the drone has come", made.is_near)
+    made.walk_until("the drone has come", made.is_near)
     yield made
     api.call("POST", f"/follows/{made.follow}/stop")
 
 
-def freezes(trial: Trial) -> None:
+def check_frozen_page(trial: PhoneTrial) -> None:
     """Nothing of the page runs any more, as when the system puts it to sleep; its connection lives in another
     process. (A page in sight, as all pages of a browser without a window are, cannot be frozen by name.)"""
     page = trial.walker.context.new_cdp_session(trial.walker.page)
     page.send("Debugger.enable")
     began = time.monotonic()
     page.send("Debugger.pause")
-    trial.told_within(SLEEPS)
+    trial.wait_for_message(SLEEPS)
     picture(trial.station, "away-asleep-station")
     for _ in rounds(began + FROZEN, 0.5):
         assert trial.seen()["now"]["reach"] == "asleep"
-    trial.stood(began)
+    trial.check_drone_stood(began)
     page.send("Debugger.resume")
     page.detach()
-    trial.is_back("This page was stopped for", "away-asleep-back")
+    trial.check_following_again("This page was stopped for", "away-asleep-back")
 
 
-def is_cut_off(trial: Trial, network: Network) -> None:
+def check_lost_network(trial: PhoneTrial, network: Network) -> None:
     page = trial.walker.page
     for line in network.lines:
         line.cut()
     began = time.monotonic()
-    trial.walks_until("the cloud knows", lambda: trial.seen()["now"]["reach"] == "cut", 20)
-    trial.told_within(CUT_OFF)
+    trial.walk_until("the cloud knows", lambda: trial.seen()["now"]["reach"] == "cut", 20)
+    trial.wait_for_message(CUT_OFF)
     expect(page.get_by_role("heading", name="The cloud does not answer")).to_be_visible()
     expect(page.get_by_text("stands still in the air and waits")).to_be_visible()
     expect(page.get_by_text(re.compile(r"It flies home in \d+ s"))).to_be_visible()
@@ -197,30 +197,30 @@ def is_cut_off(trial: Trial, network: Network) -> None:
     picture(trial.station, "away-cut-station")
     for _ in rounds(began + CUT, 1):
         trial.walker.step(PACE)
-    trial.stood(began)
+    trial.check_drone_stood(began)
     for line in network.lines:
         line.restore()
-    trial.is_back("The cloud did not answer for", "away-cut-back")
+    trial.check_following_again("The cloud did not answer for", "away-cut-back")
 
 
-def loses_its_tab(trial: Trial, how: Callable[[Page], object], name: str) -> None:
+def check_closed_tab(trial: PhoneTrial, how: Callable[[Page], object], name: str) -> None:
     began = time.monotonic()
     how(trial.walker.page)
-    trial.told_within(CLOSED)
+    trial.wait_for_message(CLOSED)
     picture(trial.station, f"{name}-station")
     wait_for("it has stood for a while", lambda: time.monotonic() > began + STANDS_AFTER + 4, 20)
-    trial.stood(began)
+    trial.check_drone_stood(began)
     trial.opened_again()
-    trial.is_back("This page was closed for", f"{name}-back")
+    trial.check_following_again("This page was closed for", f"{name}-back")
 
 
 @pytest.mark.soak
 def test_the_drone_stands_while_its_phone_is_away_and_goes_on_when_it_is_back(
-    trial: Trial, network: Network
+    trial: PhoneTrial, network: Network
 ) -> None:
-    freezes(trial)
-    is_cut_off(trial, network)
-    loses_its_tab(trial, Page.close, "away-closed")
+    check_frozen_page(trial)
+    check_lost_network(trial, network)
+    check_closed_tab(trial, Page.close, "away-closed")
 
     # A phone that is cut off may look asleep for a moment: what was said last before it was back counts.
     # A page also stands still by itself while it opens on a slow machine.

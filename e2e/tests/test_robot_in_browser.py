@@ -209,10 +209,10 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     # It repeats what it heard last for ever, so it was told to stand.
     wait_for("it stands", lambda: speed(api, robot["id"]) == 0)
     page.set_viewport_size({"width": 390, "height": 844})
-    steers_on_a_phone(api, robot, page, steer)
+    check_steering_on_phone(api, robot, page, steer)
 
 
-def steers_on_a_phone(api: Api, robot: Json, page: Page, steer: Locator) -> None:
+def check_steering_on_phone(api: Api, robot: Json, page: Page, steer: Locator) -> None:
     stick, canvas = steer.locator("[data-stick=Drive]"), page.locator("canvas[aria-label^='Map of']")
     # The panel is made anew for a phone; this waits for the new one.
     stick.hover()

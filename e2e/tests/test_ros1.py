@@ -64,7 +64,7 @@ def shown(api: Api) -> Json | None:
     return None
 
 
-def see_what_it_publishes(api: Api, robot: Robot) -> None:
+def check_published_data(api: Api, robot: Robot) -> None:
     drone = api.drone(robot.drone)
     assert drone["kind"] == "rover"
     assert drone["battery"]["percent"] == 83
@@ -84,7 +84,7 @@ def see_what_it_publishes(api: Api, robot: Robot) -> None:
     )
 
 
-def see_where_it_is(api: Api, robot: Robot) -> None:
+def check_position(api: Api, robot: Robot) -> None:
     """Its odometry says that it is at (0.5, 1.5) and turned a quarter to the right."""
 
     def is_there() -> bool:
@@ -100,7 +100,7 @@ def drawn(png: bytes) -> bytes:
     return zlib.decompress(png[start : start + int.from_bytes(png[start - 8 : start - 4], "big")])
 
 
-def drive_it(server: Server, api: Api, robot: Robot) -> None:
+def check_driving(server: Server, api: Api, robot: Robot) -> None:
     before = api.drone(robot.drone)["local"]["x"]
     with closing(SteeringClient(server, api.new_key("stick", "operator"), robot.drone)) as helm:
         wait_for("it is told to drive", lambda: robot.process.forward == 0.4)
@@ -110,7 +110,7 @@ def drive_it(server: Server, api: Api, robot: Robot) -> None:
         wait_for("it is told to stand", lambda: robot.process.forward == 0, every=0.01)
 
 
-def send_it_somewhere(server: Server, api: Api, robot: Robot) -> None:
+def check_goal(server: Server, api: Api, robot: Robot) -> None:
     api.do(robot.drone, type="goToLocal", x=2, y=-1)
     goal = robot.process.orders("goal")[-1]
     assert (goal["x"], goal["y"], goal["frame"]) == (2, -1, "map")
@@ -162,7 +162,7 @@ def test_a_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> 
     assert not api.drone(identity)["armed"]
 
 
-def end_the_bridge(server: Server, api: Api, robot: Robot) -> None:
+def check_stop_at_end(server: Server, api: Api, robot: Robot) -> None:
     """It is told to stand."""
     with closing(SteeringClient(server, api.new_key("stick", "operator"), robot.drone)):
         wait_for("it is told to drive", lambda: robot.process.forward == 0.4)
@@ -175,8 +175,8 @@ def test_a_robot_is_seen_driven_and_sent_somewhere_and_stands_when_its_bridge_is
     server: Server, api: Api, robot: Robot
 ) -> None:
     """End to end because the packages of ROS 1, and our bridge between them and us, are real programs."""
-    see_what_it_publishes(api, robot)
-    see_where_it_is(api, robot)
-    drive_it(server, api, robot)
-    send_it_somewhere(server, api, robot)
-    end_the_bridge(server, api, robot)
+    check_published_data(api, robot)
+    check_position(api, robot)
+    check_driving(server, api, robot)
+    check_goal(server, api, robot)
+    check_stop_at_end(server, api, robot)

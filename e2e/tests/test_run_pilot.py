@@ -37,7 +37,7 @@ def recorder(server: Server) -> Iterator[MessageRecorder]:
 
 
 @pytest.fixture
-def mountain(recorder: MessageRecorder, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Simulator]:
+def simulator(recorder: MessageRecorder, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Simulator]:
     """The simulator of the drone on the mountain; beside it one of the drone in the valley."""
     both = [
         Simulator(
@@ -66,7 +66,7 @@ def waypoints() -> list[Json]:
     ]
 
 
-def orders(recorder: MessageRecorder, system_id: int, since: float) -> list[RecordedMessage]:
+def commands_sent(recorder: MessageRecorder, system_id: int, since: float) -> list[RecordedMessage]:
     """What tells that vehicle to do something; asking it for messages is none."""
     return [
         heard
@@ -85,7 +85,7 @@ def off_height(waypoint: Json, track: Track) -> float:
 
 @pytest.mark.soak
 def test_what_a_pilot_takes_a_drone_from_another_flies_at_the_same_height_and_nobody_orders_it_about(
-    api: Api, recorder: MessageRecorder, mountain: Simulator
+    api: Api, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
     drones = [wait_for("all is known", partial(known, api, one), 120) for one in (VALLEY, MOUNTAIN)]
     stays, leaves = (drone["id"] for drone in drones)
@@ -95,7 +95,7 @@ def test_what_a_pilot_takes_a_drone_from_another_flies_at_the_same_height_and_no
     run = f"/runs/{asked.json()['id']}"
     wait_for("it is on its way", lambda: of(api.get(run), leaves, "visited"), 180)
 
-    mountain.fault(f"{MOUNTAIN} mode {LOITER}")
+    simulator.fault(f"{MOUNTAIN} mode {LOITER}")
     wait_for("the pilot has it", lambda: stages(api.get(run))[leaves] == "suspended", 30)
     since = time.monotonic()
     left = wait_for(
@@ -115,7 +115,7 @@ def test_what_a_pilot_takes_a_drone_from_another_flies_at_the_same_height_and_no
     for one in by_other:
         assert distance(one, flown[stays]) < NEAR_METRES, one
         assert off_height(one, flown[stays]) < HEIGHT_METRES, (one, off_height(one, flown[stays]))
-    assert orders(recorder, MOUNTAIN, since) == []
+    assert commands_sent(recorder, MOUNTAIN, since) == []
     assert api.drone(leaves)["mode"] == "LOITER"
     words = [one for one in ends["explanations"] if one["trigger"] == "takenOver"]
     assert words and words[0]["drone"] == leaves, ends["explanations"]
@@ -124,5 +124,5 @@ def test_what_a_pilot_takes_a_drone_from_another_flies_at_the_same_height_and_no
     assert resumed.ok, resumed.text
     over = wait_for("it is over", partial(ended, api, run), 240)
     assert over["counts"]["visited"] == WAYPOINTS, over["explanations"]
-    assert orders(recorder, MOUNTAIN, since)
+    assert commands_sent(recorder, MOUNTAIN, since)
     assert api.get(f"{run}/journal/replay")["same"]

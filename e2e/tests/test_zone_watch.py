@@ -85,7 +85,7 @@ def send_off(api: Api, drone: Json, bearing: float) -> Breach:
     return Breach(drone, answer.json()["id"], middle, time.monotonic())
 
 
-def acted_after(recorder: MessageRecorder, breach: Breach) -> tuple[float, float]:
+def action_delay(recorder: MessageRecorder, breach: Breach) -> tuple[float, float]:
     """When it first said that it is inside (monotonic s), and how long until it was told to hold (s)."""
     system_id = breach.drone["link"]["systemId"]
     inside = next(
@@ -102,7 +102,7 @@ def acted_after(recorder: MessageRecorder, breach: Breach) -> tuple[float, float
     return inside, told - inside
 
 
-def said(api: Api, drone: Json, words: str, since: float) -> float | None:
+def warnings_sent(api: Api, drone: Json, words: str, since: float) -> float | None:
     """When it was said last (monotonic s)."""
     offset = time.time() - time.monotonic()
     times = [
@@ -140,10 +140,14 @@ def test_two_hundred_breaches_are_warned_of_before_and_acted_on_within_a_second(
         ways = [(drone, chance.random() * 2 * math.pi) for drone in fleet]
         breaches = at_once(lambda way: send_off(api, *way), ways)
         for breach in breaches:
-            wait_for("it is told to hold", partial(said, api, breach.drone, "is told: hold", breach.put), 120)
+            wait_for(
+                "it is told to hold",
+                partial(warnings_sent, api, breach.drone, "is told: hold", breach.put),
+                120,
+            )
         for breach in breaches:
-            inside, delay = acted_after(recorder, breach)
-            warned = said(api, breach.drone, "If it goes on like this it enters", breach.put)
+            inside, delay = action_delay(recorder, breach)
+            warned = warnings_sent(api, breach.drone, "If it goes on like this it enters", breach.put)
             assert warned is not None and warned < inside, f"no warning before {breach}"
             delays.append(delay)
             ahead.append(inside - warned)
