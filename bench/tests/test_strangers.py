@@ -23,7 +23,7 @@ SMALL = trial.Options(
 
 
 @pytest.mark.soak
-def test_strangers_at_each_port_are_cut_and_the_others_go_on() -> None:
+def test_endless_messages_are_cut_and_other_clients_go_on() -> None:
     result = trial.run(SMALL)
     told = report.summary(result)
     assert set(told["ports"]) == {"stream", "robots", "vehicles", trial.CONTROL}
@@ -37,7 +37,7 @@ def test_strangers_at_each_port_are_cut_and_the_others_go_on() -> None:
 
 @pytest.mark.soak
 @pytest.mark.parametrize("many_addresses", [True, False], ids=["two gigabytes", "from one address"])
-def test_twenty_strangers_at_each_port_cost_the_others_little(many_addresses: bool) -> None:
+def test_twenty_strangers_at_each_port_do_not_slow_other_clients(many_addresses: bool) -> None:
     result = trial.run(trial.Options(many_addresses=many_addresses))
     told = report.summary(result)
     assert report.missed(told, result, VEHICLES) == [], told
@@ -71,7 +71,7 @@ def ended(live: int) -> Json:
     ],
     ids=["met", "slow", "heap", "little sent"],
 )
-def test_tells_which_goals_are_missed(attacked: dict[str, Any], missed: list[str]) -> None:
+def test_missed_goals_are_named(attacked: dict[str, Any], missed: list[str]) -> None:
     calm = [window(trial.CALM, 10) | {"before": name} for name in ("stream", trial.CONTROL)]
     windows = [*calm, window("stream", **attacked), window(trial.CONTROL, 99, 99, 0)]
     found = report.missed(report.summary({"windows": windows}), ended(VEHICLES), VEHICLES)
@@ -79,13 +79,13 @@ def test_tells_which_goals_are_missed(attacked: dict[str, Any], missed: list[str
     assert all(sentence.startswith(begin) for sentence, begin in zip(found, missed, strict=True))
 
 
-def test_a_vehicle_that_is_gone_at_the_end_is_told() -> None:
+def test_vehicle_lost_at_the_end_is_reported() -> None:
     told = report.summary({"windows": [window(trial.CALM, 10)]})
     assert report.missed(told, ended(VEHICLES - 1), VEHICLES) == ["9 of 10 vehicles were live at the end"]
 
 
 @pytest.mark.parametrize("length", [0, 125, 126, 65_535, 65_536])
-def test_frames_are_read_as_they_were_written_however_they_are_cut(length: int) -> None:
+def test_websocket_frames_are_read_in_any_fragmentation(length: int) -> None:
     here, there = socket.socketpair()
     with here, there:
         reader = wire.Reader(there)
@@ -102,6 +102,6 @@ def test_frames_are_read_as_they_were_written_however_they_are_cut(length: int) 
         assert found == [b"x" * length]
 
 
-def test_heartbeats_are_found_behind_other_frames() -> None:
+def test_heartbeat_is_found_after_other_frames() -> None:
     assert mavlink.has_heartbeat(mavlink.position(1, 2, 3, 4) + mavlink.heartbeat(1, 7))
     assert not mavlink.has_heartbeat(mavlink.position(1, 2, 3, 4))

@@ -79,9 +79,7 @@ def press_in(station: Station, where: Locator, label: str | re.Pattern[str]) -> 
     station.input_method.press(station.page, where.get_by_role("button", name=label))
 
 
-def test_what_a_thumb_aims_at_stays_where_it_is_while_the_line_comes_up(
-    server: Server, api: Api, pages: UserPages
-) -> None:
+def test_buttons_do_not_move_when_connection_line_appears(server: Server, api: Api, pages: UserPages) -> None:
     """End to end because only a browser lays a page out."""
     name, password = new_name("viewer"), secrets.token_hex(10)
     made = api.call("POST", "/users", {"name": name, "password": password, "role": "viewer"})
@@ -108,7 +106,7 @@ def reload_users(station: Station) -> None:
     station.press("Administration")
 
 
-def test_an_invited_viewer_watches_until_disabled(
+def test_invited_viewer_sees_drones_until_disabled(
     server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because two people have pages of their own, and one of them loses what it shows."""
@@ -160,7 +158,7 @@ def test_an_invited_viewer_watches_until_disabled(
     guest.shows("Your account has been disabled; ask an administrator.")
 
 
-def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_password(
+def test_requested_account_is_approved_and_gets_role_and_password(
     server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because the pages of two people change with what one does on the other."""
@@ -215,7 +213,7 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
     picture(guest.page, "accounts-10-reporter")
 
 
-def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
+def test_access_key_for_one_drone_is_created_renewed_and_revoked(
     server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because a key that a page shows once is used by a program."""

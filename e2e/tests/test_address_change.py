@@ -264,5 +264,5 @@ def check_and_print(changes_of_address: AddressChanges, forgers: list[Forger]) -
 
 
 @pytest.mark.soak
-def test_vehicles_keep_their_drones_for_two_minutes(server: Server, api: Api) -> None:
+def test_vehicles_keep_their_drones_while_addresses_change(server: Server, api: Api) -> None:
     change_addresses(server, api, seconds=120)

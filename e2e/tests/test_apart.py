@@ -10,19 +10,19 @@ def track(east: float, amsl: float, height: float = 20.0) -> list[Fix]:
     return [Fix(float(second), 0.0, east / METRES_PER_DEGREE, amsl, height) for second in SECONDS]
 
 
-def test_finds_the_nearest_two_of_three() -> None:
+def test_nearest_pair_is_found() -> None:
     """Of the judge alone: what was recorded is made here."""
     found = nearest({1: track(0, 500), 2: track(30, 500), 3: track(27, 501)}, 0, 20)
     assert abs(found.share - 0.3) < 0.01
     assert found.words == "2 and 3: 3.0 m beside, 1.0 m above each other"
 
 
-def test_counts_height_and_way_beside_as_what_keeps_apart() -> None:
+def test_height_and_distance_count_as_separation() -> None:
     """Of the judge alone: what was recorded is made here."""
     assert abs(nearest({1: track(0, 500), 2: track(1, 505)}, 0, 20).share - 1) < 0.01
 
 
-def test_takes_nobody_on_the_ground_and_nothing_of_another_moment() -> None:
+def test_vehicles_on_the_ground_and_other_times_are_left_out() -> None:
     """Of the judge alone: what was recorded is made here."""
     assert nearest({1: track(0, 500), 2: track(1, 500, height=0)}, 0, 20).share > 1000
     late = [Fix(second + 100.0, 0.0, 0.0, 500.0, 20.0) for second in SECONDS]

@@ -13,7 +13,7 @@ from dronemap_e2e.soap import soap
 from dronemap_e2e.waiting import wait_for
 
 
-def test_every_face_leaves_one_record_that_a_receipt_vouches_for(
+def test_every_interface_leaves_one_audit_record_covered_by_receipt(
     server: Server, api: Api, copter: Json
 ) -> None:
     """End to end because zeep and a WebSocket library call as others do, and PostgreSQL keeps the chain."""

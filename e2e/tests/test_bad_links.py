@@ -161,7 +161,7 @@ def mixed(count: int, seed: int) -> list[Json]:
 
 @pytest.mark.soak
 @pytest.mark.parametrize(("drones", "each"), [(20, 50)], ids=["a thousand commands"])
-def test_outcomes_agree_with_what_the_vehicles_did(
+def test_command_outcomes_match_vehicle_logs(
     server: Server, api: Api, link: Impairer, drones: int, each: int
 ) -> None:
     copters = [CountingCopter(link.port, 150 + number) for number in range(drones)]

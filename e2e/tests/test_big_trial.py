@@ -44,7 +44,7 @@ def runner(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[BigTrialR
 
 @pytest.mark.soak
 @pytest.mark.parametrize("runner", [(seed, False) for seed in seeds()], indirect=True, ids=str)
-def test_all_waypoints_are_visited_whatever_befalls(runner: BigTrialRunner) -> None:
+def test_all_waypoints_are_visited_despite_faults(runner: BigTrialRunner) -> None:
     trial = runner.fly()
     seconds = judged(runner, trial)
     for kind, limit in LIMITS.items():

@@ -86,9 +86,7 @@ def forms(secret: str) -> set[bytes]:
     return plain | encoded | {each.upper() for each in encoded if each.islower()}
 
 
-def test_no_backup_recording_or_log_of_the_server_has_a_secret_in_it(
-    server: Server, api: Api, peer: SigningPeer
-) -> None:
+def test_no_backup_recording_or_log_contains_a_secret(server: Server, api: Api, peer: SigningPeer) -> None:
     """End to end because backups are those of a real PostgreSQL, and logs those of a whole process."""
     drone = wait_for("the peer is listed", lambda: _listed(api, peer), 30)
     canaries = put_in(server, api, drone)

@@ -124,7 +124,7 @@ def command_record(control_server: ControlServer, command: str) -> Json | None:
 
 
 @pytest.mark.soak
-def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
+def test_no_command_of_an_old_epoch_in_ten_thousand_rounds_with_restarts(
     control_server: ControlServer, hovering_copter: Callable[[], tuple[HoveringCopter, str]]
 ) -> None:
     hoverer, drone = hovering_copter()
@@ -170,7 +170,7 @@ def kill_browser(mark: str) -> None:
     raise AssertionError("there is no such browser")
 
 
-def test_the_drone_of_a_killed_browser_holds_and_then_returns(
+def test_drone_holds_and_returns_after_browser_is_killed(
     control_server: ControlServer,
     hovering_copter: Callable[[], tuple[HoveringCopter, str]],
     playwright: Playwright,
@@ -191,7 +191,7 @@ def test_the_drone_of_a_killed_browser_holds_and_then_returns(
     holds_and_returns(control_server, hoverer, drone)
 
 
-def test_people_see_who_has_control_and_hand_it_over(
+def test_page_shows_holder_and_hands_over_control(
     control_server: ControlServer, hovering_copter: Callable[[], tuple[HoveringCopter, str]], browser: Browser
 ) -> None:
     """End to end because people do it on the page, each in a browser of their own."""

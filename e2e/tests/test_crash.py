@@ -74,7 +74,7 @@ def signed_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
     return station
 
 
-def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
+def test_mission_replaced_during_crash_is_noticed(
     killable_server: Server, in_mission: tuple[Api, Json], page: Page
 ) -> None:
     """End to end because an open page comes back by itself, and pymavlink takes the dead server's place."""
@@ -93,7 +93,7 @@ def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
     assert "2 items instead of 4" in now["mission"]["notice"]
 
 
-def test_after_a_crash_vehicles_hear_the_server_before_its_pages_are_there(killable_server: Server) -> None:
+def test_vehicles_get_heartbeats_before_pages_after_a_crash(killable_server: Server) -> None:
     """Pages take most of a start; ArduPilot flies home when it hears nothing for five seconds.
 
     End to end because it is about the order in which the parts of a process start.
@@ -104,7 +104,7 @@ def test_after_a_crash_vehicles_hear_the_server_before_its_pages_are_there(killa
 
 
 @pytest.mark.soak
-def test_so_soon_after_a_crash_all_is_shown_again(shipped: Server, page: Page) -> None:
+def test_state_is_shown_again_in_time_after_a_crash(shipped: Server, page: Page) -> None:
     with known_peer(shipped) as peer:
         api = Api(shipped.address, shipped.local_key())
         station = signed_in(page, shipped, api, listed(api, peer))

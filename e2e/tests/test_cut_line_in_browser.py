@@ -81,7 +81,7 @@ def pictures(page: Page, name: str) -> None:
     page.set_viewport_size(DESK)
 
 
-def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
+def test_page_reports_cut_connection_within_three_seconds(
     killable_server: Server, browser: Browser, hovering: tuple[Api, Json]
 ) -> None:
     """End to end because a stopped server keeps its connections open: only a browser shows what it sees."""
@@ -121,7 +121,7 @@ def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
 
 
 @pytest.mark.parametrize("input_method", [Keyboard(), Touch()], ids=["keyboard", "touch"])
-def test_two_holds_stop_the_motors_in_the_air(
+def test_emergency_stop_needs_two_holds(
     killable_server: Server, browser: Browser, hovering: tuple[Api, Json], input_method: InputMethod
 ) -> None:
     """End to end because holds are of real keys and fingers, and what follows is seen at the vehicle."""

@@ -37,7 +37,7 @@ def user(api: Api, role: str) -> tuple[str, str]:
     return name, password
 
 
-def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
+def test_wrong_password_is_reported(server: Server, page: Page) -> None:
     """End to end because a person reads it on the page."""
     page.goto(server.address)
     page.get_by_label("User name").fill("admin")
@@ -47,7 +47,7 @@ def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
     expect(page.get_by_role("alert")).to_contain_text("password")
 
 
-def test_a_viewer_reads_why_arming_is_not_for_viewers(
+def test_viewer_is_shown_why_arming_is_refused(
     server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page
 ) -> None:
     """End to end because a browser holds the button, and nothing goes over the wire."""
@@ -61,7 +61,7 @@ def test_a_viewer_reads_why_arming_is_not_for_viewers(
     assert not sent(wire)
 
 
-def test_bad_waypoints_stay_on_the_page(
+def test_invalid_waypoints_are_not_uploaded(
     server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page
 ) -> None:
     """End to end because a browser keeps them, and nothing goes over the wire."""

@@ -131,7 +131,7 @@ def test_a_person_flies_a_mission(
     judge(wire, points, 8)
 
 
-def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: Open, api: Api) -> None:
+def test_page_shows_refusal_text_of_vehicle(server: Server, open_station: Open, api: Api) -> None:
     """End to end because a browser shows what a vehicle of another maker's program says."""
     sentence = f"PreArm: {secrets.token_hex(6)} not healthy"
 
@@ -150,7 +150,7 @@ def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: O
         peer.close()
 
 
-def test_every_open_page_shows_a_lost_drone(server: Server, open_station: Open, api: Api) -> None:
+def test_all_open_pages_show_a_lost_drone(server: Server, open_station: Open, api: Api) -> None:
     """End to end because each browser hears it by a stream of its own."""
     peer = Peer(server.udp_port, system_id=202, handlers=STANDARD_HANDLERS)
     try:

@@ -124,7 +124,7 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png", full_page=True)
 
 
-def test_a_flight_is_played_and_taken_along_as_it_was_on_the_wire(
+def test_flight_replay_and_export_match_the_wire(
     server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page, tmp_path: Path
 ) -> None:
     """End to end because a browser plays it, and DuckDB reads its columns."""

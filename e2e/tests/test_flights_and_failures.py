@@ -54,7 +54,7 @@ def flying_copter(killable_server: Server, tmp_path: Path) -> Iterator[FlyingCop
         simulator.stop()
 
 
-def test_a_database_that_is_away_costs_counted_telemetry_only_and_no_command(
+def test_database_outage_loses_only_counted_telemetry(
     flying_copter: FlyingCopter,
 ) -> None:
     """End to end because the PostgreSQL that is killed here, and found again, is a real one."""

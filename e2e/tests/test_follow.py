@@ -88,7 +88,7 @@ class WalkingPhone:
 
 
 @pytest.mark.soak
-def test_a_copter_walks_beside_a_phone_and_comes_home(
+def test_copter_follows_a_phone_and_returns_home(
     api: Api, recorder: MessageRecorder, simulator: Simulator, drone: Json
 ) -> None:
     phone = WalkingPhone(api, drone["home"])
@@ -127,7 +127,7 @@ def test_a_copter_walks_beside_a_phone_and_comes_home(
     assert gimbal_pitch(simulator) == 0, "the camera was not let go"
 
 
-def test_a_soap_client_of_another_maker_has_a_phone_followed(server: Server, copter: Json) -> None:
+def test_follow_by_zeep_soap_client(server: Server, copter: Json) -> None:
     """End to end because zeep calls and reads answers by the WSDL of the follower service alone."""
     service = soap(server, server.local_key(), "FollowerService")
     home = copter["home"]

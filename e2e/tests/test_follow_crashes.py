@@ -333,7 +333,7 @@ def trial(own_server: Server, tmp_path: Path) -> Iterator[CrashTrial]:
 
 
 @pytest.mark.soak
-def test_what_comes_of_each_follow_when_the_server_dies_is_as_written(trial: CrashTrial) -> None:
+def test_follows_after_server_crash_match_documentation(trial: CrashTrial) -> None:
     trial.request_follows()
     trial.bring_to_stages()
     trial.kill_server()

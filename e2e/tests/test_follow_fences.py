@@ -27,7 +27,7 @@ def straight(east: float, north: float, up: float, until: float = 10) -> list[li
     return [[n / 4, east, north + n / 4, up, up] for n in range(int(until * 4) + 1)]
 
 
-def test_the_judge_sees_who_goes_beyond() -> None:
+def test_follow_judge_finds_each_violation() -> None:
     """Of the judge alone: it starts nothing."""
     truth = {
         "inside": [-50, -50, 50, 50],
@@ -63,7 +63,7 @@ def follow_trial(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Fol
 
 @pytest.mark.soak
 @pytest.mark.parametrize("follow_trial", seeds(), indirect=True)
-def test_twenty_follows_at_once_keep_within_fences_above_the_lowest_height_and_apart(
+def test_twenty_follows_keep_fences_height_and_separation(
     follow_trial: FollowTrial,
 ) -> None:
     found = follow_trial.fly(SECONDS)

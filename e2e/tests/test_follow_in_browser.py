@@ -26,7 +26,7 @@ STEADY = 4
 RESOLVE = f"--host-resolver-rules=MAP {NAME} 127.0.0.1"
 
 
-def test_a_page_by_plain_http_says_what_to_do_and_has_the_demo(
+def test_page_by_plain_http_explains_tls_and_offers_demo(
     server: Server, api: Api, playwright: Playwright, copter: Json
 ) -> None:
     """End to end because a browser is what withholds the place of a phone."""
@@ -112,7 +112,7 @@ def away(machine: Machine, place: Point) -> float:
     return place.metres_to(position["latitude"], position["longitude"])
 
 
-def test_a_drone_follows_a_phone_over_tls(machine: Machine, browser: Browser) -> None:
+def test_drone_follows_a_phone_over_tls(machine: Machine, browser: Browser) -> None:
     """End to end because a browser trusts the certificate, and tells where the phone is."""
     home = machine.drone["home"]
     page = phone(browser, beside(home, Walker.east, Walker.north))

@@ -22,7 +22,7 @@ def seeds() -> range:
     return range(int(first), int(last or first) + 1)
 
 
-def test_who_is_far_away_for_long_is_told_from_who_soon_comes_back() -> None:
+def test_longest_time_beyond_distance_is_counted() -> None:
     """Of the judge alone: it starts nothing."""
     assert longest([10, 60, 60, 10, 60], 50) == 2
     assert longest([10, math.inf, 60, 60], 50) == 3
@@ -39,7 +39,7 @@ def relay(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[ReliefTria
 
 @pytest.mark.soak
 @pytest.mark.parametrize("relay", seeds(), indirect=True)
-def test_ten_drones_that_run_low_are_replaced_without_losing_anybody(relay: ReliefTrial) -> None:
+def test_ten_low_battery_drones_are_relieved_without_losing_a_phone(relay: ReliefTrial) -> None:
     found = relay.fly(LONGEST_SECONDS, AFTER_SECONDS)
     print(found)
     assert found["vehicles"] == 2 * PHONES, found

@@ -26,7 +26,7 @@ def picture(page: Page, name: str) -> None:
 @pytest.mark.parametrize(
     ("viewport", "input_method"), [(DESK, Pointer()), (PHONE, Touch())], ids=["desk", "phone"]
 )
-def test_a_drone_is_given_away_and_taken_back(
+def test_drone_gift_and_its_return(
     server: Server,
     api: Api,
     copter: Json,

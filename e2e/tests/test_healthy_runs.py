@@ -89,7 +89,7 @@ def sets_of_three() -> list[list[int]]:
 
 @pytest.mark.soak
 @pytest.mark.parametrize("field", seeds(), indirect=True, ids=str)
-def test_nobody_is_given_up_for_gusts_gaps_between_heartbeats_and_lost_messages(field: Field) -> None:
+def test_no_drone_is_given_up_for_gusts_heartbeat_gaps_or_losses(field: Field) -> None:
     api, chance = field.api, random.Random(field.seed)
     drones = {
         system_id: wait_for("all is known", partial(known, api, system_id), 180)

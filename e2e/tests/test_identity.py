@@ -91,5 +91,7 @@ def move_and_arm(api: Api, peer: Peer, seconds: float, every: float) -> None:
 
 
 @pytest.mark.soak
-def test_a_vehicle_changes_its_address_for_two_minutes(server: Server, api: Api, make_peer: MakePeer) -> None:
+def test_vehicle_stays_one_drone_while_its_address_changes(
+    server: Server, api: Api, make_peer: MakePeer
+) -> None:
     move_and_arm(api, make_peer(server, new_uid()), seconds=120, every=10)

@@ -80,7 +80,7 @@ def _pieces(file: Path) -> Iterator[bytes]:
             yield piece
 
 
-def test_rest_gives_a_large_recording_whole(recorded: RecordedDrone) -> None:
+def test_rest_download_of_large_recording(recorded: RecordedDrone) -> None:
     """End to end because the heap is that of a process of its own, which one download would fill."""
     address = f"{recorded.api.base}/recordings/{recorded.id}/file"
     key = {"Authorization": f"Bearer {recorded.api.key}"}
@@ -95,7 +95,7 @@ def test_rest_gives_a_large_recording_whole(recorded: RecordedDrone) -> None:
     assert recorded.is_well()
 
 
-def test_soap_says_where_a_large_recording_is(recorded: RecordedDrone) -> None:
+def test_soap_refers_to_rest_for_large_recording(recorded: RecordedDrone) -> None:
     """End to end because the heap is that of a process of its own, which one such message would fill."""
     service = soap(recorded.server, recorded.server.local_key(), "RecordService")
     with pytest.raises(zeep.exceptions.Fault) as raised:
@@ -107,7 +107,7 @@ def test_soap_says_where_a_large_recording_is(recorded: RecordedDrone) -> None:
     assert recorded.is_well()
 
 
-def test_rest_plays_a_large_recording(recorded: RecordedDrone) -> None:
+def test_replay_of_large_recording(recorded: RecordedDrone) -> None:
     """End to end because the heap is that of a process of its own, which the file would fill."""
     answer = requests.post(
         f"{recorded.api.base}/replays",
@@ -127,9 +127,7 @@ def test_rest_plays_a_large_recording(recorded: RecordedDrone) -> None:
         ("/api/v1/zones/import", "application/json"),
     ],
 )
-def test_what_is_too_long_is_refused_before_it_is_all_there(
-    recorded: RecordedDrone, address: str, kind: str
-) -> None:
+def test_too_long_upload_is_refused_early(recorded: RecordedDrone, address: str, kind: str) -> None:
     """End to end because the heap is that of a process of its own, and its socket says when it has enough."""
     status, text, sent = _upload(recorded, address, kind)
     assert status == 413

@@ -17,7 +17,7 @@ def stands_still(server: Server) -> bool:
     return Path(f"/proc/{server.pid}/stat").read_text().rpartition(") ")[2].startswith("T")
 
 
-def test_nobody_is_called_lost_while_the_server_itself_stood_still(killable_server: Server) -> None:
+def test_server_pause_does_not_mark_vehicles_lost(killable_server: Server) -> None:
     """End to end because only a process that is stopped stands still with all of its threads."""
     server = killable_server
     peers = [Peer(server.udp_port, system_id=220 + i) for i in range(4)]

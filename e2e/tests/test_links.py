@@ -36,7 +36,7 @@ def _altitude(api: Api, drone: str) -> float:
     return altitude
 
 
-def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_server(
+def test_flight_by_openssl_dtls_on_persistent_endpoint_and_key(
     killable_server: Server, tmp_path: Path
 ) -> None:
     """End to end because OpenSSL is another program, and a restart one of the process with its database."""

@@ -72,7 +72,7 @@ def waypoints(count: int, seed: int = 0) -> list[Json]:
 
 @pytest.mark.soak
 @pytest.mark.parametrize(("count", "seconds"), [(200, 1800)], ids=["200 items"])
-def test_a_mission_goes_up_a_bad_link(bench: Bench, count: int, seconds: float) -> None:
+def test_mission_upload_over_bad_link(bench: Bench, count: int, seconds: float) -> None:
     items = waypoints(count)
     bench.link.conditions = BAD
 

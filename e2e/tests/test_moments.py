@@ -31,14 +31,14 @@ def assert_no_faults(plan: SortiePlan, judgements: list[Judgement]) -> None:
 
 @pytest.mark.soak
 @pytest.mark.parametrize("plan", plans(), ids=plan_name)
-def test_whoever_is_in_the_air_is_somebodys(plan: SortiePlan, tmp_path: Path) -> None:
+def test_control_loss_in_the_air_ends_safely(plan: SortiePlan, tmp_path: Path) -> None:
     faults = compile_fault_injector(tmp_path) if plan.server_event == "heap" else None
     assert_no_faults(plan, Sortie(plan, tmp_path, faults).fly())
 
 
 @pytest.mark.soak
 @pytest.mark.parametrize("on_loss", ["nothing", "hold"])
-def test_a_server_that_leaves_them_in_the_air_is_found(on_loss: str, tmp_path: Path) -> None:
+def test_judge_reports_server_that_leaves_drones_in_the_air(on_loss: str, tmp_path: Path) -> None:
     """The judge is seen to find fault with what a server can be set to, and with nothing else."""
     judgements = Sortie(quick_plan(1), tmp_path, on_loss=on_loss, longest=45).fly()
     found = {one.case.event: " ".join(one.faults) for one in judgements}
@@ -46,7 +46,7 @@ def test_a_server_that_leaves_them_in_the_air_is_found(on_loss: str, tmp_path: P
     assert all("never went home" in fault for fault in found.values()), found
 
 
-def test_four_moments(tmp_path: Path) -> None:
+def test_four_cases_of_control_loss(tmp_path: Path) -> None:
     """End to end because a process is killed over its database, and the judge sees nothing but the wire."""
     plan = quick_plan(1)
     assert_no_faults(plan, Sortie(plan, tmp_path).fly())

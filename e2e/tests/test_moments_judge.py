@@ -65,12 +65,12 @@ def velocity(speed: float) -> Any:
 HOME_IN_TIME = flight((95, 110, GUIDED, 0), (110, 120, RTL, 3))
 
 
-def test_whoever_comes_home_in_time_is_somebodys() -> None:
+def test_return_in_time_has_no_fault() -> None:
     """Of the judge alone: what is right is not called wrong."""
     assert not faults(STEERED, HOME_IN_TIME)
 
 
-def test_whoever_waits_for_too_long_is_nobodys() -> None:
+def test_waiting_in_the_air_too_long_is_a_fault() -> None:
     """Of the judge alone: it hovers until the battery is empty, or goes home too late."""
     assert "never went home" in faults(STEERED, flight((95, 400, GUIDED, 0))[:-2])
     assert "waited for 80.0 s" in faults(STEERED, flight((95, 180, GUIDED, 0), (180, 190, RTL, 3)))
@@ -80,20 +80,20 @@ def test_whoever_waits_for_too_long_is_nobodys() -> None:
     assert "is not down" in faults(STEERED, flight((95, 105, GUIDED, 0), (105, 190, RTL, 3))[:-2])
 
 
-def test_a_mission_is_a_way_as_long_as_it_is_flown() -> None:
+def test_flying_a_mission_is_not_waiting() -> None:
     """Of the judge alone: who flies a mission is not waiting, who stands at its end is."""
     mission = replace(STEERED, kind="mission")
     assert not faults(mission, flight((95, 300, AUTO, 3), (300, 310, AUTO, 0), (310, 320, RTL, 3)))
     assert "waited" in faults(mission, flight((95, 300, AUTO, 3), (300, 340, AUTO, 0), (340, 350, RTL, 3)))
 
 
-def test_a_steersman_who_is_gone_leads_nothing() -> None:
+def test_setpoints_after_control_loss_are_a_fault() -> None:
     """Of the judge alone: a speed that is said on is found, standing still is not."""
     assert not faults(STEERED, [*HOME_IN_TIME, sent(105, velocity(0))])
     assert "steered on" in faults(STEERED, [*HOME_IN_TIME, sent(105, velocity(1))])
 
 
-def test_a_pilots_vehicle_is_left_alone() -> None:
+def test_commands_to_piloted_vehicle_are_a_fault() -> None:
     """Of the judge alone: what may be said to it, what may not, and that the server has to be heard."""
     flown = [*flight((90, 100, GUIDED, 0), (100, 140, LOITER, 0)), *beats(90, 140)]
     alone = {"piloted_at": 99.5, "observed_until": 140.0}
@@ -105,7 +105,7 @@ def test_a_pilots_vehicle_is_left_alone() -> None:
     assert not faults(PILOT, silent, **alone, server_away=(119.5, 140.5))
 
 
-def test_after_a_standstill_nothing_of_before_is_said() -> None:
+def test_commands_from_before_a_standstill_are_a_fault() -> None:
     """Of the judge alone: a place that was commanded before is told from another one."""
     there = mavlink.MAVLink_command_int_message(7, 1, 3, 192, 0, 0, 0, 0, 0, 0, 473_000_000, 85_000_000, 30)
     commanded = [(473_000_000, 85_000_000)]

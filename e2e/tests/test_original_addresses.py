@@ -111,7 +111,7 @@ def do(call: Any, **arguments: object) -> None:
 
 
 @pytest.mark.parametrize("system_id", [BY_UDP, BY_WEB_SOCKET])
-def test_a_script_flies_a_drone(original_server: OriginalServer, system_id: int) -> None:
+def test_original_program_flies_a_drone(original_server: OriginalServer, system_id: int) -> None:
     """End to end because zeep, which knows only those addresses, flies what joined at those of vehicles."""
     controller = original_server.program.controller
     drone = wait_for("a drone is listed", lambda: original_server.program.ready(system_id), PATIENCE)
@@ -144,7 +144,7 @@ def _is_at(here: Point, there: Point) -> bool:
     return near and abs(here.altitude - there.altitude) < 1
 
 
-def test_a_script_asks_for_a_drone_that_follows(original_server: OriginalServer) -> None:
+def test_original_program_requests_a_follow(original_server: OriginalServer) -> None:
     """End to end because zeep, which knows nothing but that address, reads each answer by its WSDL."""
     program = original_server.program
     drone = wait_for("a drone is listed", lambda: program.ready(BY_UDP), PATIENCE)
@@ -161,7 +161,7 @@ def test_a_script_asks_for_a_drone_that_follows(original_server: OriginalServer)
     assert not original_server.simulators[BY_UDP].armed(BY_UDP)
 
 
-def test_a_script_is_told_what_is_wrong(original_server: OriginalServer) -> None:
+def test_original_program_gets_soap_faults(original_server: OriginalServer) -> None:
     """End to end because zeep, which knows nothing but those addresses, reads faults by their WSDLs."""
     program = original_server.program
     drone = wait_for("a drone is listed", lambda: program.ready(BY_UDP), PATIENCE)
@@ -179,7 +179,7 @@ def test_a_script_is_told_what_is_wrong(original_server: OriginalServer) -> None
     assert not original_server.simulators[BY_UDP].armed(BY_UDP)
 
 
-def test_a_script_of_the_administrator_lists_the_ways_for_vehicles(original_server: OriginalServer) -> None:
+def test_original_program_lists_endpoints(original_server: OriginalServer) -> None:
     """End to end because zeep, which knows nothing but that address, reads the answer by its WSDL."""
     listed = OriginalProgram(
         original_server.server.host, original_server.server.local_key()
@@ -189,7 +189,7 @@ def test_a_script_of_the_administrator_lists_the_ways_for_vehicles(original_serv
     assert {(e.url, e.state) for e in listed} >= ways
 
 
-def test_rest_is_where_it_was_and_nothing_else_at_these_ports(original_server: OriginalServer) -> None:
+def test_original_ports_serve_rest_and_nothing_else(original_server: OriginalServer) -> None:
     """End to end because each of these ports is a socket of its own, of a server as it ships."""
     key = {"Authorization": f"Bearer {original_server.key}"}
     host = f"http://{original_server.server.host}"

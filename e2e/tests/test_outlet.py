@@ -67,7 +67,7 @@ def wait_for_both_heartbeats(
     client.close()
 
 
-def test_a_client_attaches_by_udp_tcp_web_socket_and_dtls_and_every_frame_is_signed(
+def test_clients_attach_by_udp_tcp_websocket_and_dtls_with_signed_frames(
     same_id_copters: list[Json], server: Server, attach: Attach, viewer: User
 ) -> None:
     """End to end because real sockets carry it, OpenSSL shakes hands, and pymavlink judges the signatures."""

@@ -20,7 +20,7 @@ def page(browser: Browser) -> Iterator[Page]:
     opened.context.close()
 
 
-def test_a_program_attaches_with_a_passphrase_of_the_page_and_is_disconnected_there(
+def test_client_attaches_with_passphrase_from_page_and_is_disconnected_there(
     server: Server, api: Api, page: Page
 ) -> None:
     """End to end because it is about a page in a browser, and pymavlink signs with what is shown there."""

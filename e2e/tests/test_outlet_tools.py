@@ -74,7 +74,7 @@ def flown_over_the_outlet(api: Api, copters: list[Copter], user: User) -> list[s
     return [{c["type"] for c in commands} for commands in own]
 
 
-def test_mavsdk_behind_the_signer_reads_writes_and_flies_two_vehicles_of_one_system_id(
+def test_mavsdk_through_signing_relay_with_two_vehicles_of_one_system_id(
     api: Api, copters: list[Copter], pilot: User, signing_relay: Sign
 ) -> None:
     """End to end because MAVSDK and the signer are foreign programs."""
@@ -97,9 +97,7 @@ def test_mavsdk_behind_the_signer_reads_writes_and_flies_two_vehicles_of_one_sys
         assert len(copter.recorder.messages("PARAM_REQUEST_LIST", up=False)) <= 1
 
 
-def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing_there(
-    api: Api, copters: list[Copter], pilot: User
-) -> None:
+def test_unsigned_client_at_personal_port_is_read_only(api: Api, copters: list[Copter], pilot: User) -> None:
     """End to end because pymavlink speaks, unsigned, to a port that is really opened and closed."""
     opened = pilot.api.call("POST", "/outlet/ports", {"address": "127.0.0.1", "hours": 1})
     assert opened.status_code == 201, opened.text
@@ -147,7 +145,7 @@ def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing
 
 
 @pytest.mark.soak
-def test_mavproxy_reads_and_flies_two_vehicles_of_one_system_id(
+def test_mavproxy_with_two_vehicles_of_one_system_id(
     server: Server, api: Api, copters: list[Copter], pilot: User, tmp_path: Path
 ) -> None:
     program = shutil.which("mavproxy.py") or os.environ.get("DRONEMAP_MAVPROXY")

@@ -104,7 +104,7 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png")
 
 
-def test_a_person_reads_searches_changes_and_loads_parameters(
+def test_parameters_are_read_searched_changed_and_loaded(
     server: Server, api: Api, desk: Page, bench: Bench, tmp_path: Path
 ) -> None:
     """End to end because a browser takes files in and hands them out."""
@@ -162,9 +162,7 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
     can_be_pressed(station.button("Load 2 values"), page.get_by_role("link", name="Save .param", exact=True))
 
 
-def test_a_person_sets_home_takes_a_picture_and_switches_a_relay(
-    server: Server, api: Api, phone: Page, bench: Bench
-) -> None:
+def test_home_picture_and_relay_by_page(server: Server, api: Api, phone: Page, bench: Bench) -> None:
     """End to end because hands do it on the page, and a second station sees it on the vehicle."""
     page, station = phone, open_panel(server, api, phone, bench)
     disclose(station, "Home")

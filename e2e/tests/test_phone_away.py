@@ -215,9 +215,7 @@ def check_closed_tab(trial: PhoneTrial, how: Callable[[Page], object], name: str
 
 
 @pytest.mark.soak
-def test_the_drone_stands_while_its_phone_is_away_and_goes_on_when_it_is_back(
-    trial: PhoneTrial, network: Network
-) -> None:
+def test_drone_holds_while_phone_is_away_and_follows_again(trial: PhoneTrial, network: Network) -> None:
     check_frozen_page(trial)
     check_lost_network(trial, network)
     check_closed_tab(trial, Page.close, "away-closed")

@@ -23,7 +23,7 @@ CALLS = {
 
 
 @pytest.mark.parametrize("version", ["1.1", "1.2"])
-def test_php_calls_each_service(server: Server, api: Api, version: str) -> None:
+def test_php_soap_client_calls_each_service(server: Server, api: Api, version: str) -> None:
     """End to end because PHP makes calls, and reads answers and faults, by the services' own WSDLs."""
     pairs = [f"{service}={operation}" for service, operation in CALLS.items()]
     said = subprocess.run(

@@ -112,7 +112,7 @@ def _forbid(api: Api, place: Json) -> None:
     assert answer.status_code == 201, answer.text
 
 
-def test_an_operator_plans_starts_and_changes_a_run_of_three_drones(fleet: Server, page: Page) -> None:
+def test_plan_start_and_change_run_of_three_drones(fleet: Server, page: Page) -> None:
     """End to end because a browser draws it all on its map."""
     api = Api(fleet.address, fleet.local_key())
     wait_for("all is known", lambda: _known(api), 150)

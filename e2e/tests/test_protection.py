@@ -25,9 +25,7 @@ def configured(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     server.kill()
 
 
-def test_the_page_keeps_to_its_own_policy_and_offers_the_provider(
-    configured: Server, browser: Browser
-) -> None:
+def test_page_keeps_content_security_policy_and_offers_provider(configured: Server, browser: Browser) -> None:
     """End to end because a browser is what obeys the policy."""
     page = open_page(browser)
     violations: list[str] = []

@@ -47,7 +47,7 @@ def read(tlog: bytes, folder: Path) -> list[Any]:
     return messages
 
 
-def test_other_programs_read_it(api: Api, copter: Json, tmp_path: Path) -> None:
+def test_recording_is_read_by_pymavlink_and_mavlogdump(api: Api, copter: Json, tmp_path: Path) -> None:
     """End to end because pymavlink and mavlogdump.py are those other programs."""
     drone = copter["id"]
     api.do(drone, type="arm")

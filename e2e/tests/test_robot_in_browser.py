@@ -142,9 +142,7 @@ def succeeded(api: Api, drone: str, kind: str) -> bool:
     return any(c["type"] == kind and c["outcome"] and c["outcome"]["result"] == "succeeded" for c in told)
 
 
-def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
-    api: Api, robot: Json, page: Page, station: Station
-) -> None:
+def test_robot_map_driving_and_goal_on_page(api: Api, robot: Json, page: Page, station: Station) -> None:
     """End to end because it is about what a page draws, and keys pressed on it."""
     station.choose(robot["name"])
     section = page.get_by_role("region", name="Own map")
@@ -258,7 +256,7 @@ def turned(before: float, after: float) -> float:
     return (after - before + 180) % 360 - 180
 
 
-def test_a_person_flies_a_drone_that_speaks_as_robots_do(
+def test_roslink_drone_is_flown_on_page(
     server: Server, api: Api, page: Page, station: Station, tmp_path: Path
 ) -> None:
     """End to end because it is about buttons and keys of a page."""

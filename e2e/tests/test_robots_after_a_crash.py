@@ -78,9 +78,7 @@ def linked(api: Api, drone: str) -> bool:
     return link["transport"] == "websocket" and len(link["others"]) == 1
 
 
-def test_our_bridge_stops_its_robot_when_the_server_dies_in_mid_twist(
-    killable_server: Server, bridged_robot: MotorRobot
-) -> None:
+def test_bridge_stops_robot_when_server_is_killed(killable_server: Server, bridged_robot: MotorRobot) -> None:
     """End to end because our bridge, a program of its own, sees a process killed, and dials again."""
     api = Api(killable_server.address, killable_server.local_key())
     drone = steerable(api, SYSTEM_ID)["id"]

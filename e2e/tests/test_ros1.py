@@ -125,7 +125,7 @@ def check_goal(server: Server, api: Api, robot: Robot) -> None:
     wait_for("this way, too", lambda: len(robot.process.orders("cancel")) == 2)
 
 
-def test_a_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> None:
+def test_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> None:
     """End to end because the packages of ROS 1, and our bridge between them and us, are real programs."""
     copter = ros.copter("copter")
     key = issued(api, COPTER_ID)
@@ -171,9 +171,7 @@ def check_stop_at_end(server: Server, api: Api, robot: Robot) -> None:
         assert robot.bridge.wait(10) == 0
 
 
-def test_a_robot_is_seen_driven_and_sent_somewhere_and_stands_when_its_bridge_is_ended(
-    server: Server, api: Api, robot: Robot
-) -> None:
+def test_ros1_robot_is_shown_driven_sent_and_stopped(server: Server, api: Api, robot: Robot) -> None:
     """End to end because the packages of ROS 1, and our bridge between them and us, are real programs."""
     check_published_data(api, robot)
     check_position(api, robot)

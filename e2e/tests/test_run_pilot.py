@@ -84,7 +84,7 @@ def off_height(waypoint: Json, track: Track) -> float:
 
 
 @pytest.mark.soak
-def test_what_a_pilot_takes_a_drone_from_another_flies_at_the_same_height_and_nobody_orders_it_about(
+def test_drone_taken_by_pilot_is_replaced_at_same_height_and_not_commanded(
     api: Api, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
     drones = [wait_for("all is known", partial(known, api, one), 120) for one in (VALLEY, MOUNTAIN)]

@@ -83,7 +83,7 @@ def way(copter: ArduCopter) -> Way:
 @pytest.mark.soak
 @pytest.mark.skipif(sitl.BINARY is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
 @pytest.mark.parametrize("on_cloud_loss", ["rtl", "continue"])
-def test_others_fly_the_waypoints_of_a_real_autopilot_that_is_killed_in_the_air(
+def test_run_replaces_real_autopilot_killed_in_the_air(
     own_server: Server, copters: list[ArduCopter], on_cloud_loss: str
 ) -> None:
     api = Api(own_server.address, own_server.local_key())

@@ -57,7 +57,7 @@ def waypoints(home: Json) -> list[Json]:
 
 
 @pytest.mark.soak
-def test_others_fly_what_a_fallen_drone_leaves_and_a_crash_of_the_server_changes_nothing(
+def test_run_replaces_crashed_drone_and_survives_server_crash(
     own_server: Server, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
     api = Api(own_server.address, own_server.local_key())

@@ -56,7 +56,7 @@ def result(command: Any) -> str:
     return ended
 
 
-def test_zeep_gives_orders_and_reads_answers_and_faults(server: Server, api: Api, bench: Bench) -> None:
+def test_zeep_commands_answers_and_faults(server: Server, api: Api, bench: Bench) -> None:
     """End to end because zeep makes calls, and reads answers and faults, by the service's own WSDL."""
     service = soap(server, server.local_key())
     assert (

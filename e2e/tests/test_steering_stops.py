@@ -47,7 +47,7 @@ def drone(api: Api, robot: Robot) -> Json:
 @pytest.mark.soak
 @pytest.mark.parametrize("times", [25])
 @pytest.mark.parametrize("end", ["page killed", "network cut", "lease taken", "grant revoked"])
-def test_it_stands_within_a_second(
+def test_robot_stops_within_a_second(
     server: Server, api: Api, robot: Robot, drone: Json, end: str, times: int
 ) -> None:
     pilot = granted(server, api, "operator", [drone["id"]])

@@ -83,7 +83,7 @@ def passed_by(recorder: MessageRecorder, point: Point) -> list[int]:
 
 
 @pytest.mark.soak
-def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
+def test_five_virtual_missions_on_two_drones_survive_crashes(
     own_server: Server, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
     api = Api(own_server.address, own_server.local_key())

@@ -118,7 +118,7 @@ def all_come_home(recorder: DatagramRecorder, count: int, killed: float) -> None
 
 
 @pytest.mark.soak
-def test_ten_copters_come_home_by_themselves_each_at_its_height(own_server: Server, tmp_path: Path) -> None:
+def test_ten_copters_return_home_without_server(own_server: Server, tmp_path: Path) -> None:
     """End to end because a process is killed, and what its vehicles do then is seen on the wire alone."""
     with recording(own_server) as recorder, simulated(SIMULATED, recorder.port, tmp_path):
         api = Api(own_server.address, own_server.local_key())
@@ -129,7 +129,7 @@ def test_ten_copters_come_home_by_themselves_each_at_its_height(own_server: Serv
 
 @pytest.mark.soak
 @pytest.mark.skipif(not sitl.BINARY, reason="not proved: DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
-def test_four_real_autopilots_come_home_by_themselves(own_server: Server, tmp_path: Path) -> None:
+def test_four_real_autopilots_return_home_without_server(own_server: Server, tmp_path: Path) -> None:
     """End to end because it is the firmware that decides to come home."""
     with ExitStack() as all_of_it:
         recorder = all_of_it.enter_context(recording(own_server))
@@ -150,9 +150,7 @@ def test_four_real_autopilots_come_home_by_themselves(own_server: Server, tmp_pa
 
 
 @pytest.mark.soak
-def test_a_server_that_was_killed_is_heard_again_before_vehicles_go_home(
-    own_server: Server, tmp_path: Path
-) -> None:
+def test_restarted_server_sends_heartbeats_before_vehicles_return(own_server: Server, tmp_path: Path) -> None:
     """End to end because a process is killed and started."""
     took = []
     with recording(own_server) as recorder, simulated(SIMULATED, recorder.port, tmp_path):

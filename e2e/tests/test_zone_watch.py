@@ -131,7 +131,7 @@ def fleet(server: Server, api: Api, recorder: MessageRecorder, tmp_path: Path) -
 
 
 @pytest.mark.soak
-def test_two_hundred_breaches_are_warned_of_before_and_acted_on_within_a_second(
+def test_two_hundred_zone_breaches_are_warned_of_and_acted_on_within_a_second(
     api: Api, recorder: MessageRecorder, fleet: list[Json]
 ) -> None:
     chance = random.Random(7)

@@ -46,7 +46,7 @@ def bridge(robot: StandIn) -> Bridge:
     return Bridge(IDENTITY, robot)
 
 
-def test_says_what_it_knows_and_nothing_else(bridge: Bridge, robot: StandIn) -> None:
+def test_sends_only_known_data(bridge: Bridge, robot: StandIn) -> None:
     assert list(said(bridge, 0)) == [0]
     robot.newest_pose = Pose(1, 2, 0.5, forward=0.3)
     robot.newest_scan = Scan(-1, 0.5, 0.1, 3.5, [1.23456, math.inf, math.nan])
@@ -64,7 +64,7 @@ def test_says_what_it_knows_and_nothing_else(bridge: Bridge, robot: StandIn) -> 
     assert [m["header"]["sequence_number"] for m in messages.values()] == [2, 3, 4, 5, 6]
 
 
-def test_keeps_its_rhythm(bridge: Bridge, robot: StandIn) -> None:
+def test_message_rates(bridge: Bridge, robot: StandIn) -> None:
     robot.newest_pose = Pose(0, 0, 0)
     kinds: List[int] = []
     for turn in range(100):
@@ -73,7 +73,7 @@ def test_keeps_its_rhythm(bridge: Bridge, robot: StandIn) -> None:
     assert kinds.count(2) in range(20, 26)
 
 
-def test_drives_as_long_as_it_is_told_and_stops_by_itself(bridge: Bridge, robot: StandIn) -> None:
+def test_drives_while_commanded_and_stops_after_timeout(bridge: Bridge, robot: StandIn) -> None:
     bridge.heard(twist(0.4, 9), 10)
     assert robot.driven == [Speeds(0.4, 0, 0, 1.5)], "bounded"
     bridge.tick(10.4)
@@ -87,7 +87,7 @@ def test_drives_as_long_as_it_is_told_and_stops_by_itself(bridge: Bridge, robot:
     assert len(robot.driven) == count, "said once"
 
 
-def test_stands_at_zeros_at_once_and_when_it_ends(bridge: Bridge, robot: StandIn) -> None:
+def test_stops_at_zero_speeds_and_at_the_end(bridge: Bridge, robot: StandIn) -> None:
     bridge.heard(twist(-0.2), 1)
     bridge.heard(twist(0), 1.1)
     assert robot.driven[-1] == STILL
@@ -97,14 +97,14 @@ def test_stands_at_zeros_at_once_and_when_it_ends(bridge: Bridge, robot: StandIn
     assert robot.goals == [None]
 
 
-def test_hears_the_cloud_and_does_nothing_of_it(bridge: Bridge, robot: StandIn) -> None:
+def test_cloud_heartbeats_cause_no_action(bridge: Bridge, robot: StandIn) -> None:
     bridge.heard(twist(0.2), 1)
     assert bridge.heard(order(HEARTBEAT, type=7, name="dronemap", system_status=2, mode=0), 1.1) == []
     assert bridge.refused == 0
     assert robot.driven == [Speeds(0.2)]
 
 
-def test_goes_and_gives_up_its_way_at_an_emergency_stop(bridge: Bridge, robot: StandIn) -> None:
+def test_goal_is_cancelled_by_emergency_stop(bridge: Bridge, robot: StandIn) -> None:
     bridge.heard(order(GO_TO, x=1.5, y=-2, z=0, frame_type="false"), 1)
     bridge.heard(order(STOP), 2)
     assert robot.goals == [(1.5, -2.0), None]
@@ -130,14 +130,16 @@ def test_goes_and_gives_up_its_way_at_an_emergency_stop(bridge: Bridge, robot: S
         "[" * 5000,
     ],
 )
-def test_refuses_and_counts_what_is_not_for_it(bridge: Bridge, robot: StandIn, text: str) -> None:
+def test_foreign_and_malformed_messages_are_refused_and_counted(
+    bridge: Bridge, robot: StandIn, text: str
+) -> None:
     assert bridge.heard(text, 1) == []
     assert robot.driven == []
     assert robot.goals == []
     assert bridge.refused == 1
 
 
-def test_answers_with_its_map_as_a_picture(bridge: Bridge, robot: StandIn) -> None:
+def test_map_request_is_answered_with_png(bridge: Bridge, robot: StandIn) -> None:
     assert bridge.heard(order(GET_MAP), 1) == []
     robot.newest_map = Map(3, 2, 0.05, -1, -2, [0, 100, -1, 0, 0, 0])
     (answer,) = map(of, bridge.heard(order(GET_MAP), 1))
@@ -147,7 +149,7 @@ def test_answers_with_its_map_as_a_picture(bridge: Bridge, robot: StandIn) -> No
     assert base64.b64decode(answer["data"]) == png(robot.newest_map)
 
 
-def test_draws_maps_with_the_largest_y_above() -> None:
+def test_map_image_has_largest_y_on_top() -> None:
     picture = png(Map(3, 2, 0.05, 0, 0, [0, 100, -1, 0, 0, 0]))
     start = picture.index(b"IDAT") + 4
     length = int.from_bytes(picture[start - 8 : start - 4], "big")

@@ -20,7 +20,7 @@ def where(localiser: Localiser) -> "list[float]":
     return at(pose)
 
 
-def test_a_robot_that_is_not_localised_is_where_its_odometry_says() -> None:
+def test_pose_without_localisation_is_odometry() -> None:
     localiser = Localiser()
     localiser.placed(Turned(5, 5, 0), 1)
     assert localiser.pose() is None
@@ -29,7 +29,7 @@ def test_a_robot_that_is_not_localised_is_where_its_odometry_says() -> None:
     assert not localiser.localised
 
 
-def test_what_it_has_driven_since_it_was_localised_counts_on_the_map() -> None:
+def test_odometry_since_localisation_is_added_on_map() -> None:
     localiser = Localiser()
     for second in range(10):
         localiser.odometry(Pose(second, 0, 0, forward=1), second)
@@ -44,7 +44,7 @@ def test_what_it_has_driven_since_it_was_localised_counts_on_the_map() -> None:
     assert pose.forward == 1, "speeds are its own"
 
 
-def test_a_transform_goes_before_a_pose_that_is_said_now_and_then() -> None:
+def test_transform_takes_precedence_over_pose() -> None:
     localiser = Localiser()
     localiser.odometry(Pose(1, 0, 0), 1)
     localiser.transform(Turned(10, 20, math.pi))
@@ -52,7 +52,7 @@ def test_a_transform_goes_before_a_pose_that_is_said_now_and_then() -> None:
     assert where(localiser) == pytest.approx([9, 20, math.pi])
 
 
-def test_an_inverse_takes_back_what_a_shift_does() -> None:
+def test_inverse_undoes_shift() -> None:
     shift = Turned(1.5, -2, 2.5)
     back = shift.of(shift.inverse())
     assert [back.x, back.y, back.yaw] == pytest.approx([0, 0, 0])

@@ -44,11 +44,11 @@ def put_turn(turn: Any, yaw: float) -> None:
     turn.z, turn.w = math.sin(yaw / 2), math.cos(yaw / 2)
 
 
-def test_knows_nothing_before_it_has_heard(robot: Robot) -> None:
+def test_no_data_before_first_message(robot: Robot) -> None:
     assert (robot.pose(), robot.scan(), robot.image(), robot.map(), robot.battery()) == (None,) * 5
 
 
-def test_hears_sensors_as_they_come_and_maps_that_were_said_before(node: Node, robot: Robot) -> None:
+def test_sensor_topics_and_latched_map(node: Node, robot: Robot) -> None:
     assert {topic: quality for topic, (_, quality) in node.heard.items()} == {
         "odom": "best effort",
         "scan": "best effort",
@@ -95,7 +95,7 @@ def test_drives_and_goes_to_a_place(node: Node, robot: Robot) -> None:
     assert (goal.header.frame_id, goal.header.stamp) == ("odom", "now"), "it knows of no map"
 
 
-def test_gives_a_way_up_by_going_where_it_is(node: Node, robot: Robot) -> None:
+def test_cancel_sends_goal_at_current_pose(node: Node, robot: Robot) -> None:
     robot.cancel()
     assert node.publishers["goal_pose"].said == [], "nobody knows where that is"
     node.hears("odom", odometry(1, 2, 0, 0))
@@ -104,7 +104,7 @@ def test_gives_a_way_up_by_going_where_it_is(node: Node, robot: Robot) -> None:
     assert (goal.pose.position.x, goal.pose.position.y) == (1, 2)
 
 
-def test_shows_and_takes_places_of_its_map_once_it_is_localised(node: Node, robot: Robot) -> None:
+def test_goals_are_in_map_frame_once_localised(node: Node, robot: Robot) -> None:
     node.hears("odom", odometry(1, 0, 0, 0))
     node.hears("amcl_pose", placed(5, 6, math.pi / 2))
     node.hears("odom", odometry(2, 0, 0, 0.3))
@@ -142,7 +142,7 @@ def value(**fields: Any) -> Any:
     return message
 
 
-def test_a_drone_behind_mavros_is_heard(node: Node, flyer: Flyer) -> None:
+def test_mavros_topics_are_read(node: Node, flyer: Flyer) -> None:
     assert (flyer.pose(), flyer.flight(), flyer.satellites(), flyer.battery()) == (None,) * 4
     node.hears("mavros/state", value(connected=True, armed=True, mode="GUIDED", system_status=4))
     node.hears("mavros/battery", value(percentage=0.8, voltage=12.1, current=-3.5))
@@ -163,7 +163,7 @@ def test_a_drone_behind_mavros_is_heard(node: Node, flyer: Flyer) -> None:
     assert (pose.x, pose.y, pose.height) == (1, 2, 12.5)
 
 
-def test_a_drone_behind_mavros_is_told(node: Node, flyer: Flyer) -> None:
+def test_mavros_services_are_called(node: Node, flyer: Flyer) -> None:
     flyer.set_mode(4)
     flyer.set_mode(77)
     flyer.arm(True)

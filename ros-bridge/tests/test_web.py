@@ -93,7 +93,7 @@ def kinds(messages: List[Dict[str, Any]]) -> List[int]:
     return [message["header"]["message_id"] for message in messages]
 
 
-def test_all_goes_by_the_connection_and_by_udp_while_there_is_none(cloud: Cloud) -> None:
+def test_web_socket_first_and_udp_while_it_is_down(cloud: Cloud) -> None:
     robot = StandIn()
     robot.newest_pose = Pose(1, 2, 0)
     bridge = Bridge(Identity(7, "rk-secret"), robot)
@@ -114,7 +114,7 @@ def test_all_goes_by_the_connection_and_by_udp_while_there_is_none(cloud: Cloud)
     assert robot.goals == [None], "it stands when the link ends"
 
 
-def test_a_connection_alone_is_enough(cloud: Cloud) -> None:
+def test_web_socket_alone_is_enough(cloud: Cloud) -> None:
     robot = StandIn()
     with running(Link(Bridge(Identity(7, "rk-secret"), robot), None, WebLine(cloud.web))):
         eventually("it connects", lambda: cloud.by_web)
@@ -124,7 +124,7 @@ def test_a_connection_alone_is_enough(cloud: Cloud) -> None:
     assert cloud.by_udp == []
 
 
-def test_a_network_that_takes_nothing_keeps_nobody_waiting() -> None:
+def test_blocked_network_blocks_no_caller() -> None:
     with socket.create_server(("127.0.0.1", 0)) as deaf:
         line = WebLine(f"ws://127.0.0.1:{deaf.getsockname()[1]}/")
         assert not line.send("a message"), "there is no answer to its greeting"

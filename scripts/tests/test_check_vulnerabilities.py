@@ -90,7 +90,7 @@ def packed() -> str:
     return f"{program['name']} {program['version']}"
 
 
-def test_each_thing_that_ships_belongs_to_one_kind_but_for_the_database() -> None:
+def test_each_component_belongs_to_one_ecosystem() -> None:
     components = bill_of_materials.bill()["components"]
     kinds = [shipped(of) for of in ECOSYSTEMS]
     assert sum(len(each) for each in kinds) == len(components) - 1
@@ -98,7 +98,7 @@ def test_each_thing_that_ships_belongs_to_one_kind_but_for_the_database() -> Non
     assert packed().startswith("postgresql ")
 
 
-def test_finds_nothing_where_only_what_was_planted_is_known(
+def test_planted_vulnerability_alone_is_no_finding(
     advisories: Advisories, capsys: pytest.CaptureFixture[str]
 ) -> None:
     advisories.have_all()
@@ -111,7 +111,7 @@ def test_finds_nothing_where_only_what_was_planted_is_known(
     ]
 
 
-def test_names_what_ships_and_is_known(
+def test_known_vulnerability_of_shipped_component_is_named(
     advisories: Advisories, ecosystem: Ecosystem, capsys: pytest.CaptureFixture[str]
 ) -> None:
     advisories.have_all()
@@ -123,7 +123,7 @@ def test_names_what_ships_and_is_known(
 
 
 @pytest.mark.parametrize("database", [None, []], ids=["none", "empty"])
-def test_a_database_that_misses_what_everybody_knows_proves_nothing_of_its_kind_alone(
+def test_incomplete_database_leaves_its_ecosystem_unchecked(
     advisories: Advisories,
     ecosystem: Ecosystem,
     database: list[str] | None,
@@ -143,7 +143,7 @@ def test_a_database_that_misses_what_everybody_knows_proves_nothing_of_its_kind_
     assert lines[-1] == f"Not checked: {mine}, {packed()}. Nothing is known of the rest."
 
 
-def test_what_is_known_is_told_beside_a_kind_that_was_not_checked(
+def test_findings_are_reported_beside_unchecked_ecosystem(
     advisories: Advisories, capsys: pytest.CaptureFixture[str]
 ) -> None:
     advisories.have(ECOSYSTEMS[0], [*EVERYBODY_KNOWS, shipped(ECOSYSTEMS[0])[0]])
@@ -153,7 +153,7 @@ def test_what_is_known_is_told_beside_a_kind_that_was_not_checked(
     assert all(of.things in last for of in ECOSYSTEMS[1:])
 
 
-def test_says_not_checked_for_an_old_database_however_new_the_others_are(
+def test_old_database_leaves_ecosystem_unchecked(
     advisories: Advisories, ecosystem: Ecosystem, capsys: pytest.CaptureFixture[str]
 ) -> None:
     advisories.have_all()
@@ -163,7 +163,7 @@ def test_says_not_checked_for_an_old_database_however_new_the_others_are(
     assert re.search(rf"the database {ecosystem.name} in \S+ is 40 days old", capsys.readouterr().out)
 
 
-def test_fetches_databases_unless_told_not_to(
+def test_databases_are_fetched_unless_offline(
     advisories: Advisories, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("NETWORK", json.dumps(EVERYBODY_KNOWS))
@@ -173,7 +173,7 @@ def test_fetches_databases_unless_told_not_to(
 
 
 @pytest.mark.parametrize("answer", ["", "{}", "[]"], ids=["silence", "no results", "something else"])
-def test_says_not_checked_when_the_scanner_tells_nothing(
+def test_broken_scanner_answer_is_not_checked(
     advisories: Advisories, tmp_path: Path, answer: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "osv-scanner").write_text(f"#!/bin/sh\necho '{answer}'\n")
@@ -183,7 +183,7 @@ def test_says_not_checked_when_the_scanner_tells_nothing(
     assert "Nothing is known" not in told
 
 
-def test_says_not_checked_without_a_scanner(
+def test_missing_scanner_is_not_checked(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("OSV_SCANNER", "/no/such/program")

@@ -28,7 +28,7 @@ def test_compose_file_is_valid() -> None:
 
 
 @pytest.mark.parametrize("planted", ["  server:\n    ports: 8080\n", "  server:\n    immage: debian\n"])
-def test_the_schema_finds_a_planted_mistake(tmp_path: Path, planted: str) -> None:
+def test_compose_schema_finds_planted_mistake(tmp_path: Path, planted: str) -> None:
     broken = tmp_path / "compose.yaml"
     broken.write_text("services:\n" + planted)
     assert against_compose_schema(broken).returncode != 0

@@ -84,7 +84,7 @@ def seconds_until_up_again(built: Checkout, before: int, since: float) -> float:
 
 
 @pytest.mark.parametrize(("fault", "part"), STOPPED)
-def test_a_server_that_cannot_do_its_duty_is_there_again(
+def test_server_restarts_after_fatal_fault(
     built: Checkout, faults: Path, fault: str, part: str | None
 ) -> None:
     before = pid_of(built, "server")
@@ -174,7 +174,7 @@ def live_systems(built: Checkout) -> set[int]:
     return {drone["link"]["systemId"] for drone in drones if drone["link"]["state"] == "live"}
 
 
-def test_a_peer_whose_frames_end_the_server_is_not_heard_any_more(built: Checkout, faults: Path) -> None:
+def test_peer_whose_frames_end_the_server_is_blocked(built: Checkout, faults: Path) -> None:
     assert built.run("down").returncode == 0
     options = f"{built.settings['DRONEMAP_JAVA_OPTS']} -javaagent:{faults}=frame"
     assert built.run("up", "--no-demo", DRONEMAP_JAVA_OPTS=options).returncode == 0
@@ -190,7 +190,7 @@ def test_a_peer_whose_frames_end_the_server_is_not_heard_any_more(built: Checkou
 
 
 @pytest.mark.soak
-def test_operations_that_end_the_server_are_set_aside_and_their_drones_go_home(
+def test_operations_that_end_the_server_are_set_aside_and_drones_return(
     built: Checkout, faults: Path
 ) -> None:
     assert built.run("up").returncode == 0
@@ -254,7 +254,7 @@ def unit(name: str) -> str:
 
 
 @pytest.mark.soak
-def test_a_container_serves_again(built: Checkout, faults: Path) -> None:
+def test_container_restarts_server(built: Checkout, faults: Path) -> None:
     assert built.run("down").returncode == 0
     with in_front(built, *entry_point(built), container="docker"):
         until("it serves", lambda: health(built).get("status") == "up")
@@ -268,7 +268,7 @@ def test_a_container_serves_again(built: Checkout, faults: Path) -> None:
 
 
 @pytest.mark.soak
-def test_a_service_serves_again_also_when_its_supervisor_ends(built: Checkout, faults: Path) -> None:
+def test_service_restarts_server_and_ends_with_its_supervisor(built: Checkout, faults: Path) -> None:
     assert built.run("down").returncode == 0
     start = unit("ExecStart").replace("/opt/dronemap", str(built.path)).split()
     with in_front(built, *start) as service:

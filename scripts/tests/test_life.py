@@ -33,9 +33,7 @@ def built(with_jars: Path) -> Iterator[Checkout]:
     shutil.rmtree(made.data, ignore_errors=True)
 
 
-def test_up_ends_with_a_page_and_a_drone_that_can_be_armed(
-    built: Checkout, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_up_starts_page_and_demo_drone_that_arms(built: Checkout, monkeypatch: pytest.MonkeyPatch) -> None:
     # As it is without any setting: its memory is measured.
     monkeypatch.delitem(built.settings, "DRONEMAP_JAVA_OPTS")
     assert not built.data.exists()
@@ -111,7 +109,7 @@ def check_secrets(data: Path) -> None:
     assert stat.S_IMODE(data.stat().st_mode) & 0o077 == 0
 
 
-def test_a_killed_server_leaves_nothing_that_hinders_the_next_start(built: Checkout) -> None:
+def test_start_after_kill(built: Checkout) -> None:
     assert built.run("up").returncode == 0
     os.kill(pid_of(built, "server"), signal.SIGKILL)
     again = built.run("up")
@@ -119,7 +117,7 @@ def test_a_killed_server_leaves_nothing_that_hinders_the_next_start(built: Check
 
 
 @pytest.mark.soak
-def test_a_server_that_runs_or_was_killed_is_there_within_half_a_minute(built: Checkout) -> None:
+def test_up_takes_less_than_half_a_minute(built: Checkout) -> None:
     """On a machine with nothing else to do."""
     assert built.run("up").returncode == 0
     assert seconds_of_up(built) < SECOND_UP_SECONDS
@@ -160,7 +158,7 @@ def test_replays_a_recording_and_cancels_it_on_interruption(built: Checkout) -> 
     assert sorted(states) == ["cancelled", "finished"]
 
 
-def test_down_leaves_nothing_of_a_killed_server(built: Checkout) -> None:
+def test_down_cleans_up_killed_server(built: Checkout) -> None:
     assert built.run("up").returncode == 0
     os.kill(pid_of(built, "server"), signal.SIGKILL)
     assert built.run("down").returncode == 0

@@ -48,13 +48,13 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Run:
     return Run(tmp_path, capsys)
 
 
-def test_passes_when_each_status_was_seen_by_any_program(run: Run) -> None:
+def test_all_listed_statuses_seen_passes(run: Run) -> None:
     run.saw(*ALL_SEEN[:2], by="1")
     run.saw(*ALL_SEEN[2:], by="end-to-end-7")
     assert run.ends() == (0, ["4 statuses are listed, 4 of them were seen."])
 
 
-def test_names_each_status_that_nobody_saw(run: Run) -> None:
+def test_unseen_statuses_are_named(run: Run) -> None:
     run.saw("GET /api/drones 200")
     code, printed = run.ends()
     assert code == 1
@@ -65,30 +65,30 @@ def test_names_each_status_that_nobody_saw(run: Run) -> None:
     ]
 
 
-def test_names_what_was_seen_and_is_not_listed(run: Run) -> None:
+def test_unlisted_statuses_are_named(run: Run) -> None:
     run.saw(*ALL_SEEN, "GET /api/drones/drone-1 500")
     code, printed = run.ends()
     assert code == 1
     assert printed[0] == "GET /api/drones/{id} was seen to answer 500, and does not list that."
 
 
-def test_an_address_is_of_what_is_written_out_before_what_stands_for_anything(run: Run) -> None:
+def test_literal_path_wins_over_template(run: Run) -> None:
     run.saw(*ALL_SEEN[:1], *ALL_SEEN[2:])
     assert run.ends()[1][0] == "GET /api/drones/{id} lists 200, and no test has seen it answer that."
 
 
-def test_what_the_description_does_not_have_says_nothing(run: Run) -> None:
+def test_unknown_paths_are_ignored(run: Run) -> None:
     run.saw(*ALL_SEEN, "GET /nowhere 404", "POST /api/drones 405", "GET /api/drones/a/b 404")
     assert run.ends()[0] == 0
 
 
-def test_an_exception_stands_for_what_no_test_can_see(run: Run) -> None:
+def test_exceptions_count_as_seen(run: Run) -> None:
     run.saw(*ALL_SEEN[1:])
     run.exceptions = "# why\n\nGET /api/drones 200: nobody has drones\n"
     assert run.ends()[0] == 0
 
 
-def test_an_exception_that_was_seen_or_is_not_listed_is_refused(run: Run) -> None:
+def test_needless_exception_is_refused(run: Run) -> None:
     run.saw(*ALL_SEEN)
     run.exceptions = "GET /api/drones 200: never\nGET /api/drones 507: no disk is that full\n"
     code, printed = run.ends()
@@ -107,14 +107,14 @@ def test_an_exception_without_a_reason_is_refused(run: Run, line: str) -> None:
         run.ends()
 
 
-def test_a_run_in_which_nothing_was_written_down_fails_with_one_sentence(run: Run) -> None:
+def test_run_without_seen_statuses_fails(run: Run) -> None:
     run.saw()
     code, printed = run.ends()
     assert code == 1
     assert len(printed) == 1 and printed[0].startswith("No test has written down in ")
 
 
-def test_the_description_in_the_tree_is_read() -> None:
+def test_rest_description_of_this_checkout_is_read() -> None:
     wire = ROOT / "dronemap-ws" / "src" / "test" / "resources" / "wire" / "openapi.json"
     description = listed_statuses.Description(wire)
     assert len(description.listed) > 1000

@@ -53,9 +53,7 @@ def check_own_certificate(built: Checkout, folder: Path) -> None:
     assert shown.strip() == (folder / "one.pem").read_text().strip()
 
 
-def test_stays_closed_to_the_network_until_the_first_password_is_changed(
-    built: Checkout, tmp_path: Path
-) -> None:
+def test_public_server_stays_closed_until_first_password_is_changed(built: Checkout, tmp_path: Path) -> None:
     never_started = built.run("up", "--public", "--no-demo")
     assert never_started.returncode == PASSWORD_MUST_CHANGE
     assert "Run ./dronemap up" in never_started.stderr

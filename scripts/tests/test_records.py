@@ -15,7 +15,7 @@ RECORDS_CHANGED = 10
 DEED = "a deed to be found"
 
 
-def test_what_was_backed_up_is_there_after_a_restore(built: Checkout, tmp_path: Path) -> None:
+def test_restore_brings_back_backup(built: Checkout, tmp_path: Path) -> None:
     assert built.run("up", "--no-demo").returncode == 0
     assert built.run("password", text=NEW_PASSWORD + "\n").returncode == 0
     receipt = take_a_receipt(built, tmp_path)

@@ -75,11 +75,11 @@ def bench(tmp_path: Path) -> Bench:
     return Bench(tmp_path)
 
 
-def test_a_check_is_written_down_as_it_ended(bench: Bench) -> None:
+def test_check_result_is_recorded(bench: Bench) -> None:
     assert bench.results("check shell good true", "check shell bad false") == ["shell passed", "shell failed"]
 
 
-def test_a_suite_that_failed_is_written_down_beside_its_reports(bench: Bench) -> None:
+def test_failed_suite_is_recorded_beside_its_reports(bench: Bench) -> None:
     found = bench.results("counted web units /no/such.xml false", "counted page units /no/such.xml true")
     assert found == ["web junit", "web status", "page junit"]
 
@@ -95,7 +95,7 @@ def test_a_suite_that_failed_is_written_down_beside_its_reports(bench: Bench) ->
     ],
     ids=["passed", "failed test", "broken test", "failed build", "no report"],
 )
-def test_a_failed_java_test_is_no_success_though_maven_goes_on(
+def test_failed_java_test_fails_the_suite(
     bench: Bench, status: int, report: str | None, expected: list[str]
 ) -> None:
     bench.maven(status, report)
@@ -132,7 +132,7 @@ def test_every_suite_is_part_of_a_test_run() -> None:
     assert (ROOT / ".ci" / "run").read_text().splitlines()[-1] == "exec ./dronemap test"
 
 
-def test_each_python_project_is_run_by_one_of_the_two_halves(bench: Bench) -> None:
+def test_each_python_project_runs_in_one_half(bench: Bench) -> None:
     for project in ("ros-bridge", "new"):
         (bench.folder / project).mkdir()
         (bench.folder / project / "pyproject.toml").touch()
@@ -141,7 +141,7 @@ def test_each_python_project_is_run_by_one_of_the_two_halves(bench: Bench) -> No
     assert bench.results(run, "suite_pytest soak needs_jars") == ["ros-bridge passed", "new passed"]
 
 
-def test_statuses_that_were_seen_before_this_run_do_not_count(bench: Bench) -> None:
+def test_statuses_of_earlier_runs_do_not_count(bench: Bench) -> None:
     """Its folder is empty at first: a folder that is there already ends the run."""
     whole = ("begin_statuses", "echo $DRONEMAP_SEEN_STATUSES; ls $DRONEMAP_SEEN_STATUSES")
     assert bench.run(*whole).stdout == f"{bench.folder}/test/seen-statuses\n"
@@ -149,7 +149,7 @@ def test_statuses_that_were_seen_before_this_run_do_not_count(bench: Bench) -> N
 
 
 @pytest.mark.parametrize(("seen", "expected"), [("200", "passed"), ("404", "failed")])
-def test_a_listed_status_that_no_test_saw_fails_a_whole_run(bench: Bench, seen: str, expected: str) -> None:
+def test_unseen_listed_status_fails_whole_run(bench: Bench, seen: str, expected: str) -> None:
     tests = bench.folder / "dronemap-ws" / "src" / "test" / "resources"
     (tests / "wire").mkdir(parents=True)
     (tests / "wire" / "openapi.json").write_text('{"paths": {"/a": {"get": {"responses": {"200": {}}}}}}')
@@ -171,7 +171,7 @@ def asks_for_jars(file: Path) -> bool:
     return bool(given & {"built", "with_jars"}) or "bill_of_materials" in imported
 
 
-def test_of_the_scripts_own_tests_each_file_is_run_by_one_of_the_two_halves(bench: Bench) -> None:
+def test_each_script_test_file_runs_in_one_half(bench: Bench) -> None:
     (bench.folder / "scripts").symlink_to(ROOT / "scripts")
     run = 'run_pytest() { printf "%s\\n" "${@:4}"; }'
     files = sorted((ROOT / "scripts").glob("tests/test_*.py"))
@@ -195,14 +195,14 @@ def test_two_halves_of_a_project_leave_two_reports(bench: Bench) -> None:
 # --- workers and lanes ---
 
 
-def test_maven_has_one_module_at_work_and_as_many_machines_as_there_are_workers(bench: Bench) -> None:
+def test_maven_runs_one_module_with_a_jvm_per_worker(bench: Bench) -> None:
     bench.maven(0, PASSED_REPORT)
     bench.results("suite_java tests", workers=2)
     asked = (bench.folder / "asked").read_text()
     assert "-T 1 -DforkCount=2 " in asked and asked.endswith(" test\n")
 
 
-def test_while_maven_compiles_beside_another_lane_it_leaves_that_its_worker(bench: Bench) -> None:
+def test_maven_compiles_with_one_worker_beside_another_lane(bench: Bench) -> None:
     bench.maven(0, None)
     bench.results("suite_java_build", workers=2)
     assert "-T 1 " in (bench.folder / "asked").read_text()
@@ -210,7 +210,7 @@ def test_while_maven_compiles_beside_another_lane_it_leaves_that_its_worker(benc
     assert "-T 7 " in (bench.folder / "asked").read_text()
 
 
-def test_the_number_of_workers_stands_in_one_place() -> None:
+def test_worker_count_is_set_in_one_place() -> None:
     # Not of folders that Maven makes and removes meanwhile.
     poms = [*ROOT.glob("pom.xml"), *ROOT.glob("*/pom.xml"), *ROOT.glob("*/*/pom.xml")]
     assert len(poms) > 5
@@ -222,14 +222,14 @@ def test_the_number_of_workers_stands_in_one_place() -> None:
         assert not re.search(r"-n (?!auto)", options), project
 
 
-def test_workers_are_as_many_as_cores_or_as_was_asked_for(bench: Bench) -> None:
+def test_worker_count_is_core_count_or_setting(bench: Bench) -> None:
     told = "count_workers; echo $WORKERS $PYTEST_XDIST_AUTO_NUM_WORKERS"
     assert bench.run("nproc() { echo 3; }", told).stdout == "3 3\n"
     assert bench.run("DRONEMAP_TEST_WORKERS=05", told).stdout == "5 5\n"
 
 
 @pytest.mark.parametrize("workers", ["0", "257", "two", "-1"])
-def test_a_number_of_workers_that_is_none_is_refused(bench: Bench, workers: str) -> None:
+def test_invalid_worker_count_is_refused(bench: Bench, workers: str) -> None:
     outcome = bench.run(f"DRONEMAP_TEST_WORKERS={workers}", "count_workers")
     assert outcome.returncode == 2
     assert f"DRONEMAP_TEST_WORKERS is '{workers}'; it must be a number from 1 to 256" in outcome.stderr
@@ -267,7 +267,7 @@ def test_a_lane_that_ends_early_is_a_failure(bench: Bench) -> None:
     assert sorted(found) == ["lanes failed", "main passed"]
 
 
-def test_what_two_failed_checks_say_is_not_mixed(bench: Bench) -> None:
+def test_output_of_two_failed_checks_is_not_mixed(bench: Bench) -> None:
     """They fail at the same time; the first to speak goes on when the other one wants to speak as well."""
     outcome = bench.run(
         *MEETING[:2],
@@ -319,7 +319,7 @@ def test_an_interruption_ends_both_lanes(bench: Bench) -> None:
         ("e2e*ruff", "python: ruff e2e", False),
     ],
 )
-def test_a_pattern_is_a_part_of_a_name_in_which_stars_alone_are_special(
+def test_pattern_matches_part_of_name_with_stars(
     bench: Bench, pattern: str, title: str, wanted: bool
 ) -> None:
     outcome = bench.run(f"choose_tests test --only '{pattern}'", f"if is_wanted '{title}'; then echo yes; fi")
@@ -348,13 +348,13 @@ def test_without_a_pattern_all_checks_run(bench: Bench) -> None:
         ("--loud", "test does not know '--loud'"),
     ],
 )
-def test_wrong_choices_are_answered_with_a_sentence(bench: Bench, options: str, sentence: str) -> None:
+def test_invalid_options_are_refused(bench: Bench, options: str, sentence: str) -> None:
     outcome = bench.run(f"choose_tests test {options}")
     assert outcome.returncode == 2
     assert sentence in outcome.stderr
 
 
-def test_rounds_go_on_after_a_failure_and_no_failure_is_forgotten(bench: Bench) -> None:
+def test_rounds_continue_after_failure_and_report_it(bench: Bench) -> None:
     """The second of three fails."""
     found = bench.results(
         "choose_tests test --repeat 3 good",
@@ -365,7 +365,7 @@ def test_rounds_go_on_after_a_failure_and_no_failure_is_forgotten(bench: Bench) 
     assert found == ["shell passed", "shell failed", "shell passed"]
 
 
-def test_what_matches_nothing_anywhere_is_refused(bench: Bench) -> None:
+def test_pattern_without_match_is_refused(bench: Bench) -> None:
     outcome = bench.run(
         "choose_tests test --only nothing",
         "plan_tests() { :; }",
@@ -382,7 +382,7 @@ def plan(bench: Bench, *lines: str) -> str:
     return f"PLAN={file}"
 
 
-def test_a_round_starts_no_language_that_has_no_match(bench: Bench) -> None:
+def test_languages_without_match_are_not_started(bench: Bench) -> None:
     pytest_alone = plan(
         bench, "pytest\te2e\ttests/test_a.py::test_b", "pytest\te2e\ttests/test_a.py::test_c[1]"
     )
@@ -400,7 +400,7 @@ def test_a_round_starts_no_language_that_has_no_match(bench: Bench) -> None:
     assert not (bench.folder / "asked").exists()
 
 
-def test_a_round_of_java_names_modules_and_classes(bench: Bench) -> None:
+def test_java_round_names_modules_and_classes(bench: Bench) -> None:
     bench.maven(0, PASSED_REPORT)
     lines = ("java\tdronemap-a\ta.A", "java\tdronemap-b\tb.B#one+two", "java\tdronemap-a\ta.C")
     assert bench.results(plan(bench, *lines), "round_of_java soak") == ["java junit"]
@@ -409,7 +409,7 @@ def test_a_round_of_java_names_modules_and_classes(bench: Bench) -> None:
     assert "-Dgroups=soak" in asked and "-Parchive" in asked
 
 
-def test_files_that_match_as_a_whole_run_apart_from_single_names(bench: Bench) -> None:
+def test_whole_files_run_apart_from_single_tests(bench: Bench) -> None:
     npm = bench.folder / "bin" / "npm"
     npm.write_text(f'#!/bin/sh\necho "$@" >>{bench.folder}/asked\n')
     npm.chmod(0o755)
@@ -426,7 +426,7 @@ def test_files_that_match_as_a_whole_run_apart_from_single_names(bench: Bench) -
     assert asked[1].endswith("vitest-names.xml src/b.test.ts --testNamePattern ^(group one|group two)$")
 
 
-def test_of_the_scripts_tests_those_of_a_server_alone_need_its_jars(bench: Bench) -> None:
+def test_only_server_script_tests_need_jars(bench: Bench) -> None:
     tests = bench.folder / "scripts" / "tests"
     tests.mkdir(parents=True)
     (tests / "test_server.py").write_text("def test_up(built: Checkout) -> None: ...")

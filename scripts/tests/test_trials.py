@@ -88,7 +88,7 @@ def alive(pid: str) -> bool:
     return stat.exists() and stat.read_text().rpartition(")")[2].split()[0] != "Z"
 
 
-def test_without_a_name_all_are_listed_with_how_far_they_are(field: Field) -> None:
+def test_list_shows_progress_of_all_trials(field: Field) -> None:
     field.does("test $1 != 2")
     assert field.run("seeds").returncode == 1
     listed = field.run().stdout.splitlines()
@@ -97,7 +97,7 @@ def test_without_a_name_all_are_listed_with_how_far_they_are(field: Field) -> No
     assert listed[2].split(None, 1)[1].startswith("0 of 2 ")
 
 
-def test_results_are_shown_where_readers_look(field: Field) -> None:
+def test_results_are_published_in_docs(field: Field) -> None:
     assert field.run("seeds").returncode == 0
     lines = field.results("seeds")
     assert lines[0] == "# seeds: Three seeds."
@@ -111,7 +111,7 @@ def test_results_are_shown_where_readers_look(field: Field) -> None:
         assert values[7] == trials.processor() != ""
 
 
-def test_the_commit_is_told_and_whether_files_differ_from_it(field: Field) -> None:
+def test_result_names_commit_and_local_changes(field: Field) -> None:
     git = ["git", "-c", "user.name=a", "-c", "user.email=a@b", "-C", str(field.root)]
     (field.root / ".gitignore").write_text(".tools\nran\n")
     for words in (["init", "-q"], ["add", "-A"], ["commit", "-qm", "x"]):
@@ -126,7 +126,7 @@ def test_the_commit_is_told_and_whether_files_differ_from_it(field: Field) -> No
     assert field.results("seeds")[4].split("\t")[6] == commit.stdout.strip() + "+"
 
 
-def test_what_is_done_is_not_run_again_whatever_came_of_it(field: Field) -> None:
+def test_finished_units_are_not_run_again(field: Field) -> None:
     field.does("test $1 != 2")
     first = field.run("seeds")
     assert "unit 2 failed (1)" in first.stdout
@@ -137,7 +137,7 @@ def test_what_is_done_is_not_run_again_whatever_came_of_it(field: Field) -> None
     assert field.results("seeds")[5].startswith("2\tfailed (1)\t")
 
 
-def test_again_forgets_what_was_found(field: Field) -> None:
+def test_again_discards_results(field: Field) -> None:
     field.does("exit 1")
     field.run("seeds")
     field.does("exit 0")
@@ -159,9 +159,7 @@ def in_the_second_unit(field: Field) -> subprocess.Popen[str]:
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
-def test_a_trial_that_was_ended_in_the_middle_goes_on_with_the_unit_that_it_was_at(
-    field: Field, number: signal.Signals
-) -> None:
+def test_interrupted_trial_continues_with_its_unit(field: Field, number: signal.Signals) -> None:
     with in_the_second_unit(field) as run:
         run.send_signal(number)
         said = run.communicate(timeout=60)[1]
@@ -179,7 +177,7 @@ def test_a_trial_that_was_ended_in_the_middle_goes_on_with_the_unit_that_it_was_
     assert field.results("seeds")[2] == "# 3 of 3 units done, 0 failed"
 
 
-def test_a_unit_that_was_ended_from_outside_counts_for_nothing(field: Field) -> None:
+def test_killed_unit_is_not_recorded(field: Field) -> None:
     field.does("exit 143")
     outcome = field.run("seeds")
     assert outcome.returncode == 1
@@ -200,7 +198,7 @@ def test_a_unit_that_was_ended_from_outside_counts_for_nothing(field: Field) -> 
     ],
     ids=["changed", "bytes", "cut off", "no sum", "no text", "another unit", "gone"],
 )
-def test_a_damaged_line_is_told_and_its_unit_runs_again(field: Field, damage: Callable[[str], str]) -> None:
+def test_damaged_line_is_reported_and_unit_runs_again(field: Field, damage: Callable[[str], str]) -> None:
     field.run("seeds")
     lines = field.state("seeds").read_text().splitlines()
     lines[1] = damage(lines[1])
@@ -215,7 +213,7 @@ def test_a_damaged_line_is_told_and_its_unit_runs_again(field: Field, damage: Ca
     assert again.returncode == 0 and field.run("seeds").stderr == ""
 
 
-def test_what_another_command_found_counts_for_nothing(field: Field) -> None:
+def test_results_of_another_command_are_ignored(field: Field) -> None:
     field.run("seeds")
     table = field.root / "scripts" / "trials.toml"
     table.write_text(TABLE.replace('run = "sh unit.sh {unit}"', 'run = "sh unit.sh {unit} more"', 1))
@@ -223,7 +221,7 @@ def test_what_another_command_found_counts_for_nothing(field: Field) -> None:
     assert field.ran == ["1", "2", "3"] * 2
 
 
-def test_no_unit_begins_that_would_end_after_the_time(
+def test_no_unit_starts_that_would_exceed_the_time(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Units of 50 s in two minutes are two; a trial with less time than one takes comes on by one."""
@@ -244,7 +242,7 @@ def test_no_unit_begins_that_would_end_after_the_time(
     assert "2 of 3." in capsys.readouterr().out.splitlines()[-1]
 
 
-def test_a_busy_process_runs_beside_each_unit_and_ends_with_it(field: Field) -> None:
+def test_busy_process_runs_during_each_unit(field: Field) -> None:
     field.does("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >>busy")
     assert field.run("names").returncode == 0
     busy = (field.root / "busy").read_text().splitlines()
@@ -253,7 +251,7 @@ def test_a_busy_process_runs_beside_each_unit_and_ends_with_it(field: Field) -> 
     assert field.results("names")[1].endswith("beside 1 busy process(es)")
 
 
-def test_busy_processes_end_with_a_trial_that_is_killed(field: Field) -> None:
+def test_busy_processes_end_when_trial_is_killed(field: Field) -> None:
     field.does("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >busy; sleep 300")
     with subprocess.Popen(field.command("names"), stdout=subprocess.DEVNULL) as run:
         until(
@@ -263,7 +261,7 @@ def test_busy_processes_end_with_a_trial_that_is_killed(field: Field) -> None:
     until("it has ended", lambda: not alive((field.root / "busy").read_text().split()[0]))
 
 
-def test_files_are_units_but_those_left_out(field: Field, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_are_units_except_excluded_ones(field: Field, monkeypatch: pytest.MonkeyPatch) -> None:
     refused = field.run("files")
     assert refused.returncode == 1 and "needs SOMETHING_THAT_IS_NOT_THERE" in refused.stderr
     monkeypatch.setenv("SOMETHING_THAT_IS_NOT_THERE", "here")
@@ -271,16 +269,14 @@ def test_files_are_units_but_those_left_out(field: Field, monkeypatch: pytest.Mo
     assert [line.split("\t")[0] for line in field.results("files")[4:]] == ["tests/also.py", "tests/yes.py"]
 
 
-def test_a_command_that_cannot_be_run_is_no_failed_unit(field: Field) -> None:
+def test_missing_command_is_not_a_failed_unit(field: Field) -> None:
     outcome = field.run("nothing")
     assert outcome.returncode == 1
     assert "The command of 'nothing' cannot be run" in outcome.stderr
     assert not field.state("nothing").exists()
 
 
-def test_a_checkout_in_which_something_else_works_is_no_reason_to_fail_a_unit(
-    field: Field, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_busy_checkout_is_not_a_failed_unit(field: Field, monkeypatch: pytest.MonkeyPatch) -> None:
     (field.root / ".tools").mkdir()
     monkeypatch.setattr(trials, "END_SECONDS", 0.3)
     with trials.alone(field.root / ".tools" / "lock", ""):
@@ -288,7 +284,7 @@ def test_a_checkout_in_which_something_else_works_is_no_reason_to_fail_a_unit(
     assert field.ran == []
 
 
-def test_the_same_trial_runs_once_at_a_time(field: Field) -> None:
+def test_trial_does_not_run_twice_at_once(field: Field) -> None:
     with in_the_second_unit(field) as run:
         outcome = field.run("seeds")
         run.terminate()
@@ -325,7 +321,7 @@ def test_wrong_use_is_answered_with_a_sentence(field: Field, arguments: list[str
         ("[a", "is not readable"),
     ],
 )
-def test_a_table_with_a_mistake_is_refused(field: Field, entry: str, sentence: str) -> None:
+def test_invalid_trial_table_is_refused(field: Field, entry: str, sentence: str) -> None:
     (field.root / "scripts" / "trials.toml").write_text(entry)
     outcome = field.run()
     assert outcome.returncode == 1
@@ -350,7 +346,7 @@ def kinds_of(file: Path) -> tuple[bool, bool]:
     return ordinary, long
 
 
-def test_each_file_with_long_tests_has_its_trial() -> None:
+def test_each_file_with_long_tests_has_a_trial() -> None:
     commands = [trial.run for trial in trials.declared(ROOT).values()]
     python = [
         path for project in ("bench", "e2e", "scripts") for path in (ROOT / project).glob("tests/test_*.py")

@@ -52,7 +52,7 @@ def start() -> Iterator[Start]:
         assert not thread.is_alive()
 
 
-def test_a_tool_that_sends_reaches_the_server_signed_and_is_answered(start: Start) -> None:
+def test_sending_tool_is_signed_and_answered(start: Start) -> None:
     server, tool, port = datagrams(), datagrams(), free_port()
     start(["--server", f"udp:127.0.0.1:{server.getsockname()[1]}", "--listen", f"127.0.0.1:{port}"])
     with server, tool:
@@ -66,7 +66,7 @@ def test_a_tool_that_sends_reaches_the_server_signed_and_is_answered(start: Star
         assert (answer.get_srcSystem(), answer.get_signed()) == (5, False)
 
 
-def test_a_tool_that_listens_is_sent_to_before_it_has_spoken(start: Start) -> None:
+def test_listening_tool_gets_messages_first(start: Start) -> None:
     server, tool = datagrams(), datagrams()
     ports = [sock.getsockname()[1] for sock in (server, tool)]
     start(["--server", f"udp:127.0.0.1:{ports[0]}", "--to", f"127.0.0.1:{ports[1]}", "--system", "200"])
@@ -78,7 +78,7 @@ def test_a_tool_that_listens_is_sent_to_before_it_has_spoken(start: Start) -> No
         assert tool.recv(600)
 
 
-def test_a_second_tool_is_not_let_in_beside_the_first(start: Start) -> None:
+def test_second_tool_is_ignored(start: Start) -> None:
     server, tool, other, port = datagrams(), datagrams(), datagrams(), free_port()
     start(["--server", f"udp:127.0.0.1:{server.getsockname()[1]}", "--listen", f"127.0.0.1:{port}"])
     with server, tool, other:
@@ -92,7 +92,7 @@ def test_a_second_tool_is_not_let_in_beside_the_first(start: Start) -> None:
         assert 202 not in systems
 
 
-def test_a_connection_that_ends_is_made_again_and_half_a_frame_is_forgotten(start: Start) -> None:
+def test_reconnect_discards_partial_frame(start: Start) -> None:
     tool = datagrams()
     with socket.create_server(("127.0.0.1", 0)) as listener, tool:
         listener.settimeout(SECONDS)
@@ -113,19 +113,19 @@ def test_a_connection_that_ends_is_made_again_and_half_a_frame_is_forgotten(star
 @pytest.mark.parametrize(
     "text", ["0.0.0.0:14550", "192.0.2.1:14550", "tcp:127.0.0.1:14550", "127.0.0.1", ":5"]
 )
-def test_the_tools_side_is_open_to_nobody_but_this_machine(text: str) -> None:
+def test_tool_address_is_loopback_only(text: str) -> None:
     with pytest.raises(ValueError):
         parsed_own(text)
 
 
-def test_addresses_are_read_as_written() -> None:
+def test_addresses_are_parsed() -> None:
     assert parsed("udp:drones.example:14560") == Place("drones.example", 14_560)
     assert parsed("tcp:[::1]:5790") == Place("::1", 5_790, True)
     assert parsed_own("localhost:14550") == Place("127.0.0.1", 14_550)
     assert str(parsed("tcp:[::1]:5790")) == "tcp:[::1]:5790"
 
 
-def test_the_passphrase_comes_from_the_environment_or_a_question(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_passphrase_from_environment_or_prompt(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DRONEMAP_PASSPHRASE", PASSPHRASE)
     assert passphrase() == PASSPHRASE
     monkeypatch.delenv("DRONEMAP_PASSPHRASE")

@@ -46,7 +46,7 @@ def every_message() -> list[Any]:
     return made
 
 
-def test_every_message_of_a_tool_is_signed_so_that_pymavlink_takes_it() -> None:
+def test_tool_messages_are_signed_as_pymavlink_accepts() -> None:
     tool, server = oracle(system=245, passphrase=None), oracle()
     bridge = Bridge(Signing(PASSPHRASE))
     for message in every_message():
@@ -57,7 +57,7 @@ def test_every_message_of_a_tool_is_signed_so_that_pymavlink_takes_it() -> None:
         assert heard.to_dict() == message.to_dict()
 
 
-def test_every_message_of_the_server_comes_to_the_tool_as_it_was_and_unsigned() -> None:
+def test_server_messages_reach_tool_unsigned_and_unchanged() -> None:
     server = oracle()
     plain = oracle(passphrase=None)
     bridge = Bridge(Signing(PASSPHRASE))
@@ -67,7 +67,7 @@ def test_every_message_of_the_server_comes_to_the_tool_as_it_was_and_unsigned() 
         assert frame == bytes(message.pack(plain))
 
 
-def test_messages_of_mavlink_1_are_lifted_and_say_the_same() -> None:
+def test_mavlink_1_messages_are_converted_to_version_2() -> None:
     tool = older.MAVLink(None, srcSystem=7, srcComponent=3)
     bridge, server = Bridge(Signing(PASSPHRASE)), oracle()
     said = [
@@ -91,7 +91,7 @@ def unknown_message(seed: int) -> bytes:
     return b"\xfd" + body + checksum(body + bytes((seed,))).to_bytes(2, "little")
 
 
-def test_a_message_that_nobody_knows_keeps_a_checksum_that_who_knows_it_finds_right() -> None:
+def test_unknown_message_keeps_valid_checksum() -> None:
     for seed in (0, 99, 255):
         frame = unknown_message(seed)
         signed = Signing(PASSPHRASE).signed(frame)
@@ -104,7 +104,7 @@ def test_a_message_that_nobody_knows_keeps_a_checksum_that_who_knows_it_finds_ri
 @pytest.mark.parametrize(
     ("passphrase", "why"), [("another passphrase", "wrong signature"), (None, "unsigned")], ids=str
 )
-def test_what_the_server_has_not_signed_is_not_shown(passphrase: str | None, why: str) -> None:
+def test_unsigned_or_foreign_messages_are_dropped(passphrase: str | None, why: str) -> None:
     signing = Signing(PASSPHRASE)
     stranger = oracle(passphrase=passphrase)
     beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
@@ -112,7 +112,7 @@ def test_what_the_server_has_not_signed_is_not_shown(passphrase: str | None, why
     assert signing.refused == {why: 1}
 
 
-def test_a_frame_that_was_changed_on_the_way_is_not_shown() -> None:
+def test_tampered_frame_is_dropped() -> None:
     signing = Signing(PASSPHRASE)
     beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
     frame = bytearray(beat.pack(oracle()))
@@ -120,7 +120,7 @@ def test_a_frame_that_was_changed_on_the_way_is_not_shown() -> None:
     assert signing.opened(bytes(frame)) is None
 
 
-def test_what_was_seen_before_or_is_old_is_not_shown() -> None:
+def test_replayed_and_old_frames_are_dropped() -> None:
     signing = Signing(PASSPHRASE)
     bridge = Bridge(signing)
     beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
@@ -134,7 +134,7 @@ def test_what_was_seen_before_or_is_old_is_not_shown() -> None:
     assert signing.refused == {"seen before": 2, "more than a minute old": 1}
 
 
-def test_times_rise_when_the_clock_stands_or_goes_back_and_follow_what_was_heard() -> None:
+def test_timestamps_only_rise_and_follow_received_ones() -> None:
     ticks = [1_000 * MINUTE]
     signing = Signing(PASSPHRASE, ticks=lambda: ticks[0])
     tool = oracle(system=245, passphrase=None)
@@ -151,7 +151,7 @@ def test_times_rise_when_the_clock_stands_or_goes_back_and_follow_what_was_heard
     assert stamp() > first + MINUTE
 
 
-def test_noise_and_broken_frames_cost_no_whole_one() -> None:
+def test_noise_and_broken_frames_lose_no_valid_frame() -> None:
     server, splitter = oracle(), Splitter()
     frames = [bytes(m.pack(server)) for m in every_message()[:40]]
     broken = bytearray(frames[0])
@@ -165,14 +165,14 @@ def test_noise_and_broken_frames_cost_no_whole_one() -> None:
     assert split_datagram(frames[1][:-1]) == []
 
 
-def test_noise_that_looks_like_the_beginning_of_an_unknown_message_swallows_no_frame() -> None:
+def test_noise_like_unknown_header_loses_no_frame() -> None:
     server, splitter = oracle(), Splitter()
     frames = [bytes(m.pack(server)) for m in every_message()[:9]]
     assert splitter.feed(b"x" + unknown_message(0)[:10] + b"".join(frames)) == frames
     assert splitter.feed(unknown_message(0)) == [unknown_message(0)]
 
 
-def test_signs_of_life_are_in_the_name_of_the_tool_and_only_once_it_has_one() -> None:
+def test_heartbeats_use_system_id_of_tool() -> None:
     bridge = Bridge(Signing(PASSPHRASE))
     assert bridge.beat() is None
     beat = dialect.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3)
@@ -185,7 +185,7 @@ def test_signs_of_life_are_in_the_name_of_the_tool_and_only_once_it_has_one() ->
         assert (heard.get_srcSystem(), heard.get_seq(), heard.get_signed()) == (42, number % 256, True)
 
 
-def test_the_cost_of_a_message_leaves_room_for_fifty_drones() -> None:
+def test_signing_is_fast_enough_for_fifty_drones() -> None:
     server, bridge = oracle(), Bridge(Signing(PASSPHRASE))
     place = dialect.MAVLink_global_position_int_message(1, 2, 3, 4, 5, 6, 7, 8, 9)
     frames = [bytes(place.pack(server)) for _ in range(2_000)]
@@ -194,11 +194,11 @@ def test_the_cost_of_a_message_leaves_room_for_fifty_drones() -> None:
     assert time.process_time() - started < 2
 
 
-def test_a_message_of_zeros_keeps_its_first_byte() -> None:
+def test_zero_payload_keeps_first_byte() -> None:
     tool = older.MAVLink(None, srcSystem=7, srcComponent=3)
     frame = bytes(older.MAVLink_param_request_list_message(0, 0).pack(tool))
     assert lifted(frame)[1] == 1
 
 
-def test_nobody_reads_the_passphrase_from_what_is_printed() -> None:
+def test_passphrase_is_not_printed() -> None:
     assert PASSPHRASE not in repr(Signing(PASSPHRASE))
