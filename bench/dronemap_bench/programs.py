@@ -187,15 +187,15 @@ class Load:
 
     def await_ready(self) -> None:
         """Returns when it has said that it is."""
-        self.hear("ready")
+        self.await_line("ready")
 
-    def hear(self, word: str) -> None:
+    def await_line(self, word: str) -> None:
         assert self._process.stdout is not None
         line = self._process.stdout.readline()
         if line.strip() != word:
             raise SystemExit(f"A load program said '{line}' instead of '{word}'")
 
-    def tell(self, line: str) -> None:
+    def send_line(self, line: str) -> None:
         assert self._process.stdin is not None
         self._process.stdin.write(line + "\n")
         self._process.stdin.flush()

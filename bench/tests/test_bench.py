@@ -33,13 +33,13 @@ BAD = Configuration(
 
 
 @pytest.fixture
-def soon(monkeypatch: pytest.MonkeyPatch) -> None:
+def short_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     """What runs for seconds would spend a third of its work on compiling well; no figure is compared here."""
     given = os.environ.get("JAVA_TOOL_OPTIONS", "")
     monkeypatch.setenv("JAVA_TOOL_OPTIONS", f"{given} -XX:TieredStopAtLevel=1")
 
 
-@pytest.mark.usefixtures("soon")
+@pytest.mark.usefixtures("short_runs")
 def test_every_frame_sent_is_recorded_byte_for_byte() -> None:
     result = measure(SMALL)
     tlogs = result["tlogs"]
@@ -55,7 +55,7 @@ def test_every_frame_sent_is_recorded_byte_for_byte() -> None:
     assert 0.95 <= report.delivered(result) <= 1.05, result["clients"]
 
 
-@pytest.mark.usefixtures("soon")
+@pytest.mark.usefixtures("short_runs")
 def test_impairment_delays_and_loses_messages() -> None:
     result = measure(BAD)
     assert result["tlogs"]["missing"] > 0, "nothing was lost on the way"

@@ -3,7 +3,7 @@
 import pytest
 
 from dronemap_bench.faces import report, trial
-from dronemap_bench.faces.calls import in_turn, percentile
+from dronemap_bench.faces.calls import percentile, time_interleaved
 from dronemap_bench.programs import SERVER_JAR, Json
 
 SMALL = trial.Options(
@@ -36,7 +36,7 @@ def test_call_latency_beside_a_thousand_vehicles_meets_goals() -> None:
 
 def test_call_kinds_alternate() -> None:
     made: list[str] = []
-    took = in_turn(2, lambda: made.append("a"), lambda: made.append("b"))
+    took = time_interleaved(2, lambda: made.append("a"), lambda: made.append("b"))
     assert made == ["a", "b", "a", "b"]
     assert [len(times) for times in took] == [2, 2]
 

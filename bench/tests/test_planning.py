@@ -14,7 +14,7 @@ SQUARE = Problem("euclidean", "longest", ((0.0, 0.0), (10.0, 0.0)), ((0.0, 5.0),
 
 
 def result(solver: str, gap: float, seed: int = 1, instance: str = "square") -> runs.Result:
-    plan = runs.Plan(solver, seed, 1.0, 1, 0.0, False)
+    plan = runs.SolverRun(solver, seed, 1.0, 1, 0.0, False)
     points = [(0.1, gap + 5), (0.5, gap)]
     return runs.Result(instance, "longest", plan, "", 18, gap, 1.01, 1.1, 3.0, points, [[0], [1, 2]])
 
@@ -118,7 +118,7 @@ def answering(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
 
 
 def test_result_is_checked_before_it_counts(monkeypatch: pytest.MonkeyPatch) -> None:
-    row, plan = Row("square", 16.0, True, SQUARE), runs.Plan("x", 1, 1.0, 1, 0.0, False)
+    row, plan = Row("square", 16.0, True, SQUARE), runs.SolverRun("x", 1, 1.0, 1, 0.0, False)
     answering(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1 2\n")
     measured = runs.run(row, plan)
     assert (measured.value, measured.gap_percent, measured.points) == (18, 12.5, [(0.5, 12.5)])
@@ -137,7 +137,7 @@ def test_tours_of_moved_instance_are_mapped_back(monkeypatch: pytest.MonkeyPatch
     shifted = problems.moved(SQUARE, 5)
     value = checker.value(shifted.problem, [[0], [1, 2]])
     answering(monkeypatch, f"improved 0.5 {value}\nused 1\ntour 0\ntour 1 2\n")
-    measured = runs.run(Row("square", 16.0, True, SQUARE), runs.Plan("x", 5, 1.0, 1, 0.0, True))
+    measured = runs.run(Row("square", 16.0, True, SQUARE), runs.SolverRun("x", 5, 1.0, 1, 0.0, True))
     assert measured.tours == shifted.back([[0], [1, 2]])
     assert measured.value == pytest.approx(value / _scale(shifted))
 
@@ -173,9 +173,9 @@ def test_plot_shows_median_run() -> None:
 def test_modes_select_their_instances() -> None:
     row = Row("mtsp51_m3", 1, True, SQUARE)
     ours = Row("own", 1, False, SQUARE)
-    takes = {mode.name for mode in modes.MODES if mode.takes(row)}
-    assert takes == {"minmax-1s", "minmax-10s", "libraries", "moved", "baselines", "depots-60s"}
-    assert not modes.named("minmax-1s").takes(ours)
+    selects = {mode.name for mode in modes.MODES if mode.selects(row)}
+    assert selects == {"minmax-1s", "minmax-10s", "libraries", "moved", "baselines", "depots-60s"}
+    assert not modes.named("minmax-1s").selects(ours)
 
 
 def test_written_results_are_checked_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -256,7 +256,7 @@ def test_flown_plans_are_compared_with_forecast() -> None:
     text = flown.table(flights)
     assert "| time, figures measured of that copter | 2 | +0.50 | 4.00 | 4.00 |" in text
     assert "| energy, figures as its autopilot is delivered | 1 | -62.00 | 62.00 | 62.00 |" in text
-    assert flown.keeps_its_word(flights)
+    assert flown.meets_forecast(flights)
     late = flown.parse(["flown 3 measured 1.00 0 4 100.00 105.10 1000 1000"])
     thirsty = flown.parse(["flown 3 measured 1.00 0 4 100.00 100.00 1000 1110"])
-    assert not flown.keeps_its_word(late) and not flown.keeps_its_word(thirsty)
+    assert not flown.meets_forecast(late) and not flown.meets_forecast(thirsty)

@@ -20,7 +20,7 @@ WARM_UP = 4.0
 class Mode:
     name: str
     what: str
-    takes: Callable[[Row], bool]
+    selects: Callable[[Row], bool]
     seconds: tuple[float, ...]
     solvers: tuple[str, ...] = OURS
     seeds: int = 1

@@ -26,7 +26,7 @@ PLACE = re.compile(rb'"position":\{.*?"latitude":([-+.\dE]+).*?"longitude":([-+.
 Sample = tuple[float, float]
 
 
-class Over:
+class InputEnd:
     """Set when the input ends."""
 
     def __init__(self) -> None:
@@ -45,7 +45,7 @@ def due(start: float, vehicle: int, step: int) -> float:
     return start + step / RATE + vehicle / (VEHICLES * RATE)
 
 
-def viewers(port: int, start: float, key: str, over: Over) -> list[Sample]:
+def viewers(port: int, start: float, key: str, over: InputEnd) -> list[Sample]:
     """How old each new position is when it comes, counted from when the vehicle was due to say it."""
     waiting = selectors.DefaultSelector()
     for _ in range(VIEWERS):
@@ -76,7 +76,7 @@ def _place(text: bytes) -> tuple[int, int] | None:
     return (vehicle, step) if 0 <= vehicle < VEHICLES else None
 
 
-def vehicles(port: int, start: float, over: Over) -> list[Sample]:
+def vehicles(port: int, start: float, over: InputEnd) -> list[Sample]:
     """How much later than it should after the last one each heartbeat of the server comes."""
     waiting = selectors.DefaultSelector()
     lines = [wire.connect(port, "/") for _ in range(VEHICLES)]
@@ -110,7 +110,7 @@ def vehicles(port: int, start: float, over: Over) -> list[Sample]:
     return samples
 
 
-def calls(port: int, start: float, key: str, over: Over) -> list[Sample]:
+def calls(port: int, start: float, key: str, over: InputEnd) -> list[Sample]:
     """How long after it was due each answer was there."""
     samples: list[Sample] = []
     failures: list[str] = []
@@ -142,14 +142,14 @@ def calls(port: int, start: float, key: str, over: Over) -> list[Sample]:
     return samples
 
 
-def main(words: list[str]) -> None:
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="python -m dronemap_bench.strangers.others", description=__doc__)
     parser.add_argument("who", choices=("viewers", "vehicles", "calls"))
     parser.add_argument("--port", type=int, required=True)
     parser.add_argument("--start", type=float, required=True, help="of the machine's own clock")
     parser.add_argument("--key", default="")
-    options = parser.parse_args(words)
-    over = Over()
+    options = parser.parse_args(arguments)
+    over = InputEnd()
     if options.who == "viewers":
         samples = viewers(options.port, options.start, options.key, over)
     elif options.who == "vehicles":
