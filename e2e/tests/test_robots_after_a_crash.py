@@ -6,10 +6,10 @@ from contextlib import closing
 
 import pytest
 from roslink_bridge.bridge import Bridge, Identity
-from roslink_bridge.link import Link, UdpLine
+from roslink_bridge.link import Link, UdpLink
 from roslink_bridge.robot import Battery, Map, Pose, Scan, Speeds
 from roslink_bridge.robot import Robot as BridgedRobot
-from roslink_bridge.web import WebLine
+from roslink_bridge.web import WebSocketLink
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import Server
@@ -55,8 +55,8 @@ class MotorRobot(BridgedRobot):
 def bridged_robot(killable_server: Server) -> Iterator[MotorRobot]:
     """On both of its links."""
     robot = MotorRobot()
-    udp = UdpLine(("127.0.0.1", killable_server.robot_udp_port))
-    web = WebLine(f"ws://127.0.0.1:{killable_server.robot_web_port}/")
+    udp = UdpLink(("127.0.0.1", killable_server.robot_udp_port))
+    web = WebSocketLink(f"ws://127.0.0.1:{killable_server.robot_web_port}/")
     link = Link(Bridge(Identity(SYSTEM_ID, "ours"), robot), udp, web)
     runner = threading.Thread(target=link.run)
     runner.start()

@@ -11,7 +11,7 @@ MOST_WAITING = 4
 Call = Tuple[str, Callable[[], Any]]
 
 
-class Calls:
+class ServiceCalls:
     """The cloud asks again where nothing shows, so what finds no room here is left out."""
 
     def __init__(self, failures: Tuple[Type[Exception], ...]) -> None:

@@ -49,7 +49,7 @@ def satellites_of(fix: Any, visible: Any, altitude: Any) -> Optional[Satellites]
     return Satellites(corrected, fix.latitude, fix.longitude, above, number)
 
 
-def aim(target: Any, speeds: Speeds) -> None:
+def fill_target(target: Any, speeds: Speeds) -> None:
     """Fills a mavros_msgs/PositionTarget."""
     target.coordinate_frame, target.type_mask = OWN_AXES, SPEEDS_ONLY
     target.velocity.x, target.velocity.y, target.velocity.z = speeds.forward, speeds.left, speeds.up

@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from roslink_bridge.calls import MOST_WAITING, Calls
+from roslink_bridge.calls import MOST_WAITING, ServiceCalls
 
 
 class RefusedError(Exception):
@@ -12,7 +12,7 @@ class RefusedError(Exception):
 
 
 def test_service_calls_are_sequential_and_overflow_is_dropped(caplog: pytest.LogCaptureFixture) -> None:
-    calls = Calls((RefusedError,))
+    calls = ServiceCalls((RefusedError,))
     begun, go_on, done = threading.Event(), threading.Event(), threading.Event()
     order = []
 

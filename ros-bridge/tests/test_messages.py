@@ -3,8 +3,8 @@
 import math
 from types import SimpleNamespace as Of
 
-from roslink_bridge.frames import Turned
-from roslink_bridge.messages import battery_of, map_of, map_shift_of, pose_of, put, scan_of
+from roslink_bridge.frames import Pose2D
+from roslink_bridge.messages import battery_of, fill_twist, map_of, map_shift_of, pose_of, scan_of
 from roslink_bridge.robot import Battery, Map, Scan, Speeds
 
 
@@ -46,12 +46,12 @@ def test_transform_message_to_map_shift() -> None:
         return Of(header=Of(frame_id=parent), child_frame_id=child, transform=shift)
 
     message = Of(transforms=[told("odom", "base_link"), told("/map", "odom")])
-    assert map_shift_of(message, "odom") == Turned(1.0, 2.0, math.pi)
+    assert map_shift_of(message, "odom") == Pose2D(1.0, 2.0, math.pi)
     assert map_shift_of(message, "tb3_0/odom") is None
     assert map_shift_of(Of(transforms=[]), "odom") is None
 
 
 def test_speeds_to_twist_message() -> None:
     twist = Of(linear=Of(x=0.0, y=0.0, z=0.0), angular=Of(x=0.0, y=0.0, z=0.0))
-    put(twist, Speeds(0.1, 0.2, 0.3, 0.4))
+    fill_twist(twist, Speeds(0.1, 0.2, 0.3, 0.4))
     assert (twist.linear.x, twist.linear.y, twist.linear.z, twist.angular.z) == (0.1, 0.2, 0.3, 0.4)
