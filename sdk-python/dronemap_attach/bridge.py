@@ -2,7 +2,7 @@
 
 from pymavlink.dialects.v20 import all as dialect
 
-from .frames import Splitter, lifted, sender, split_datagram
+from .frames import Splitter, as_version_2, sender, split_datagram
 from .signing import Signing
 
 GROUND_STATION, NO_AUTOPILOT, ACTIVE = 6, 8, 4
@@ -20,31 +20,31 @@ class Bridge:
         self._signing = signing
         self._system = system_id
         self._stream = Splitter() if streams else None
-        self._beats = 0
+        self._heartbeats = 0
 
     def from_tool(self, datagram: bytes) -> list[bytes]:
         """What goes to the server."""
         frames = split_datagram(datagram)
         if frames and self._system is None:
             self._system = sender(frames[0])[0]
-        return [self._signing.signed(lifted(frame)) for frame in frames]
+        return [self._signing.sign(as_version_2(frame)) for frame in frames]
 
     def from_server(self, data: bytes) -> list[bytes]:
         """What goes to the tool, a frame each."""
         frames = self._stream.feed(data) if self._stream else split_datagram(data)
-        return [plain for frame in frames if (plain := self._signing.opened(frame)) is not None]
+        return [plain for frame in frames if (plain := self._signing.verify(frame)) is not None]
 
     def reconnected(self) -> None:
         """Half a frame of the connection before will not go on in this one."""
         if self._stream:
             self._stream = Splitter()
 
-    def beat(self) -> bytes | None:
+    def heartbeat(self) -> bytes | None:
         """A sign of life, which attaches and keeps attached; None while nobody is there to attach."""
         if self._system is None:
             return None
         writer = dialect.MAVLink(None, srcSystem=self._system, srcComponent=OWN_COMPONENT)
-        writer.seq = self._beats & 0xFF
-        self._beats += 1
+        writer.seq = self._heartbeats & 0xFF
+        self._heartbeats += 1
         beat = dialect.MAVLink_heartbeat_message(GROUND_STATION, NO_AUTOPILOT, 0, 0, ACTIVE, 3)
-        return self._signing.signed(bytes(beat.pack(writer)))
+        return self._signing.sign(bytes(beat.pack(writer)))

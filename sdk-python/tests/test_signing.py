@@ -9,14 +9,14 @@ from pymavlink.dialects.v10 import common as older
 from pymavlink.dialects.v20 import all as dialect
 
 from dronemap_attach.bridge import Bridge
-from dronemap_attach.frames import Splitter, checksum, lifted, split_datagram, unsigned
+from dronemap_attach.frames import Splitter, as_version_2, checksum, split_datagram, unsigned
 from dronemap_attach.signing import TICKS_PER_SECOND, Signing, wall_ticks
 
 PASSPHRASE = "correct horse battery"
 MINUTE = 60 * TICKS_PER_SECOND
 
 
-def oracle(system: int = 1, passphrase: str | None = PASSPHRASE, ticks: int | None = None) -> Any:
+def pymavlink_link(system: int = 1, passphrase: str | None = PASSPHRASE, ticks: int | None = None) -> Any:
     """pymavlink as a sender and as a reader that takes nothing unsigned."""
     made = dialect.MAVLink(None, srcSystem=system, srcComponent=1)
     made.robust_parsing = True
@@ -47,7 +47,7 @@ def every_message() -> list[Any]:
 
 
 def test_tool_messages_are_signed_as_pymavlink_accepts() -> None:
-    tool, server = oracle(system=245, passphrase=None), oracle()
+    tool, server = pymavlink_link(system=245, passphrase=None), pymavlink_link()
     bridge = Bridge(Signing(PASSPHRASE))
     for message in every_message():
         (frame,) = bridge.from_tool(bytes(message.pack(tool)))
@@ -58,8 +58,8 @@ def test_tool_messages_are_signed_as_pymavlink_accepts() -> None:
 
 
 def test_server_messages_reach_tool_unsigned_and_unchanged() -> None:
-    server = oracle()
-    plain = oracle(passphrase=None)
+    server = pymavlink_link()
+    plain = pymavlink_link(passphrase=None)
     bridge = Bridge(Signing(PASSPHRASE))
     for message in every_message():
         plain.seq = server.seq
@@ -69,7 +69,7 @@ def test_server_messages_reach_tool_unsigned_and_unchanged() -> None:
 
 def test_mavlink_1_messages_are_converted_to_version_2() -> None:
     tool = older.MAVLink(None, srcSystem=7, srcComponent=3)
-    bridge, server = Bridge(Signing(PASSPHRASE)), oracle()
+    bridge, server = Bridge(Signing(PASSPHRASE)), pymavlink_link()
     said = [
         older.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3),
         older.MAVLink_command_long_message(1, 1, 400, 0, 1, 0, 0, 0, 0, 0, 0),
@@ -94,7 +94,7 @@ def unknown_message(seed: int) -> bytes:
 def test_unknown_message_keeps_valid_checksum() -> None:
     for seed in (0, 99, 255):
         frame = unknown_message(seed)
-        signed = Signing(PASSPHRASE).signed(frame)
+        signed = Signing(PASSPHRASE).sign(frame)
         end = len(signed) - 13
         assert checksum(signed[1 : end - 2] + bytes((seed,))).to_bytes(2, "little") == signed[end - 2 : end]
         assert unsigned(signed) == frame
@@ -106,7 +106,7 @@ def test_unknown_message_keeps_valid_checksum() -> None:
 )
 def test_unsigned_or_foreign_messages_are_dropped(passphrase: str | None, why: str) -> None:
     signing = Signing(PASSPHRASE)
-    stranger = oracle(passphrase=passphrase)
+    stranger = pymavlink_link(passphrase=passphrase)
     beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
     assert Bridge(signing).from_server(bytes(beat.pack(stranger))) == []
     assert signing.refused == {why: 1}
@@ -115,21 +115,21 @@ def test_unsigned_or_foreign_messages_are_dropped(passphrase: str | None, why: s
 def test_tampered_frame_is_dropped() -> None:
     signing = Signing(PASSPHRASE)
     beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
-    frame = bytearray(beat.pack(oracle()))
+    frame = bytearray(beat.pack(pymavlink_link()))
     frame[-1] ^= 1
-    assert signing.opened(bytes(frame)) is None
+    assert signing.verify(bytes(frame)) is None
 
 
 def test_replayed_and_old_frames_are_dropped() -> None:
     signing = Signing(PASSPHRASE)
     bridge = Bridge(signing)
     beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
-    server = oracle()
+    server = pymavlink_link()
     first, second = (bytes(beat.pack(server)) for _ in range(2))
     assert len(bridge.from_server(second)) == 1
     assert bridge.from_server(second) == []
     assert bridge.from_server(first) == []
-    old = oracle(system=2, ticks=wall_ticks() - MINUTE - TICKS_PER_SECOND)
+    old = pymavlink_link(system=2, ticks=wall_ticks() - MINUTE - TICKS_PER_SECOND)
     assert bridge.from_server(bytes(beat.pack(old))) == []
     assert signing.refused == {"seen before": 2, "more than a minute old": 1}
 
@@ -137,22 +137,22 @@ def test_replayed_and_old_frames_are_dropped() -> None:
 def test_timestamps_only_rise_and_follow_received_ones() -> None:
     ticks = [1_000 * MINUTE]
     signing = Signing(PASSPHRASE, ticks=lambda: ticks[0])
-    tool = oracle(system=245, passphrase=None)
+    tool = pymavlink_link(system=245, passphrase=None)
     beat = dialect.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3)
 
     def stamp() -> int:
-        return int.from_bytes(signing.signed(bytes(beat.pack(tool)))[-12:-6], "little")
+        return int.from_bytes(signing.sign(bytes(beat.pack(tool)))[-12:-6], "little")
 
     first = stamp()
     assert stamp() == first + 1
     ticks[0] -= MINUTE
     assert stamp() == first + 2
-    assert signing.opened(bytes(beat.pack(oracle(ticks=first + MINUTE)))) is not None
+    assert signing.verify(bytes(beat.pack(pymavlink_link(ticks=first + MINUTE)))) is not None
     assert stamp() > first + MINUTE
 
 
 def test_noise_and_broken_frames_lose_no_valid_frame() -> None:
-    server, splitter = oracle(), Splitter()
+    server, splitter = pymavlink_link(), Splitter()
     frames = [bytes(m.pack(server)) for m in every_message()[:40]]
     broken = bytearray(frames[0])
     broken[12] ^= 0x55
@@ -166,7 +166,7 @@ def test_noise_and_broken_frames_lose_no_valid_frame() -> None:
 
 
 def test_noise_like_unknown_header_loses_no_frame() -> None:
-    server, splitter = oracle(), Splitter()
+    server, splitter = pymavlink_link(), Splitter()
     frames = [bytes(m.pack(server)) for m in every_message()[:9]]
     assert splitter.feed(b"x" + unknown_message(0)[:10] + b"".join(frames)) == frames
     assert splitter.feed(unknown_message(0)) == [unknown_message(0)]
@@ -174,19 +174,19 @@ def test_noise_like_unknown_header_loses_no_frame() -> None:
 
 def test_heartbeats_use_system_id_of_tool() -> None:
     bridge = Bridge(Signing(PASSPHRASE))
-    assert bridge.beat() is None
+    assert bridge.heartbeat() is None
     beat = dialect.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3)
-    bridge.from_tool(bytes(beat.pack(oracle(system=42, passphrase=None))))
-    server = oracle()
+    bridge.from_tool(bytes(beat.pack(pymavlink_link(system=42, passphrase=None))))
+    server = pymavlink_link()
     for number in range(300):
-        frame = bridge.beat()
+        frame = bridge.heartbeat()
         assert frame is not None
         (heard,) = server.parse_buffer(frame)
         assert (heard.get_srcSystem(), heard.get_seq(), heard.get_signed()) == (42, number % 256, True)
 
 
 def test_signing_is_fast_enough_for_fifty_drones() -> None:
-    server, bridge = oracle(), Bridge(Signing(PASSPHRASE))
+    server, bridge = pymavlink_link(), Bridge(Signing(PASSPHRASE))
     place = dialect.MAVLink_global_position_int_message(1, 2, 3, 4, 5, 6, 7, 8, 9)
     frames = [bytes(place.pack(server)) for _ in range(2_000)]
     started = time.process_time()
@@ -197,7 +197,7 @@ def test_signing_is_fast_enough_for_fifty_drones() -> None:
 def test_zero_payload_keeps_first_byte() -> None:
     tool = older.MAVLink(None, srcSystem=7, srcComponent=3)
     frame = bytes(older.MAVLink_param_request_list_message(0, 0).pack(tool))
-    assert lifted(frame)[1] == 1
+    assert as_version_2(frame)[1] == 1
 
 
 def test_passphrase_is_not_printed() -> None:
