@@ -52,15 +52,15 @@ class Advisories:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
-    def have(self, of: Ecosystem, known: list[str]) -> Path:
+    def add(self, of: Ecosystem, known: list[str]) -> Path:
         file = self._folder / "osv-scanner" / of.name / "all.zip"
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(json.dumps(known))
         return file
 
-    def have_all(self) -> None:
+    def add_all(self) -> None:
         for of in ECOSYSTEMS:
-            self.have(of, EVERYBODY_KNOWS)
+            self.add(of, EVERYBODY_KNOWS)
 
 
 @pytest.fixture
@@ -101,11 +101,11 @@ def test_each_component_belongs_to_one_ecosystem() -> None:
 def test_planted_vulnerability_alone_is_no_finding(
     advisories: Advisories, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    advisories.have_all()
+    advisories.add_all()
     assert check_vulnerabilities.main(["--offline"]) == NOTHING_KNOWN
     lines = capsys.readouterr().out.splitlines()
     assert lines == [
-        *(f"Of {len(shipped(of))} {of.things} none has a known vulnerability." for of in ECOSYSTEMS),
+        *(f"Of {len(shipped(of))} {of.description} none has a known vulnerability." for of in ECOSYSTEMS),
         f"{packed()} was not checked: osv-scanner knows no programs. Compare it with {SECURITY_PAGE}",
         f"Not checked: {packed()}. Nothing is known of the rest.",
     ]
@@ -114,8 +114,8 @@ def test_planted_vulnerability_alone_is_no_finding(
 def test_known_vulnerability_of_shipped_component_is_named(
     advisories: Advisories, ecosystem: Ecosystem, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    advisories.have_all()
-    advisories.have(ecosystem, [*EVERYBODY_KNOWS, shipped(ecosystem)[0]])
+    advisories.add_all()
+    advisories.add(ecosystem, [*EVERYBODY_KNOWS, shipped(ecosystem)[0]])
     assert check_vulnerabilities.main(["--offline"]) == KNOWN
     lines = capsys.readouterr().out.splitlines()
     assert [line for line in lines if line.endswith(": GHSA-1")]
@@ -131,12 +131,12 @@ def test_incomplete_database_leaves_its_ecosystem_unchecked(
 ) -> None:
     for of in ECOSYSTEMS:
         if of != ecosystem:
-            advisories.have(of, EVERYBODY_KNOWS)
+            advisories.add(of, EVERYBODY_KNOWS)
         elif database is not None:
-            advisories.have(of, database)
+            advisories.add(of, database)
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
     lines = capsys.readouterr().out.splitlines()
-    mine = f"{len(shipped(ecosystem))} {ecosystem.things}"
+    mine = f"{len(shipped(ecosystem))} {ecosystem.description}"
     assert [line for line in lines if line.startswith(f"{mine} were not checked: the scanner does not know")]
     assert not [line for line in lines if line.startswith(f"Of {mine}")]
     assert len([line for line in lines if " none has " in line]) == len(ECOSYSTEMS) - 1
@@ -146,19 +146,19 @@ def test_incomplete_database_leaves_its_ecosystem_unchecked(
 def test_findings_are_reported_beside_unchecked_ecosystem(
     advisories: Advisories, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    advisories.have(ECOSYSTEMS[0], [*EVERYBODY_KNOWS, shipped(ECOSYSTEMS[0])[0]])
+    advisories.add(ECOSYSTEMS[0], [*EVERYBODY_KNOWS, shipped(ECOSYSTEMS[0])[0]])
     assert check_vulnerabilities.main(["--offline"]) == KNOWN
     last = capsys.readouterr().out.splitlines()[-1]
     assert last.startswith("Known vulnerabilities: in 1 of what ships. Not checked: ")
-    assert all(of.things in last for of in ECOSYSTEMS[1:])
+    assert all(of.description in last for of in ECOSYSTEMS[1:])
 
 
 def test_old_database_leaves_ecosystem_unchecked(
     advisories: Advisories, ecosystem: Ecosystem, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    advisories.have_all()
+    advisories.add_all()
     long_ago = time.time() - 40 * 86_400
-    os.utime(advisories.have(ecosystem, EVERYBODY_KNOWS), (long_ago, long_ago))
+    os.utime(advisories.add(ecosystem, EVERYBODY_KNOWS), (long_ago, long_ago))
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
     assert re.search(rf"the database {ecosystem.name} in \S+ is 40 days old", capsys.readouterr().out)
 

@@ -63,7 +63,7 @@ def java_of(built: Checkout) -> Path:
     return Path(f"/proc/{pid_of(built, 'server')}/exe").readlink()
 
 
-def put(built: Checkout, jar: Path, fault: str) -> None:
+def inject_fault(built: Checkout, jar: Path, fault: str) -> None:
     subprocess.run([java_of(built), "-jar", jar, str(pid_of(built, "server")), fault], check=True, timeout=60)
 
 
@@ -89,12 +89,14 @@ def test_server_restarts_after_fatal_fault(
 ) -> None:
     before = pid_of(built, "server")
     begun = time.monotonic()
-    put(built, faults, fault)
+    inject_fault(built, faults, fault)
     # There may be very many threads to be used up first.
     until("the process has ended", lambda: pid_of(built, "server") != before or not is_alive(before), 180)
     ended = time.monotonic()
     back = seconds_until_up_again(built, before, ended)
-    print(f"{fault}: {used_up(built)}ended after {ended - begun:.1f} s, serving again after {back:.1f} s")
+    print(
+        f"{fault}: {time_used_up(built)}ended after {ended - begun:.1f} s, serving again after {back:.1f} s"
+    )
     end = health(built)["lastEnd"]
     if part is not None:
         assert end["part"] == part
@@ -103,7 +105,7 @@ def test_server_restarts_after_fatal_fault(
     assert told[0]["why"].endswith(".")
 
 
-def used_up(built: Checkout) -> str:
+def time_used_up(built: Checkout) -> str:
     """When there was none left, by the fault itself; nothing for one that stops a thread."""
     log = (built.data / "logs" / "server.log").read_text(errors="replace")
     found = re.findall(r"used up after \d+ ms", log)
@@ -126,7 +128,7 @@ class Peer:
         self._system = system
         self._sequence = 0
 
-    def speak(self) -> None:
+    def send_heartbeat(self) -> None:
         # A reset port of a server that is down refuses the datagram before.
         with contextlib.suppress(ConnectionRefusedError):
             self._socket.send(heartbeat(self._system, self._sequence))
@@ -151,16 +153,16 @@ def crc(data: bytes) -> int:
 
 
 @contextlib.contextmanager
-def speaking(*peers: Peer) -> Iterator[None]:
+def sending_heartbeats(*peers: Peer) -> Iterator[None]:
     """Five times a second, as long as this lasts."""
     over = threading.Event()
 
-    def speak() -> None:
+    def send_heartbeat() -> None:
         while not over.wait(0.2):
             for peer in peers:
-                peer.speak()
+                peer.send_heartbeat()
 
-    thread = threading.Thread(target=speak, daemon=True)
+    thread = threading.Thread(target=send_heartbeat, daemon=True)
     thread.start()
     try:
         yield
@@ -179,7 +181,7 @@ def test_peer_whose_frames_end_the_server_is_blocked(built: Checkout, faults: Pa
     options = f"{built.settings['DRONEMAP_JAVA_OPTS']} -javaagent:{faults}=frame"
     assert built.run("up", "--no-demo", DRONEMAP_JAVA_OPTS=options).returncode == 0
     good, bad = Peer(built, 7), Peer(built, BAD_SYSTEM)
-    with speaking(good, bad):
+    with sending_heartbeats(good, bad):
         until("it starts without what ended it", lambda: health(built).get("refusedPeers") == 1, 240)
         until("others are heard", lambda: live_systems(built) == {7})
     said = health(built)
@@ -204,14 +206,14 @@ def test_operations_that_end_the_server_are_set_aside_and_drones_return(
         "patience": 600,
     }
     follow = json.loads(ask(built, "/follows", order))["id"]
-    say(built, follow, order)
+    order_follow(built, follow, order)
     ask(built, f"/follows/{follow}/start", {})
 
     def one() -> dict[str, Any]:
         return next(d for d in json.loads(ask(built, "/drones"))["drones"] if d["id"] == drone["id"])
 
     def follows() -> bool:
-        say(built, follow, order)
+        order_follow(built, follow, order)
         return bool(json.loads(ask(built, f"/follows/{follow}"))["state"] == "tracking")
 
     until("it follows", follows)
@@ -227,14 +229,14 @@ def test_operations_that_end_the_server_are_set_aside_and_drones_return(
     until("the drone is down", lambda: one()["armed"] is False)
 
 
-def say(built: Checkout, follow: str, order: dict[str, Any]) -> None:
+def order_follow(built: Checkout, follow: str, order: dict[str, Any]) -> None:
     at = datetime.now(UTC).isoformat()
     here = {"at": at, "latitude": order["latitude"], "longitude": order["longitude"], "accuracy": 4}
     ask(built, f"/follows/{follow}/positions", {"sent": at, "positions": [here]})
 
 
 @contextlib.contextmanager
-def in_front(built: Checkout, *words: str, **settings: str) -> Iterator[subprocess.Popen[bytes]]:
+def foreground_server(built: Checkout, *words: str, **settings: str) -> Iterator[subprocess.Popen[bytes]]:
     process = subprocess.Popen(words, env=built.environment(**settings), stdout=subprocess.DEVNULL)
     try:
         yield process
@@ -243,23 +245,23 @@ def in_front(built: Checkout, *words: str, **settings: str) -> Iterator[subproce
         process.wait(60)
 
 
-def entry_point(built: Checkout) -> list[str]:
+def container_entry_point(built: Checkout) -> list[str]:
     lines = (ROOT / "docker" / "Dockerfile").read_text().splitlines()
     words = [json.loads(line.split(" ", 1)[1]) for line in lines if line.startswith(("ENTRYPOINT", "CMD"))]
     return [str(built.path / "dronemap"), *words[0][1:], *words[1], "--no-demo"]
 
 
-def unit(name: str) -> str:
+def unit_setting(name: str) -> str:
     return str(re.findall(rf"^{name}=(.*)$", UNIT.read_text(), re.MULTILINE)[0])
 
 
 @pytest.mark.soak
 def test_container_restarts_server(built: Checkout, faults: Path) -> None:
     assert built.run("down").returncode == 0
-    with in_front(built, *entry_point(built), container="docker"):
+    with foreground_server(built, *container_entry_point(built), container="docker"):
         until("it serves", lambda: health(built).get("status") == "up")
         before = pid_of(built, "server")
-        put(built, faults, "stop:lane-0")
+        inject_fault(built, faults, "stop:lane-0")
         until("the process has ended", lambda: not is_alive(before))
         print(
             f"container: serving again after {seconds_until_up_again(built, before, time.monotonic()):.1f} s"
@@ -270,20 +272,20 @@ def test_container_restarts_server(built: Checkout, faults: Path) -> None:
 @pytest.mark.soak
 def test_service_restarts_server_and_ends_with_its_supervisor(built: Checkout, faults: Path) -> None:
     assert built.run("down").returncode == 0
-    start = unit("ExecStart").replace("/opt/dronemap", str(built.path)).split()
-    with in_front(built, *start) as service:
+    start = unit_setting("ExecStart").replace("/opt/dronemap", str(built.path)).split()
+    with foreground_server(built, *start) as service:
         until("it serves", lambda: health(built).get("status") == "up")
         before = pid_of(built, "server")
-        put(built, faults, "stop:lane-0")
+        inject_fault(built, faults, "stop:lane-0")
         until("the process has ended", lambda: not is_alive(before))
         back = seconds_until_up_again(built, before, time.monotonic())
         print(f"service: serving again after {back:.1f} s")
         # Nobody but systemd is left then: the main process ends, and the unit has it started again.
         os.kill(pid_of(built, "supervisor"), signal.SIGKILL)
         assert service.wait(60) != 0
-    assert unit("Restart") == "always"
-    assert unit("StartLimitIntervalSec") == "0"
-    assert str(service.returncode) not in unit("RestartPreventExitStatus").split()
+    assert unit_setting("Restart") == "always"
+    assert unit_setting("StartLimitIntervalSec") == "0"
+    assert str(service.returncode) not in unit_setting("RestartPreventExitStatus").split()
 
 
 def test_the_unit_is_valid(built: Checkout, tmp_path: Path) -> None:

@@ -43,10 +43,10 @@ def test_up_starts_page_and_demo_drone_that_arms(built: Checkout, monkeypatch: p
     assert f"Dronemap is ready: {address}" in outcome.stdout
     assert "one-time password" in outcome.stdout
     assert "<html" in get(address)[1].lower()
-    health = health_in_contact(built)
+    health = health_when_all_live(built)
     assert health["status"] == "up"
     assert health["drones"]["ready"] >= 1
-    check_that_a_demo_drone_can_be_armed(built)
+    check_demo_drone_arms(built)
     assert resident_megabytes(pid_of(built, "server")) < MOST_MEGABYTES
 
     check_secrets(built.data)
@@ -66,7 +66,7 @@ def test_up_starts_page_and_demo_drone_that_arms(built: Checkout, monkeypatch: p
     assert address in status.stdout
     assert built.run("logs").returncode == 0
     # The first one has disarmed itself by now, or has not.
-    check_that_a_demo_drone_can_be_armed(built)
+    check_demo_drone_arms(built)
     down = built.run("down")
     assert down.returncode == 0
     assert re.search(r"Armed when last heard: [12]\.", down.stderr)
@@ -74,7 +74,7 @@ def test_up_starts_page_and_demo_drone_that_arms(built: Checkout, monkeypatch: p
     assert built.run("status").returncode == 1
 
 
-def health_in_contact(built: Checkout) -> dict[str, Any]:
+def health_when_all_live(built: Checkout) -> dict[str, Any]:
     """As soon as no drone is silent: the simulator of a busy machine may be so for a moment."""
     seen: dict[str, Any] = {}
 
@@ -87,9 +87,9 @@ def health_in_contact(built: Checkout) -> dict[str, Any]:
     return seen
 
 
-def check_that_a_demo_drone_can_be_armed(built: Checkout) -> None:
+def check_demo_drone_arms(built: Checkout) -> None:
     """At once, for that is what "ready" promises: by the drone's own word and by its deed."""
-    health_in_contact(built)
+    health_when_all_live(built)
     drones = json.loads(ask(built, "/drones"))["drones"]
     may = [drone for drone in drones if drone["readyToArm"] and drone["actions"]["arm"]["allowed"]]
     assert may, [(drone["name"], drone["readyToArm"], drone["messages"]) for drone in drones]

@@ -38,8 +38,8 @@ def test_failure_messages_are_printed(tmp_path: Path, capsys: pytest.CaptureFixt
     lines = capsys.readouterr().out.splitlines()
     assert lines[lines.index("FAILED A lands") + 1] == "    at …"
     assert lines[lines.index("FAILED A dives") + 1] == "    no water"
-    said = lines[lines.index("FAILED B turns") + 1 :]
-    assert said[0] == "    line 0" and "    line 99" in said and "    line 50" not in said
+    messages = lines[lines.index("FAILED B turns") + 1 :]
+    assert messages[0] == "    line 0" and "    line 99" in messages and "    line 50" not in messages
 
 
 def test_adapter_versions_are_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

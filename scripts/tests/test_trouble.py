@@ -70,7 +70,7 @@ def test_port_in_use_is_reported_with_its_process(
     assert f"{setting}=" in outcome.stderr
 
 
-def show_to_everybody(path: Path) -> None:
+def allow_reading(path: Path) -> None:
     for folder in (path, *path.parents):
         if folder.stat().st_mode & 0o755 != 0o755:
             folder.chmod(0o755)
@@ -78,7 +78,7 @@ def show_to_everybody(path: Path) -> None:
 
 @needs_root
 def test_missing_packages_are_named_without_sudo(checkout: Checkout) -> None:
-    show_to_everybody(checkout.path)
+    allow_reading(checkout.path)
     subprocess.run(["chown", "-R", str(NOBODY), checkout.path], check=True)
     # A machine without Java, as an ordinary user: the folder of JDKs is hidden, nothing may gain rights.
     script = (
@@ -100,7 +100,7 @@ def test_missing_packages_are_named_without_sudo(checkout: Checkout) -> None:
 
 @needs_root
 def test_checkout_of_another_user_is_reported(checkout: Checkout) -> None:
-    show_to_everybody(checkout.path)
+    allow_reading(checkout.path)
     outcome = checkout.run("up", before=("setpriv", "--reuid", str(NOBODY), "--clear-groups"))
     assert outcome.returncode == RIGHTS, outcome.stderr
     assert "may not write to" in outcome.stderr
@@ -159,7 +159,7 @@ def test_late_start_is_not_reported_as_end(untouched: Checkout, tmp_path: Path) 
     assert told.split() == ["runs", "ended"]
 
 
-def pretend_the_web_client_is_built(checkout: Checkout) -> None:
+def mark_web_client_built(checkout: Checkout) -> None:
     """For what ends before its page matters."""
     checkout.inside(
         "mkdir -p $APP $ROOT/web-client/dist $ROOT/web-client/node_modules",
@@ -182,7 +182,7 @@ def test_missing_network_for_web_packages_is_reported(checkout: Checkout, tmp_pa
 
 @needs_root
 def test_missing_network_for_server_libraries_is_reported(checkout: Checkout, tmp_path: Path) -> None:
-    pretend_the_web_client_is_built(checkout)
+    mark_web_client_built(checkout)
     repository = f"-Dmaven.repo.local={tmp_path / 'empty'}"
     outcome = checkout.run("build", before=("unshare", "--net"), MAVEN_OPTS=repository)
     assert outcome.returncode == NETWORK, outcome.stderr
@@ -211,7 +211,7 @@ def interrupted_build(checkout: Checkout) -> None:
 
 
 def test_interrupted_build_ends_cleanly(checkout: Checkout) -> None:
-    pretend_the_web_client_is_built(checkout)
+    mark_web_client_built(checkout)
     interrupted_build(checkout)
     assert not (checkout.path / ".tools/app/dronemap.jar").exists()
 
