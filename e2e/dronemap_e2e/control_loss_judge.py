@@ -74,7 +74,7 @@ class Judgement:
     case: LossCase
     faults: list[str]
     # Its outcome in few words.
-    sent_since: str
+    summary: str
 
 
 def judge(case: LossCase, log: Log, happened: LossRecord, limits: Limits) -> Judgement:
