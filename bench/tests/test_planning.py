@@ -110,7 +110,7 @@ def test_solver_input_has_no_instance_name(tmp_path: Path) -> None:
 
 def test_solver_answer_is_parsed() -> None:
     lines = ["about x y", "improved 0.5 12.25", "used 1.01", "tour 0 2", "tour ", "tour 1"]
-    assert runs.parse(lines) == runs.Answer("x y", [(0.5, 12.25)], 1.01, [[0, 2], [], [1]])
+    assert runs.parse(lines) == runs.SolverOutput("x y", [(0.5, 12.25)], 1.01, [[0, 2], [], [1]])
 
 
 def answering(monkeypatch: pytest.MonkeyPatch, text: str) -> None:

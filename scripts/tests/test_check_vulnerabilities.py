@@ -76,7 +76,7 @@ def advisories(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Advisories:
 def shipped(of: Ecosystem) -> list[str]:
     """What the scanner is asked about."""
     components = bill_of_materials.bill()["components"]
-    return [each["purl"] for each in check_vulnerabilities.asked(components, of)]
+    return [each["purl"] for each in check_vulnerabilities.components_in(components, of)]
 
 
 @pytest.fixture(params=ECOSYSTEMS, ids=[of.name for of in ECOSYSTEMS])
@@ -86,7 +86,7 @@ def ecosystem(request: pytest.FixtureRequest) -> Ecosystem:
 
 
 def packed() -> str:
-    (program,) = check_vulnerabilities.programs(bill_of_materials.bill()["components"])
+    (program,) = check_vulnerabilities.outside_ecosystems(bill_of_materials.bill()["components"])
     return f"{program['name']} {program['version']}"
 
 

@@ -55,7 +55,7 @@ def _case(columns: list[str]) -> Case:
 
 
 def run(setup: Setup) -> list[Case]:
-    done = subprocess.run([*JAVA, *setup.words()], capture_output=True, text=True, check=False)
+    done = subprocess.run([*JAVA, *setup.arguments()], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RunError(f"re-planning failed:\n{done.stderr.strip()[-2000:]}")
     return parse(done.stdout.splitlines())
