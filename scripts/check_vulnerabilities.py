@@ -64,7 +64,7 @@ ECOSYSTEMS = (
 
 
 class NotChecked(Exception):
-    """Why nothing can be said."""
+    """Reason for which an ecosystem was not checked."""
 
 
 @dataclass(frozen=True)
@@ -91,17 +91,17 @@ def databases() -> Path:
 
 
 def components_in(shipped: list[Component], of: Ecosystem) -> list[Component]:
-    """Those of one kind."""
+    """Components of one ecosystem."""
     return [each for each in shipped if each["purl"].startswith(f"pkg:{of.kind}/")]
 
 
 def outside_ecosystems(shipped: list[Component]) -> list[Component]:
-    """Those that belong to no kind."""
+    """Components of no ecosystem."""
     return [each for each in shipped if not any(each in components_in(shipped, of) for of in ECOSYSTEMS)]
 
 
 def scan(program: str, components: list[Component], folder: Path, offline: bool) -> list[Finding]:
-    """What the scanner answers; that its program ends well is not taken for an answer."""
+    """Findings of the scanner; that its program ends well is not taken for an answer."""
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
         file = Path(temporary) / "dronemap.cdx.json"
@@ -148,7 +148,7 @@ def finding_of(package: dict[str, Any]) -> Finding:
 
 
 def verify_findings(findings: list[Finding], of: Ecosystem, folder: Path) -> list[Finding]:
-    """Those that ship, once the planted one was found by a database that is not too old."""
+    """Findings that ship, once the planted one was found by a database that is not too old."""
     if of.planted not in {(each.name, each.version) for each in findings}:
         raise NotChecked(
             f"the scanner does not know that {' '.join(of.planted)} is vulnerable, so its database {of.name}"

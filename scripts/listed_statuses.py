@@ -35,7 +35,7 @@ class Listed:
 
 
 class Description:
-    """Which operations there are, and with which statuses each answers."""
+    """Operations of the description, and the statuses that each answers with."""
 
     def __init__(self, file: Path) -> None:
         self.listed: set[Listed] = set()
@@ -52,7 +52,7 @@ class Description:
                     self.listed.add(Listed(pattern, name, int(status)))
 
     def pattern(self, method: str, address: str) -> str | None:
-        """Of the operation that an address is of; None: there is none."""
+        """Pattern of the operation that an address belongs to; None: there is none."""
         key = (method, address)
         if key not in self._known:
             found = (pattern for each, pattern in self._patterns.get(method, []) if each.fullmatch(address))

@@ -160,7 +160,7 @@ def titles(text: str) -> Iterator[list[tuple[str, bool]]]:
 
 
 def as_expression(names: list[tuple[str, bool]]) -> str:
-    """What the test runner calls it: all titles with spaces between."""
+    """Name as the test runner has it: all titles with spaces between."""
     parts = [TS_HOLE.split(words) if holes else [words] for words, holes in names]
     return " ".join(
         ".*".join(re.sub(r"([.*+?^${}()|\[\]\\/])", r"\\\1", text) for text in part) for part in parts
@@ -190,7 +190,7 @@ def vitest_lines(root: Path, pattern: Pattern) -> Match:
 
 
 class CollectionError(Exception):
-    """What a project's tests are cannot be told."""
+    """The tests of a project could not be listed."""
 
 
 def node_ids(folder: Path, soak: bool) -> list[str]:

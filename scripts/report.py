@@ -53,7 +53,7 @@ class Suite:
         return self.passed + self.failed
 
     def add_time(self, name: str, seconds: float) -> None:
-        """Of several rounds the longest counts."""
+        """Adds the time of a test; of several rounds the longest counts."""
         self.seconds[name] = max(self.seconds.get(name, 0), seconds)
 
 
@@ -93,7 +93,7 @@ def add_case(suite: Suite, case: ElementTree.Element) -> None:
 
 
 def add_setup(suite: Suite, group: ElementTree.Element) -> None:
-    """What a class took beside its tests, such as starting what they share."""
+    """Adds the time of a class beside its tests, such as starting what they share."""
     cases = group.findall("testcase")
     name = group.get("name", "")
     if cases and all(case.get("classname") == name for case in cases):

@@ -1,4 +1,4 @@
-"""What the kernel tells about processes and sockets."""
+"""Reads figures of processes and sockets from the kernel."""
 
 import os
 import subprocess
@@ -68,7 +68,7 @@ def resident_bytes(pid: int) -> int:
 
 
 def live_heap_bytes(pid: int) -> int:
-    """What is left of the heap of a Java process after a whole collection, which this makes."""
+    """Bytes of a Java process's heap after a full collection, which this makes."""
     output = subprocess.run(
         ["jcmd", str(pid), "GC.class_histogram"], capture_output=True, text=True, check=True, timeout=60
     ).stdout

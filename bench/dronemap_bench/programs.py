@@ -30,7 +30,7 @@ def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
 
 
 class Server:
-    """Of the measurement alone; in its default configuration but for ports, folder and recording."""
+    """A server of one measurement, in its default configuration but for ports, folder and recording."""
 
     def __init__(
         self,

@@ -1,4 +1,4 @@
-"""That the benchmark measures at all (short), and that the goals are met (soak)."""
+"""Checks that the benchmark measures at all (short), and that the goals are met (soak)."""
 
 import json
 import os
@@ -34,7 +34,7 @@ BAD = Configuration(
 
 @pytest.fixture
 def short_runs(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What runs for seconds would spend a third of its work on compiling well; no figure is compared here."""
+    """Makes runs of seconds compile less: no figure is compared here."""
     given = os.environ.get("JAVA_TOOL_OPTIONS", "")
     monkeypatch.setenv("JAVA_TOOL_OPTIONS", f"{given} -XX:TieredStopAtLevel=1")
 

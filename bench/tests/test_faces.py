@@ -1,4 +1,4 @@
-"""That calls and viewers can be measured at all (short), what the figures come to, and the goals (soak)."""
+"""Checks that calls and viewers can be measured (short), the summary, and the goals (soak)."""
 
 import pytest
 

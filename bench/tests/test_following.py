@@ -1,4 +1,4 @@
-"""What the report of `bench/follow` says of measurements."""
+"""Checks the report of `bench/follow`."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""That drops of the kernel are seen: a measurement that cannot see them would always find none."""
+"""Checks that drops of the kernel are counted: a measurement that cannot see them would find none."""
 
 import socket
 

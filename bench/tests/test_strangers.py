@@ -1,4 +1,4 @@
-"""That strangers can be let loose at all (short), what their figures come to, and the goals (soak)."""
+"""Checks that strangers can be run (short), the summary, and the goals (soak)."""
 
 import socket
 from typing import Any

@@ -38,7 +38,7 @@ METERS_PER_DEGREE = 111_319.5
 
 @dataclass(frozen=True)
 class Measure:
-    """One figure: how it is called, what it says, from which exchange, how, and how near is near enough."""
+    """One figure: key, meaning, unit, tolerance, exchange, and the function that computes it."""
 
     key: str
     meaning: str
@@ -50,7 +50,7 @@ class Measure:
 
 @dataclass(frozen=True)
 class Figure:
-    """What measured.json holds of a measure."""
+    """Entry of measured.json for one measure."""
 
     value: float
     unit: str
@@ -72,7 +72,7 @@ def acknowledgement_seconds(lines: Lines) -> float:
 
 
 def takeoff_overshoot(lines: Lines) -> float:
-    """How far above 20 m it rose."""
+    """Metres above 20 m that it rose to."""
     return max(values(lines, "GLOBAL_POSITION_INT", "relative_alt")) / 1000 - 20
 
 
@@ -138,7 +138,7 @@ def silence_before_failsafe(lines: Lines) -> float:
 
 
 def request_interval(lines: Lines) -> float:
-    """How often a missing mission item is asked for again."""
+    """Seconds between requests for a missing mission item."""
     asked = [seconds(line) for line in lines if line["msg"] == "MISSION_REQUEST" and line["seq"] == 2]
     repeats = asked[-6:]
     return statistics.median(later - earlier for earlier, later in pairwise(repeats))
@@ -166,7 +166,7 @@ def time_in_air_of_leg(lines: Lines) -> float:
 
 
 def last_setpoint_at(lines: Lines) -> float:
-    """When the last place was said."""
+    """Seconds at which the last setpoint was sent."""
     return last_seconds_of(lines, math.inf, msg="SET_POSITION_TARGET_GLOBAL_INT")
 
 
@@ -189,7 +189,7 @@ def distance_behind_setpoint(lines: Lines) -> float:
 
 
 def heading_behind_setpoint(lines: Lines) -> float:
-    """Where it looked meanwhile."""
+    """The heading while it follows the setpoints."""
     end = last_setpoint_at(lines)
     return statistics.median(values(lines, "VFR_HUD", "heading", end - 7, end))
 

@@ -19,7 +19,7 @@ def load(folder: Path, name: str) -> Lines:
 
 
 def seconds(line: Line) -> float:
-    """When the line was seen, from the start of the exchange."""
+    """Seconds of the line from the start of the exchange."""
     return float(line["t_ms"]) / 1000
 
 
@@ -32,7 +32,7 @@ def matches(line: Line, wanted: Mapping[str, Any]) -> bool:
 
 
 def seconds_of(lines: Iterable[Line], after: float = -math.inf, **wanted: Any) -> float:
-    """When the first matching line after `after` was seen."""
+    """Seconds of the first matching line after `after`."""
     for line in lines:
         if seconds(line) > after and matches(line, wanted):
             return seconds(line)
@@ -40,7 +40,7 @@ def seconds_of(lines: Iterable[Line], after: float = -math.inf, **wanted: Any) -
 
 
 def last_seconds_of(lines: Iterable[Line], before: float, **wanted: Any) -> float:
-    """When the last matching line before `before` was seen."""
+    """Seconds of the last matching line before `before`."""
     return max(seconds(line) for line in lines if seconds(line) < before and matches(line, wanted))
 
 

@@ -1,4 +1,4 @@
-"""What goes into a recording, and that figures and recordings belong together."""
+"""Checks what a recording keeps, and that figures match the recordings."""
 
 from __future__ import annotations
 

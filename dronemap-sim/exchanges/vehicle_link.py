@@ -28,7 +28,7 @@ WANTED_RATES_HZ: Mapping[int, float] = {
 
 
 class ExchangeError(Exception):
-    """What an exchange waited for did not come."""
+    """A message or state that an exchange waited for did not come."""
 
 
 class VehicleLink:

@@ -56,7 +56,7 @@ class Fault:
 
 @dataclass
 class Trial:
-    """What was done, and what was heard."""
+    """One trial: the faults that were made, and what the server explained."""
 
     seed: int
     on_cloud_loss: str
@@ -259,7 +259,7 @@ class BigTrialRunner:
         return above
 
     def tracks(self, trial: Trial) -> dict[int, Track]:
-        """Where each was by its own word on the wire, before anything was lost; who fell counts no longer."""
+        """Tracks by the vehicles' own reports, before anything was lost; who fell counts no longer."""
         heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
         fell = next((fault for fault in trial.faults if fault.kind == "motor"), None)
         tracks = {}
@@ -272,7 +272,7 @@ class BigTrialRunner:
         return tracks
 
     def boot_seconds(self, moment: float) -> float:
-        """What the vehicles' clocks, which are one, said at a moment of ours."""
+        """Time of the vehicles' common clock at a moment of ours."""
         heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
         return max((boot_seconds(one) for one in heard if one.at <= moment), default=math.inf)
 

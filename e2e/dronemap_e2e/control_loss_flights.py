@@ -63,7 +63,7 @@ class FlightClient:
 
     @property
     def height(self) -> float:
-        """Of its own, so that nobody gives way to anybody."""
+        """A height of its own, so that nobody gives way to anybody."""
         return 15.0 + 4 * ((self.case.number - 1) % 6)
 
     @property

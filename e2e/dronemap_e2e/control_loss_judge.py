@@ -43,7 +43,7 @@ ALLOWED_BESIDE_PILOT = {
 
 @dataclass(frozen=True)
 class Limits:
-    """As the server is set, and as it was asked for."""
+    """Time limits as the server and the follows are set, in seconds."""
 
     lost: float
     idle: float
@@ -153,7 +153,7 @@ def return_begin(states: list[State]) -> State | None:
 
 
 def unattended_seconds(states: list[State], observed_until: float) -> float:
-    """How long it was nobody's: what flies its mission is not, until it stands at its end."""
+    """Seconds in the air without a controller; those that it flies a mission do not count."""
     seconds = 0.0
     for before, after in zip(states, states[1:], strict=False):
         if before.at >= observed_until:
@@ -165,7 +165,7 @@ def unattended_seconds(states: list[State], observed_until: float) -> float:
 
 
 def _steered_after_loss(case: LossCase, log: Log, happened: LossRecord) -> list[str]:
-    """Whoever steered is not there any more, or may no more: nothing leads it."""
+    """Faults for setpoints that were sent after control was lost."""
     if case.kind not in STEERED:
         return []
     late = [one for one in log.sent_since(happened.lost_at + LEADS) if steers(one)]
@@ -218,7 +218,7 @@ def _faults_beside_pilot(log: Log, happened: LossRecord) -> tuple[list[str], str
 
 
 def pilot_visible_at(log: Log, happened: LossRecord) -> float | None:
-    """When the server could know: a heartbeat with the mode came to one that was there and moved."""
+    """When the server could know of the pilot: a heartbeat with the mode came while it ran."""
     before = log.at(happened.piloted_at).mode
     begin, end = happened.server_away
     if not happened.stood_still:

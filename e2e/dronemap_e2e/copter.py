@@ -52,7 +52,7 @@ class Copter:
         self.recorder.close()
 
     def messages_received(self) -> list[str]:
-        """What the vehicle was sent beside what the cloud sends anyhow."""
+        """Messages to the vehicle, without those that the cloud sends by itself."""
         said = [h.message for h in self.recorder.messages(up=False)]
         return [
             f"{m.get_type()} {getattr(m, 'command', '')}".strip()

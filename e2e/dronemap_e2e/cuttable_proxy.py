@@ -23,7 +23,7 @@ class CuttableProxy:
         self._cut = True
 
     def restore(self) -> None:
-        """What was said meanwhile arrives, as far as whoever said it still waits."""
+        """Passes data again; what was sent meanwhile arrives, as far as its sender still waits."""
         self._cut = False
 
     def close(self) -> None:

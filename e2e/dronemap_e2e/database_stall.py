@@ -41,7 +41,7 @@ class DatabaseStall:
             self.times += bool(halted)
 
     def _processes(self) -> list[int]:
-        """Those that serve connections; none while the database is down."""
+        """Processes that serve connections; none while the database is down."""
         with suppress(OSError, ValueError, IndexError):
             first = int((self._cluster / "postmaster.pid").read_text().splitlines()[0])
             children = Path(f"/proc/{first}/task/{first}/children").read_text().split()

@@ -179,7 +179,7 @@ class Log:
         return list(self._messages(False, None))
 
     def at(self, moment: float) -> State:
-        """As it was then."""
+        """State at that moment."""
         times = [state.at for state in self.states]
         return self.states[max(0, bisect.bisect_right(times, moment) - 1)]
 

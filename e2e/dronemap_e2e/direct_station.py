@@ -85,7 +85,7 @@ class DirectStation:
         raise AssertionError("the vehicle does not answer the station that is plugged into it")
 
     def _forget(self) -> None:
-        """What was said before the question is no answer to it."""
+        """Drops what was received before the question."""
         while not self._received.empty():
             self._received.get_nowait()
 

@@ -61,7 +61,7 @@ def judge(wire: MessageLog, points: list[Point], take_off_altitude: float, toler
 
 
 def _passed(track: list[RecordedMessage], start: int, point: Point, number: int, tolerance: float) -> int:
-    """Where in the track it came within the tolerance of the point, at the point's height."""
+    """Index in the track at which it came within the tolerance of the point, at the point's height."""
     nearest = math.inf
     for index in range(start, len(track)):
         seen = track[index].message

@@ -18,7 +18,7 @@ RISES_WITHIN_METRES = 3.0
 
 
 def judged(truth: dict[str, Any]) -> dict[str, Any]:
-    """How much was left at the worst moment, of each measure; negative: somebody went beyond."""
+    """The least margin of each measure; negative: somebody went beyond."""
     tracks = {int(name): Track([Fix(*row) for row in rows]) for name, rows in truth["tracks"].items()}
     starts = [track.fixes[0].seconds for track in tracks.values()]
     ends = [track.fixes[-1].seconds for track in tracks.values()]

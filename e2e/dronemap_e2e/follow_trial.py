@@ -41,7 +41,7 @@ SEPARATION = {"metres": 10.0, "height": 5.0}
 
 @dataclass
 class Field:
-    """What is flown in, in metres east and north of the first home."""
+    """The area that is flown in, in metres east and north of the first home."""
 
     homes: list[tuple[float, float]]
     west: float
@@ -77,7 +77,7 @@ class Field:
         return made
 
     def zones(self, origin: Json) -> list[Json]:
-        """As the server is told of them."""
+        """Zones as bodies of REST requests."""
 
         def at(east: float, north: float) -> list[float]:
             there = place(origin, east, north)
@@ -107,7 +107,7 @@ class Field:
 
 
 class SimulatedPhone:
-    """Goes from place to place, as often as not where no drone may come, and says where it is."""
+    """A phone that goes from place to place, often where no drone may come, and sends its position."""
 
     def __init__(self, ground: Field, number: int, chance: random.Random) -> None:
         self._field = ground
@@ -200,7 +200,7 @@ class FollowTrial:
         self.server.stop()
 
     def fly(self, seconds: float) -> Json:
-        """What the judge found, who sees only where the vehicles were."""
+        """Flies one round; returns what the judge found from the vehicles' positions alone."""
         drones = [
             wait_for("all is known", partial(known, self.api, FIRST_SYSTEM_ID + n), 180)
             for n in range(self.follows)

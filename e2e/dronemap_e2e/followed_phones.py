@@ -49,7 +49,7 @@ class FollowedPhone:
 
     @property
     def place(self) -> Point:
-        """Where its drone is wanted."""
+        """The place at which its drone is to be."""
         return beside(self.drone["home"], self.east, self.north - DISTANCE)
 
     def request_follow(self, api: Api) -> None:
@@ -85,7 +85,7 @@ class FollowedPhone:
 
 
 class ReportedState:
-    """What vehicles themselves say, whether or not anybody listens."""
+    """State of vehicles by their own messages, also while no server listens."""
 
     KINDS = ("GLOBAL_POSITION_INT", "HEARTBEAT", "COMMAND_LONG", "COMMAND_INT")
 
@@ -129,7 +129,7 @@ class ReportedState:
 
 
 class FollowGroup:
-    """All of them; while somebody waits for something, those who can say where they are."""
+    """All followed phones; while a test waits, they send their positions."""
 
     def __init__(self, phones: Iterable[FollowedPhone], reported: ReportedState) -> None:
         self.phones = list(phones)
@@ -149,7 +149,7 @@ class FollowGroup:
         return next(one for one in self.phones if one.follow == follow)
 
     def follows_by_id(self, api: Api) -> dict[str, Json]:
-        """As REST tells them, by id."""
+        """The group's follows in REST, by id."""
         mine = {one.follow for one in self.phones}
         return {one["id"]: one for one in api.get("/follows")["follows"] if one["id"] in mine}
 

@@ -98,7 +98,7 @@ class DtlsLink:
 
 
 class Bridge:
-    """A simulated vehicle's UDP on one side, a carrier on the other."""
+    """Connects a simulated vehicle's UDP with a frame link."""
 
     def __init__(self, carrier: FrameLink) -> None:
         self.carrier = carrier

@@ -54,7 +54,7 @@ def granted(server: Server, api: Api, role: str, drones: list[str]) -> User:
 
 
 class GroundStation:
-    """Says that it is there twice a second, and keeps what it hears; signs by a passphrase or not at all."""
+    """A ground station: heartbeats twice a second, keeps all messages, signs if it has a passphrase."""
 
     def __init__(self, address: str, passphrase: str | None, system_id: int = 255) -> None:
         self.link: Any = mavutil.mavlink_connection(

@@ -15,7 +15,7 @@ LOOPBACK = "127.0.0.1"
 
 @dataclass(frozen=True)
 class LinkConditions:
-    """How bad the link is, in each direction. Datagrams overtake each other as their delays differ."""
+    """Impairments of a link, in each direction. Datagrams overtake each other as their delays differ."""
 
     delay: float = 0.0
     jitter: float = 0.0

@@ -21,7 +21,7 @@ SO_TIMESTAMPNS = 35
 
 @dataclass(frozen=True)
 class Kind:
-    """What the peer says it is."""
+    """Type, autopilot, MAVLink version and component of a peer."""
 
     type: int = mavlink.MAV_TYPE_QUADROTOR
     autopilot: int = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
@@ -31,7 +31,7 @@ class Kind:
 
 @dataclass
 class State:
-    """What the peer says it does."""
+    """State that a peer reports, and the messages that it received."""
 
     armed: bool = False
     base_mode: int = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED

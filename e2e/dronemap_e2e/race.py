@@ -46,7 +46,7 @@ class ReceivedMove:
 
 
 class HoveringCopter:
-    """In the air, guided, and slow to acknowledge: most commands are repeated until somebody stops them."""
+    """A copter in the air, guided, and slow to acknowledge: most commands are repeated."""
 
     def __init__(self, port: int, system_id: int) -> None:
         self.moves: list[ReceivedMove] = []
@@ -76,7 +76,7 @@ class HoveringCopter:
 
 
 class Client(Protocol):
-    """Takes the drone over, and says the epoch, or commands it; None: refused, or nobody answered."""
+    """A client that takes a drone over or commands it; None: refused, or no answer."""
 
     def take_over(self) -> int | None: ...
 
@@ -142,7 +142,7 @@ class StreamClient:
 
 @dataclass
 class QuietPeriod:
-    """Nobody commands: what is repeated now, after control was taken, is of an epoch that is over."""
+    """A time in which nobody commands: what is repeated then is of an epoch that is over."""
 
     until: float = 0.0
 
@@ -218,7 +218,7 @@ def race(racers: list[Racer], rounds: int, during: Callable[[int], None] = lambd
 def fill_epochs_from_records(
     moves: list[ReceivedMove], racers: list[Racer], record: Callable[[str], Json | None]
 ) -> int:
-    """Of commands whose answer was lost with the server, the records say the epoch. Returns how many."""
+    """Takes the epochs of commands whose answers were lost from their records. Returns how many."""
     asked = 0
     for move in {seen.move for seen in moves}:
         racer = racers[move.number % len(racers)]

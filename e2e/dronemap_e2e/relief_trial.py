@@ -61,7 +61,7 @@ class WanderingPhone(SimulatedPhone):
 
 @dataclass
 class FollowHistory:
-    """What the follow of one phone was seen to be."""
+    """States, drones and messages that the follow of one phone went through."""
 
     states: set[str] = field(default_factory=set)
     drones: list[str] = field(default_factory=list)
@@ -200,7 +200,7 @@ class ReliefTrial:
     def _distances(
         phone: WanderingPhone, tracks: list[list[list[float]]], when: tuple[float, float]
     ) -> list[float]:
-        """How far a phone was from the nearest of its drones in the air, each moment; infinite: none flew."""
+        """Metres from a phone to the nearest of its drones in the air, each moment; infinite: none flew."""
         nearest: dict[int, float] = {}
         for track in tracks:
             for at, east, north, _, above_home in track:
@@ -214,7 +214,7 @@ class ReliefTrial:
 
 
 def longest(metres: list[float], kept: float) -> int:
-    """Of all moments in a row that were farther than that."""
+    """The longest row of moments that were farther than that."""
     most = row = 0
     for one in metres:
         row = row + 1 if one > kept else 0

@@ -14,7 +14,7 @@ REPORT_STEPS = 4
 
 
 class Robot:
-    """One bridge with the truth of its robot; drives on with the last speeds that it heard, as bridges do."""
+    """One bridge with its robot, which drives on with the last speeds received, as bridges do."""
 
     kind = 8
 

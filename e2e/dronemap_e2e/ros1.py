@@ -89,7 +89,7 @@ class Ros:
 
 
 class RobotProcess:
-    """What the robot was told, in its own words."""
+    """A robot's process, and the orders that it prints."""
 
     def __init__(self, process: Process) -> None:
         self._orders: list[Json] = []

@@ -51,7 +51,7 @@ def of(run: Json, drone: str, state: str) -> list[Json]:
 def tracks(
     recorder: MessageRecorder, drones: list[Json], first_system_id: int, begin: int = 0
 ) -> dict[str, Track]:
-    """Where each was from that report on, by its own word on the wire, also while no server listened."""
+    """Tracks from that report on, by the drones' own reports, also while no server listened."""
     flown: dict[str, Track] = {drone["id"]: [] for drone in drones}
     of_system = {first_system_id + n: drone["id"] for n, drone in enumerate(drones)}
     for heard in recorder.messages("GLOBAL_POSITION_INT", up=True)[begin:]:
@@ -62,7 +62,7 @@ def tracks(
 
 
 def distance(waypoint: Json, track: Track) -> float:
-    """How near a drone came to it, height included."""
+    """Metres at which a drone came nearest to a waypoint, height included."""
     per_degree = math.radians(1) * EARTH_RADIUS_METERS
     east = per_degree * math.cos(math.radians(waypoint["latitude"]))
     return min(

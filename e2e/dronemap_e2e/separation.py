@@ -1,4 +1,4 @@
-"""How near vehicles come to each other on their way down, by what each says of itself on the wire."""
+"""Measures how near vehicles come to each other in the air, by their own reports on the wire."""
 
 import math
 from dataclasses import dataclass
@@ -46,7 +46,7 @@ def fixes(log: Log, since: float) -> list[Fix]:
 
 
 def nearest(tracks: dict[int, list[Fix]], since: float, until: float) -> Nearest:
-    """Of any two that are in the air at the same moment."""
+    """The nearest two that are in the air at the same moment."""
     found = Nearest(math.inf, "no two were in the air")
     moment = since
     newest = dict.fromkeys(tracks, 0)

@@ -1,4 +1,4 @@
-"""What all servers of tests begin with, made once of each build: most of what they cost is the start."""
+"""Makes the data that all test servers begin with, once for each build: most of their cost is the start."""
 
 import fcntl
 import shutil

@@ -41,7 +41,7 @@ class SigningPeer(Peer):
 
 
 def apply_signing_key(peer: Peer, message: Any) -> None:
-    """As ArduPilot: at once, with a time a minute after the one that came along; zeros end it."""
+    """Applies a key as ArduPilot does: at once, a minute after the time that came along; zeros end it."""
     assert isinstance(peer, SigningPeer)
     key = bytes(message.secret_key)
     peer.keys.append(key)

@@ -55,14 +55,14 @@ class Simulator:
         assert answer.startswith("ok"), answer
 
     def payload(self, system_id: int) -> str:
-        """What a vehicle did with its camera and relays: "pictures 1 relays on: 0"."""
+        """Counts of a vehicle's camera and relays: "pictures 1 relays on: 0"."""
         return self._line("payload", system_id)
 
     def armed(self, system_id: int) -> bool:
         return " armed " in self._line("list", system_id)
 
     def place(self, system_id: int) -> tuple[float, float, float]:
-        """Where a vehicle truly is: latitude and longitude in degrees, metres above its home."""
+        """True place of a vehicle: latitude and longitude in degrees, metres above its home."""
         latitude, longitude, height = map(float, self._line("where", system_id).split())
         return latitude, longitude, height
 

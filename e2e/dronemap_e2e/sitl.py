@@ -21,7 +21,7 @@ REPORT_MICROS = 100_000
 
 
 class GroundTruthReceiver:
-    """Hears one vehicle's physics on a port that the server has no part in: no estimate, but the truth."""
+    """Receives one vehicle's simulated state on a port that the server has no part in."""
 
     def __init__(self) -> None:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -86,7 +86,7 @@ class GroundTruthReceiver:
 
 
 class ArduCopter:
-    """One process in a folder of its own; its second port goes to a witness."""
+    """An ArduCopter process in a folder of its own; its second port goes to a ground truth receiver."""
 
     def __init__(self, folder: Path, server_port: int, system_id: int, home: str) -> None:
         """`home`: degrees, degrees, metres above the sea, heading."""

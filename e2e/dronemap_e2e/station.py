@@ -36,7 +36,7 @@ def launch(playwright: Playwright, *arguments: str, home: Path | None = None) ->
 
 
 class InputMethod(Protocol):
-    """How a person presses, holds and points."""
+    """Presses, holds and points as a person does."""
 
     def press(self, page: Page, target: Locator) -> None: ...
 
@@ -140,5 +140,5 @@ class Station:
         self.input_method.hold(self.page, self.button(label))
 
     def shows(self, text: str, seconds: float = 30) -> None:
-        """That text becomes visible."""
+        """Expects that text to become visible."""
         expect(self.page.get_by_text(text).first).to_be_visible(timeout=seconds * 1000)

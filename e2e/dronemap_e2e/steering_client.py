@@ -1,4 +1,4 @@
-"""Whoever holds a stick."""
+"""A client that steers one drone over the stream."""
 
 import json
 import threading
@@ -10,7 +10,7 @@ from .server import Server
 
 
 class SteeringClient:
-    """Steers as the page does, ten times a second; once cut, it says nothing and closes nothing."""
+    """Steers as the page does, ten times a second; once cut, it sends nothing and closes nothing."""
 
     def __init__(
         self,
@@ -52,7 +52,7 @@ class SteeringClient:
         self._thread.join()
 
     def kill(self) -> None:
-        """As an operating system ends a program: its connection breaks without a word."""
+        """Ends as a killed program does: its connection breaks without a close."""
         self.cut()
         self._stream.socket.close()
 

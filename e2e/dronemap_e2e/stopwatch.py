@@ -15,7 +15,7 @@ WORK = f"total = 0\nfor step in range({STEPS}):\n    total += step"
 
 
 def slowness() -> float:
-    """How many times as long as at rest pieces of work take just now, one on each core; at least 1."""
+    """Factor by which work takes longer now than at rest, one piece on each core; at least 1."""
     began = time.monotonic()
     workers = [subprocess.Popen([sys.executable, "-S", "-c", WORK]) for _ in range(os.cpu_count() or 1)]
     for worker in workers:
@@ -24,7 +24,7 @@ def slowness() -> float:
 
 
 class CoreLoad:
-    """How many threads of the machine wanted a core at once, on average since its making."""
+    """Measures how many threads of the machine wanted a core at once, on average since its making."""
 
     def __init__(self) -> None:
         self._samples: list[int] = []

@@ -1,4 +1,4 @@
-"""What a version stores while much is under way, for the test that later versions take it up.
+"""Stores what a version has while much is under way, for the test that later versions take it up.
 
     python -m dronemap_e2e.upgrade FOLDER
 

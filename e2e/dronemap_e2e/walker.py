@@ -1,4 +1,4 @@
-"""Who carries a phone and wants to be followed; and the page on that phone."""
+"""A person with a phone who wants to be followed, and the page on that phone."""
 
 import math
 import os
@@ -67,7 +67,7 @@ def _fix(at: Point) -> Geolocation:
 
 @dataclass
 class Walker:
-    """Who carries the phone; metres from the drone's home."""
+    """The person who carries the phone; metres from the drone's home."""
 
     page: Page
     home: Json
@@ -97,7 +97,7 @@ class Walker:
         wait_for(f"the page says {words}", reads, seconds)
 
     def reads(self, *words: str, seconds: float = 30) -> str:
-        """What one line of the page says, once it has these words."""
+        """Text of one line of the page, once it has these words."""
         line = self.page.get_by_role("listitem").filter(has_text=words[0])
 
         def said() -> str | None:

@@ -81,7 +81,7 @@ def _by_zeep(relay: ReliefTrial, key: str, drone: str) -> None:
 
 
 def record(folder: Path) -> int:
-    """How many exchanges there are now."""
+    """Records all exchanges; returns how many there are."""
     with tempfile.TemporaryDirectory() as temporary:
         work = Path(temporary)
         server = Server(work / "data")

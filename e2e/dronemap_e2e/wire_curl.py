@@ -1,4 +1,4 @@
-"""What a person asks of REST on a command line: of each kind of thing, well and badly."""
+"""Requests to REST as a person makes them with curl: of each kind, valid and invalid."""
 
 from .api import Json
 from .waiting import wait_for

@@ -25,7 +25,7 @@ def readable(text: str, content_type: str) -> str:
 
 
 class PlaceholderNames:
-    """What is called otherwise in each server goes by a name of its own."""
+    """Replaces ids and secrets, which differ in each server, by numbered names."""
 
     def __init__(self, known: dict[str, str]) -> None:
         self._names = dict(known)
@@ -33,7 +33,7 @@ class PlaceholderNames:
         self._chosen = ""
 
     def keep_request_values(self, text: str) -> None:
-        """What a client has chosen itself keeps its name."""
+        """Keeps values of a request as they are: its client has chosen them."""
         self._chosen += "\n" + text
 
     def name_values(self, text: str) -> None:

@@ -28,7 +28,7 @@ class Exchange:
 
 
 class ReliefTrial:
-    """Its address stands for the server's; `client` is who speaks from now on."""
+    """A recording HTTP relay; `client` names the client of the next requests."""
 
     def __init__(self, port: int) -> None:
         self.client = "nobody"

@@ -119,7 +119,7 @@ def vehicles(server: Server, tmp_path_factory: pytest.TempPathFactory) -> Iterat
 
 @pytest.fixture
 def system_id(vehicles: Vehicles) -> Iterator[int]:
-    """Of a copter that only this test has."""
+    """System id of a copter that only this test has."""
     taken = vehicles.wake_next()
     yield taken
     vehicles.silence(taken)
@@ -127,7 +127,7 @@ def system_id(vehicles: Vehicles) -> Iterator[int]:
 
 @pytest.fixture
 def wire(vehicles: Vehicles, system_id: int) -> VehicleMessages:
-    """What the test's copter says and is told."""
+    """Messages from and to the test's copter."""
     return vehicles.wire(system_id)
 
 

@@ -19,7 +19,7 @@ PATIENCE = 30_000
 
 
 class UserPages:
-    """Pages that share nothing, as those of several people: by day at a desk, by night on a phone."""
+    """Pages of several users, which share nothing: light at a desk, dark on a phone."""
 
     def __init__(self, browser: Browser) -> None:
         self._browser = browser

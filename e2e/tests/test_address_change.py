@@ -37,7 +37,7 @@ QUESTIONS = {mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAV_CMD_REQUEST_AUTOPILOT_
 
 @dataclass
 class MovingVehicle:
-    """A vehicle on the move, its hardware id, and the drone that the server made of it."""
+    """A vehicle whose address changes, its hardware id, and its drone at the server."""
 
     peer: Peer
     uid: int
@@ -89,7 +89,7 @@ def dtls_endpoint(api: Api) -> Iterator[int]:
 
 
 class Forger:
-    """Says that it is that vehicle: the same system id, the same hardware, at another place."""
+    """Imitates a vehicle: the same system id, the same hardware, at another place."""
 
     def __init__(self, server: Server, imitated: MovingVehicle) -> None:
         self.peer = Peer(server.udp_port, system_id=imitated.system_id, handlers=handlers(imitated.uid))
@@ -188,7 +188,7 @@ class AddressChanges:
 
 
 def orders(nat: Nat, latest: float) -> list[str]:
-    """What tells a vehicle to do something and came to an address so long after it was left."""
+    """Orders that came to an address so long after it was left."""
     parser = mavlink.MAVLink(None)
     parser.robust_parsing = True
     found = []

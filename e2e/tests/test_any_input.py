@@ -1,4 +1,4 @@
-"""What nobody would think of saying, made from the description of REST by another maker's program."""
+"""Sends unexpected input to REST, generated from its description by another maker's program."""
 
 import secrets
 import shutil

@@ -1,4 +1,4 @@
-"""What was done by whom: through every face, refused too; searched, taken along, vouched for."""
+"""Audit records of calls through every face, refused ones too; search, export and receipts."""
 
 import csv
 import io

@@ -89,7 +89,7 @@ class EndedCommand:
     outcome: Json
 
     def matches(self, executed: ExecutedCommand) -> bool:
-        """Whether that is what the vehicle does when it carries this command out."""
+        """True if that is what the vehicle does when it carries this command out."""
         body, parameters = self.body, executed.parameters
         if body["type"] != executed.kind:
             return False
@@ -106,7 +106,7 @@ class EndedCommand:
 
 @dataclass(frozen=True)
 class Comparison:
-    """One command beside what the vehicle's own log says of it."""
+    """One command beside its executions in the vehicle's own log."""
 
     body: Json
     outcome: Json

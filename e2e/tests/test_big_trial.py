@@ -1,4 +1,4 @@
-"""Of six drones two are lost, one runs low, waypoints come up, the server dies: what truly was flown."""
+"""A run of six drones with two losses, a low battery, new waypoints and a server crash."""
 
 import json
 import os
@@ -101,7 +101,7 @@ def check_visits(trial: Trial, found: list[Visit], words: str) -> None:
 
 
 def check_doubles(runner: BigTrialRunner, trial: Trial, twice: dict[str, list[Visit]], words: str) -> None:
-    """Of those who came to one waypoint at most one was in contact, long enough to say so."""
+    """Checks that of several visitors of one waypoint at most one was in contact with the server."""
     cut = trial.of("link")
     since = runner.boot_seconds(cut.at) - TELLING_SECONDS
     gone, back = (runner.boot_seconds(moment) for moment in trial.dead)

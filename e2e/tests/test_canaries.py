@@ -40,7 +40,7 @@ def peer(server: Server) -> Iterator[SigningPeer]:
 
 
 def once(api: Api, path: str, body: Json, member: str) -> str:
-    """What one answer alone shows."""
+    """A value that only this one answer shows."""
     answer = api.call("POST", path, body)
     assert answer.status_code in (200, 201), answer.text
     shown: str = answer.json()[member]
@@ -73,7 +73,7 @@ def put_in(server: Server, api: Api, drone: str) -> dict[str, str]:
 
 
 def forms(secret: str) -> set[bytes]:
-    """As text, and as the bytes that it may stand for, in the ways that files keep them."""
+    """A secret as text and as bytes, in the encodings that files may have."""
     plain = {secret.encode()}
     try:
         plain.add(bytes.fromhex(secret))

@@ -38,13 +38,13 @@ class User(NamedTuple):
 
 
 class ControlServer(NamedTuple):
-    """A server that calls drones back soon after their holder is lost."""
+    """A server that has drones return soon after their holder is lost."""
 
     server: Server
 
     @property
     def api(self) -> Api:
-        """As its own machine calls it; each start of the server makes another key for that."""
+        """An API client with the local key, which each start of the server makes anew."""
         return Api(self.server.address, self.server.local_key())
 
     def user(self, role: str) -> User:

@@ -28,7 +28,7 @@ RETURN_SECONDS = 15
 
 @pytest.fixture
 def shipped(tmp_path: Path) -> Iterator[Server]:
-    """As shipped: the second compiler takes as long again to start."""
+    """A server with its options as shipped, whose start takes longer."""
     started = Server(tmp_path / "data", as_shipped=True)
     started.start()
     yield started

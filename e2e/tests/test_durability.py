@@ -1,4 +1,4 @@
-"""What was acknowledged is there, however often the server is killed."""
+"""Acknowledged writes survive kills of the server."""
 
 import os
 import random

@@ -43,7 +43,7 @@ SEEK = "(line, time) => { line.value = time; line.dispatchEvent(new Event('input
 
 
 class WirePositions:
-    """Where a vehicle said that it was, by the time of day when it was heard."""
+    """Positions that a vehicle reported on the wire, by time of day."""
 
     def __init__(self, wire: VehicleMessages) -> None:
         offset = time.time() - time.monotonic()
@@ -101,7 +101,7 @@ def fly(api: Api, copter: Json) -> Json:
     end = datetime.fromisoformat(flight["end"])
 
     def later() -> bool:
-        """What comes after it is stored: so is all of it."""
+        """True when telemetry after the flight is stored, and so all of the flight."""
         points = api.get(f"/drones/{drone}/telemetry/points?from={flight['end']}&most=20000")["points"]
         return any(datetime.fromisoformat(point["at"]) > end for point in points)
 
@@ -149,7 +149,7 @@ def check_files(api: Api, flight: Json, folder: Path) -> None:
 
 
 def check_columns(parquet: Path, rows: list[dict[str, str]], drone: str) -> None:
-    """What another program reads in the columns is, row by row, what stands in the table."""
+    """Compares the columns that another program reads with the table, row by row."""
     with duckdb.connect() as database:
         database.execute("SET TimeZone = 'UTC'")
         answer = database.execute(
@@ -172,7 +172,7 @@ def snake(name: str) -> str:
 
 
 def as_text(name: str, value: object, text: str) -> str:
-    """As the table writes it, when it is the same."""
+    """A value as text, as the table writes it."""
     if value is None:
         return ""
     if name in {"flight", "link"}:

@@ -45,12 +45,12 @@ def drone(simulator: Simulator, api: Api) -> Json:
 
 
 def gimbal_pitch(simulator: Simulator) -> float:
-    """How far the camera truly looks above the horizon."""
+    """Degrees that the camera truly looks above the horizon."""
     return float(simulator.payload(SYSTEM_ID).rpartition("gimbal ")[2])
 
 
 class WalkingPhone:
-    """Walks east from a place near the drone's home, and says so once a second."""
+    """A phone that walks east from near the drone's home, and sends its position once a second."""
 
     def __init__(self, api: Api, home: Json) -> None:
         self._api = api

@@ -44,7 +44,7 @@ NEAR_METRES = 6.0
 
 @dataclass(frozen=True)
 class Case:
-    """Where a follow is when the server dies, what befalls it meanwhile, and what shall come of it."""
+    """A follow's stage when the server is killed, what happens meanwhile, and the expected stages."""
 
     name: str
     at: str
@@ -111,7 +111,7 @@ CASES = (
 
 
 def documented_outcomes() -> dict[str, str]:
-    """That row of the table: by stage, what comes of it."""
+    """The documented outcomes of a restart, by stage."""
     rows = [
         [cell.strip() for cell in line.strip("|").split("|")]
         for line in (ROOT / "docs" / "following.md").read_text().splitlines()
@@ -291,7 +291,7 @@ class CrashTrial:
         )
 
     def end_all(self) -> None:
-        """What is stopped comes home, but for those that a pilot has, and all is over."""
+        """Ends all follows; drones return, except those that a pilot flies."""
         self.named("kept").request(self.phone, "cancel")
         for case, one in self.follows.items():
             if case.stages[-1] in ("tracking", "paused"):

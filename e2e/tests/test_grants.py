@@ -1,4 +1,4 @@
-"""What is granted and taken back on the page takes effect on an open stream; at desk and phone."""
+"""Grants and revocations on the page take effect on an open stream; at desk and phone."""
 
 import json
 import secrets
@@ -39,7 +39,7 @@ def assert_nothing_received(stream: ClientConnection, drone: str, seconds: float
 
 
 class GrantsPage(NamedTuple):
-    """An administrator's page with its card of grants, and the hands before it."""
+    """An administrator's page with its card of grants, and its input method."""
 
     page: Page
     input_method: InputMethod
@@ -80,7 +80,7 @@ def create_administrator(api: Api) -> tuple[str, str, str]:
 
 
 def granted_operator(server: Server, api: Api) -> tuple[str, str]:
-    """Who sees only what is granted: name and key."""
+    """An operator who sees only what is granted: name and key."""
     ann, first, own = f"operator-{secrets.token_hex(4)}", secrets.token_hex(10), secrets.token_hex(10)
     body = {"name": ann, "password": first, "role": "operator"}
     assert api.call("POST", "/users", body).status_code == 201

@@ -58,7 +58,7 @@ def live_drone(api: Api, peer: Peer) -> Json:
 
 
 def action_commands(messages: list[Any]) -> list[Any]:
-    """What went to a peer beyond the question who it is."""
+    """Messages to a peer other than requests for its identity."""
     return [m for m in messages if m.get_type() != "COMMAND_LONG" or m.command not in QUESTIONS]
 
 

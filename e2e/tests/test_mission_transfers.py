@@ -36,7 +36,7 @@ class Bench:
         return command
 
     def holds(self, items: list[Json]) -> bool:
-        """Whether the vehicle itself has these waypoints in this order, whatever stands before them."""
+        """True if the vehicle itself has these waypoints in this order, whatever stands before them."""
         held = [(i.x, i.y, round(i.z)) for i in self.station.mission()]
         sent = [(round(i["latitude"] * 1e7), round(i["longitude"] * 1e7), i["altitude"]) for i in items]
         return held[-len(sent) :] == sent

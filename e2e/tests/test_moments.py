@@ -1,4 +1,4 @@
-"""Whoever is in the air is somebody's, at random moments: judged by what went between vehicles and server."""
+"""Control loss at random moments: no drone stays in the air unattended, judged by the datagrams."""
 
 import os
 from pathlib import Path

@@ -69,7 +69,7 @@ def network(server: Server) -> Iterator[Network]:
 
 @pytest.fixture
 def browser(server: Server, network: Network, playwright: Playwright) -> Iterator[Browser]:
-    """What calls itself localhost goes through the network of the phone."""
+    """A browser whose requests to localhost go through the network of the phone."""
     ways = {server.http_port: network.web.port, server.stream_port: network.stream.port}
     rules = ",".join(f"MAP localhost:{port} 127.0.0.1:{way}" for port, way in ways.items())
     started = launch(playwright, f"--host-resolver-rules={rules}")

@@ -87,7 +87,7 @@ def tap_places(page: Page, places: tuple[tuple[int, int], ...]) -> None:
 
 
 def _place_of(page: Page, waypoint: str) -> Json:
-    """Where the newest plan of who is signed in goes for it."""
+    """Place of a waypoint in the newest plan of the signed-in user."""
     place: Json = page.evaluate(
         """async (waypoint) => {
           const all = await (await fetch('/api/v1/plans')).json();

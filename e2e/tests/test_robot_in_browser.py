@@ -137,7 +137,7 @@ def speed(api: Api, drone: str) -> float:
 
 
 def succeeded(api: Api, drone: str, kind: str) -> bool:
-    """What the page says of it goes away by itself after a while."""
+    """True when the drone's newest command of that kind has succeeded."""
     told = api.get(f"/drones/{drone}/commands")["commands"]
     return any(c["type"] == kind and c["outcome"] and c["outcome"]["result"] == "succeeded" for c in told)
 

@@ -21,7 +21,7 @@ OFTEN = 0.005
 
 
 class MotorRobot(BridgedRobot):
-    """Drives on with the last speeds for ever, as motors do."""
+    """A robot that drives on with its last speeds for ever, as motors do."""
 
     def __init__(self) -> None:
         self.speed = 0.0

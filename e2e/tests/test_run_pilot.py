@@ -67,7 +67,7 @@ def waypoints() -> list[Json]:
 
 
 def commands_sent(recorder: MessageRecorder, system_id: int, since: float) -> list[RecordedMessage]:
-    """What tells that vehicle to do something; asking it for messages is none."""
+    """Orders to that vehicle; requests for messages do not count."""
     return [
         heard
         for heard in recorder.messages(*ORDERS, up=False, since=since)
@@ -77,7 +77,7 @@ def commands_sent(recorder: MessageRecorder, system_id: int, since: float) -> li
 
 
 def off_height(waypoint: Json, track: Track) -> float:
-    """How many metres too high or too low it was where it came nearest over the ground."""
+    """Metres too high or too low at the point nearest to the waypoint over ground."""
     nearest = min(track, key=lambda at: distance({**waypoint, "altitudeAmsl": at[2]}, [at]))
     off: float = abs(nearest[2] - waypoint["altitudeAmsl"])
     return off

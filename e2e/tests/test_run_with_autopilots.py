@@ -1,4 +1,4 @@
-"""Of three real autopilots in a mission run one is killed in the air; the others finish its waypoints."""
+"""A run of three real autopilots: one is killed in the air, the others finish its waypoints."""
 
 import math
 from collections.abc import Iterator

@@ -160,7 +160,7 @@ def test_read_operations_match_rest(own_server: Server, things: dict[str, str]) 
 
 
 def _same(where: str, first: Any, last: Any, seen: Any) -> None:
-    """What is the same before and after has to be the same meanwhile."""
+    """Compares answers, leaving out what changes between two readings."""
     if isinstance(first, dict) and isinstance(last, dict):
         members = seen or {}
         if set(members) == {"entry"}:

@@ -1,4 +1,4 @@
-"""When who steered has gone, or may no more, a robot that repeats its last speeds stands in a second."""
+"""A robot that repeats its last speeds stops within a second of each end of steering."""
 
 import time
 from collections.abc import Callable, Iterator

@@ -1,4 +1,4 @@
-"""What vehicles do when the server is killed in flight for good, and how soon one started again is heard."""
+"""Vehicles after a kill of the server in flight, for good or until it is started again."""
 
 import time
 from collections.abc import Iterator

@@ -86,7 +86,7 @@ def send_off(api: Api, drone: Json, bearing: float) -> Breach:
 
 
 def action_delay(recorder: MessageRecorder, breach: Breach) -> tuple[float, float]:
-    """When it first said that it is inside (monotonic s), and how long until it was told to hold (s)."""
+    """When it first reported to be inside (monotonic s), and seconds until it was ordered to hold."""
     system_id = breach.drone["link"]["systemId"]
     inside = next(
         h.at
@@ -103,7 +103,7 @@ def action_delay(recorder: MessageRecorder, breach: Breach) -> tuple[float, floa
 
 
 def warnings_sent(api: Api, drone: Json, words: str, since: float) -> float | None:
-    """When it was said last (monotonic s)."""
+    """When a message with these words was first shown since then (monotonic s)."""
     offset = time.time() - time.monotonic()
     times = [
         datetime.fromisoformat(m["at"].replace("Z", "+00:00")).timestamp() - offset

@@ -27,7 +27,7 @@ class OutgoingMessage(NamedTuple):
 
 @dataclass(frozen=True)
 class Identity:
-    """What the robot shows of itself, and what it does at most; ``key`` as the cloud issued it."""
+    """Identity and limits of a robot; ``key`` as the cloud issued it."""
 
     system_id: int
     key: str
@@ -217,7 +217,7 @@ class Bridge:
 
 
 def known(body: Dict[str, Optional[float]]) -> Message:
-    """What is not known is not said."""
+    """The body without members that are not known."""
     return {name: value for name, value in body.items() if value is not None}
 
 

@@ -1,4 +1,4 @@
-"""Where a robot is on its map: its odometry drifts, and what localises it says now and then by how much."""
+"""Locates a robot on its map from odometry, which drifts, and a localiser's occasional corrections."""
 
 import math
 import threading
@@ -21,7 +21,7 @@ class Pose2D:
     yaw: float
 
     def of(self, inner: "Pose2D") -> "Pose2D":
-        """What is there in the inner frame, as seen from the outer one."""
+        """A pose of the inner frame, as seen from the outer one."""
         cos, sin = math.cos(self.yaw), math.sin(self.yaw)
         return Pose2D(
             self.x + cos * inner.x - sin * inner.y,
@@ -48,13 +48,13 @@ class Localiser:
             self._history.append((stamp, pose))
 
     def transform(self, odometry_in_map: Pose2D) -> None:
-        """As tf has it: from now on nothing else is needed."""
+        """Applies a transform of tf: from now on nothing else is needed."""
         with self._lock:
             self._told = True
             self._shift = odometry_in_map
 
     def map_pose(self, robot_in_map: Pose2D, stamp: float) -> None:
-        """As AMCL says it, of a moment that has passed; since then the robot has moved on."""
+        """Applies a pose of AMCL, of a moment that has passed; since then the robot has moved on."""
         with self._lock:
             if self._told or not self._history:
                 return

@@ -49,7 +49,7 @@ class UdpLink:
 
 
 class Link:
-    """Carries what the bridge and the cloud say; the robot stands when it ends, however that comes.
+    """Carries messages between bridge and cloud; the robot stops when it ends, however that comes.
 
     Where there is a WebSocket all goes there, and heartbeats by UDP, too; while it is down, all goes by UDP.
     """

@@ -1,4 +1,4 @@
-"""What a drone behind mavros has told on its topics, in whichever version of ROS."""
+"""A drone behind mavros, read from its topics, in either version of ROS."""
 
 from dataclasses import replace
 from typing import Any, Optional, Tuple

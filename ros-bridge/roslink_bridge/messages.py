@@ -8,13 +8,13 @@ from .robot import Battery, Map, Pose, Scan, Speeds
 
 
 def pose2d_of(place: Any, pose: Any) -> Pose2D:
-    """Of a position or translation, and a quaternion."""
+    """Pose of a position or translation, and a quaternion."""
     yaw = math.atan2(2 * (pose.w * pose.z + pose.x * pose.y), 1 - 2 * (pose.y * pose.y + pose.z * pose.z))
     return Pose2D(place.x, place.y, yaw)
 
 
 def map_pose_of(message: Any) -> Pose2D:
-    """Of what says a pose with its uncertainty: an odometry, or AMCL."""
+    """Pose of a message with uncertainty: an odometry, or AMCL's."""
     return pose2d_of(message.pose.pose.position, message.pose.pose.orientation)
 
 
@@ -25,7 +25,7 @@ def pose_of(message: Any) -> Pose:
 
 
 def map_shift_of(message: Any, odometry_frame: str) -> Optional[Pose2D]:
-    """How the frame of the odometry lies in that of the map, where a message of tf says so."""
+    """Transform from the odometry's frame to the map's, if a message of tf has it."""
     for one in message.transforms:
         names = (one.header.frame_id.lstrip("/"), one.child_frame_id.lstrip("/"))
         if names == ("map", odometry_frame.lstrip("/")):

@@ -1,4 +1,4 @@
-"""What a robot has told on its topics, the newest of each, in whichever version of ROS."""
+"""A robot read from its topics, the newest message of each, in either version of ROS."""
 
 from typing import Any, Dict, Optional
 
@@ -20,7 +20,7 @@ class TopicRobot(Robot):
         self._localiser = Localiser()
 
     def _seconds_of(self, message: Any) -> float:
-        """When it was so, by the clock of ROS."""
+        """Time of the message, by the clock of ROS."""
         raise NotImplementedError
 
     def _newest_callback(self, topic: str) -> Any:

@@ -39,7 +39,7 @@ class WebSocketLink:
         return True
 
     def receive(self) -> List[str]:
-        """What came since it was last asked."""
+        """The texts received since the last call."""
         taken = []
         while not self._received.empty():
             taken.append(self._received.get_nowait())

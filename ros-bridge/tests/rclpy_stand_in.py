@@ -1,4 +1,4 @@
-"""What the bridge uses of rclpy and of the messages of ROS 2, as far as it can be had without them."""
+"""Stand-ins for the parts of rclpy and of the messages of ROS 2 that the bridge uses."""
 
 import sys
 import threading

@@ -1,4 +1,4 @@
-"""Where a robot is on its map, by its odometry and by what localises it."""
+"""Poses on the map by odometry and localisation."""
 
 import math
 

@@ -21,7 +21,7 @@ from .test_link import PATIENCE_SECONDS, eventually
 
 
 class Cloud:
-    """One that keeps what it hears by each way, and speaks by its WebSocket."""
+    """A cloud that keeps what it receives by each way, and sends by its WebSocket."""
 
     def __init__(self) -> None:
         self.by_web: List[Dict[str, Any]] = []

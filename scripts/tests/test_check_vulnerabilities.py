@@ -74,7 +74,7 @@ def advisories(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Advisories:
 
 
 def shipped(of: Ecosystem) -> list[str]:
-    """What the scanner is asked about."""
+    """Names of the components that the scanner is given."""
     components = bill_of_materials.bill()["components"]
     return [each["purl"] for each in check_vulnerabilities.components_in(components, of)]
 

@@ -15,7 +15,7 @@ def documents() -> list[str]:
 
 
 def too_long(text: str) -> list[str]:
-    """What can be wrapped and is not: no tables, no code, no HTML, and no line that is one piece."""
+    """Lines that could be wrapped: no tables, no code, no HTML, and no line that is one piece."""
     found = []
     code = False
     for line in text.splitlines():

@@ -106,7 +106,7 @@ def test_server_restarts_after_fatal_fault(
 
 
 def time_used_up(built: Checkout) -> str:
-    """When there was none left, by the fault itself; nothing for one that stops a thread."""
+    """Text of when the resource was used up; empty for a fault that stops a thread."""
     log = (built.data / "logs" / "server.log").read_text(errors="replace")
     found = re.findall(r"used up after \d+ ms", log)
     return f"{found[-1]}, " if found else ""

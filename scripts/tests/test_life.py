@@ -75,7 +75,7 @@ def test_up_starts_page_and_demo_drone_that_arms(built: Checkout, monkeypatch: p
 
 
 def health_when_all_live(built: Checkout) -> dict[str, Any]:
-    """As soon as no drone is silent: the simulator of a busy machine may be so for a moment."""
+    """Health once no drone is silent: on a busy machine the simulator may be so for a moment."""
     seen: dict[str, Any] = {}
 
     def all_are_heard() -> bool:

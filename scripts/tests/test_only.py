@@ -1,4 +1,4 @@
-"""Which tests a pattern names, in every language."""
+"""Finding tests by a pattern, in every language."""
 
 from pathlib import Path
 

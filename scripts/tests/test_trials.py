@@ -363,7 +363,7 @@ def is_marked(node: ast.AST) -> bool:
 
 
 def kinds_of(file: Path) -> tuple[bool, bool]:
-    """Whether it has ordinary tests, and whether long ones."""
+    """Kinds of tests in a file: ordinary ones, long ones."""
     ordinary = long = False
     for node in ast.walk(ast.parse(file.read_text())):
         if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):

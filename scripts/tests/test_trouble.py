@@ -1,4 +1,4 @@
-"""What goes wrong on real machines: each gets its exit code and a sentence that says what to do."""
+"""Faults of real machines: each gets its exit code and a sentence that says what to do."""
 
 import contextlib
 import os
@@ -22,7 +22,7 @@ NOBODY = 65534
 
 
 def read_until(output: IO[bytes], text: str, seconds: float) -> str:
-    """What a program prints up to that text, as soon as it is there."""
+    """Reads a program's output up to that text, as soon as it is there."""
     deadline = time.monotonic() + seconds
     heard = ""
     while text not in heard:

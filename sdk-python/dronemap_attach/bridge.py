@@ -11,7 +11,7 @@ OWN_COMPONENT = 191
 
 
 class Bridge:
-    """Signs what the tool says, and lets to the tool what the server has signed."""
+    """Signs frames of the tool, and passes to the tool what the server has signed."""
 
     def __init__(self, signing: Signing, system_id: int | None = None, streams: bool = False) -> None:
         """Without `system_id` signs of life are the tool's, as it calls itself.
@@ -23,14 +23,14 @@ class Bridge:
         self._heartbeats = 0
 
     def from_tool(self, datagram: bytes) -> list[bytes]:
-        """What goes to the server."""
+        """Signed frames to the server."""
         frames = split_datagram(datagram)
         if frames and self._system is None:
             self._system = sender(frames[0])[0]
         return [self._signing.sign(as_version_2(frame)) for frame in frames]
 
     def from_server(self, data: bytes) -> list[bytes]:
-        """What goes to the tool, a frame each."""
+        """Verified frames to the tool."""
         frames = self._stream.feed(data) if self._stream else split_datagram(data)
         return [plain for frame in frames if (plain := self._signing.verify(frame)) is not None]
 

@@ -55,7 +55,7 @@ def is_signed(frame: bytes) -> bool:
 
 
 def _length(data: bytearray, at: int) -> int | None:
-    """Of the frame that begins there; None while that cannot be told."""
+    """Length of the frame that begins there; None while that is not known."""
     if len(data) - at < 3:
         return None
     if data[at] == MAGIC_1:
@@ -119,7 +119,7 @@ def split_datagram(data: bytes) -> list[bytes]:
 
 
 def as_version_2(frame: bytes) -> bytes:
-    """As version 2: a frame of version 1 changes its form and says the same."""
+    """Converts a frame to version 2; its meaning stays."""
     if frame[0] == MAGIC_2:
         return frame
     payload = frame[HEADER_1:-CHECKSUM].rstrip(b"\0") or frame[HEADER_1 : HEADER_1 + 1]

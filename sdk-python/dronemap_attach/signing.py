@@ -21,7 +21,7 @@ def wall_ticks() -> int:
 
 
 class Signing:
-    """One passphrase at work: its times only rise, and follow those that were heard."""
+    """Signs and verifies by one passphrase: timestamps only rise, and follow those received."""
 
     def __init__(self, passphrase: str, link_id: int = 1, ticks: Callable[[], int] = wall_ticks) -> None:
         self._key = hashlib.sha256(passphrase.encode()).digest()

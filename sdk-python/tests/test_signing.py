@@ -1,4 +1,4 @@
-"""What is signed and opened, judged by pymavlink's own signing."""
+"""Signing and verifying, compared with pymavlink's own signing."""
 
 import hashlib
 import time
@@ -86,7 +86,7 @@ def test_mavlink_1_messages_are_converted_to_version_2() -> None:
 
 
 def unknown_message(seed: int) -> bytes:
-    """Of a kind that no dialect has."""
+    """A message of a kind that no dialect has."""
     body = bytes((3, 0, 0, 9, 1, 1, 0xF1, 0xF2, 0xF3)) + b"abc"
     return b"\xfd" + body + checksum(body + bytes((seed,))).to_bytes(2, "little")
 

@@ -13,7 +13,7 @@ CONTROLLER = "/services/MAVLinkControllerService"
 
 
 class ApiCaller:
-    """Of one server, with the key of the machine that it runs on."""
+    """Calls one server by REST and SOAP, with the server's local key."""
 
     def __init__(self, server: Server) -> None:
         self._rest = http.client.HTTPConnection("127.0.0.1", server.http_port, timeout=SECONDS)

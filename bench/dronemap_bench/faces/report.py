@@ -1,4 +1,4 @@
-"""What the rounds come to: medians and worst of each version, and the goals that were missed."""
+"""Summarises rounds: medians and worst of each version, and the goals that were missed."""
 
 from collections.abc import Callable
 from statistics import median

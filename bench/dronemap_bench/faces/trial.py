@@ -28,7 +28,7 @@ UNBOUNDED = {
 
 @dataclass(frozen=True)
 class Options:
-    """How much."""
+    """Sizes and durations of one trial."""
 
     rounds: int = 5
     vehicles: int = 1_000

@@ -17,7 +17,7 @@ SYSTEM = 77
 
 
 class AcknowledgingVehicles:
-    """Each says heartbeats from a port of its own, and acknowledges commands as they come. One thread."""
+    """Vehicles that send heartbeats, each from its own port, and acknowledge commands at once. One thread."""
 
     def __init__(self, port: int, count: int) -> None:
         self._waiting = selectors.DefaultSelector()

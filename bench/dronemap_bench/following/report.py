@@ -1,4 +1,4 @@
-"""How far drones were from where they had to be: limits, a table, plots."""
+"""Reports how far drones were from where they had to be: limits, a table, plots."""
 
 import json
 from dataclasses import asdict, dataclass
@@ -61,7 +61,7 @@ def real(rows: list[Row]) -> list[str]:
 
 
 def limits(rows: list[Row]) -> list[tuple[str, float, float]]:
-    """What is asked for, the figure, and the most that it may be."""
+    """Each goal with its figure and the most that it may be."""
     asked: list[tuple[str, float, float]] = []
 
     def mean(walk: str, link: str, noise: str, way: str = FORESEEN) -> Row | None:

@@ -59,7 +59,7 @@ def run(cases: int) -> list[Flight]:
 
 
 def table(flights: list[Flight]) -> str:
-    """How far what was flown is off what was planned, without its sign but for the mean."""
+    """A table of differences between flown and planned, without sign but for the mean."""
     plans = len({flight.seed for flight in flights})
     wind = max(flight.wind for flight in flights)
     fences = max(flight.fences for flight in flights)

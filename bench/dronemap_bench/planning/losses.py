@@ -40,7 +40,7 @@ class Case:
 
     @property
     def gap_percent(self) -> float:
-        """Of the better plan to the long search's, or to itself where that was worse."""
+        """Gap of the better plan to the long search's, or to itself where that was worse."""
         return 100 * (self.better_cost / min(self.long_cost, self.better_cost) - 1)
 
 

@@ -36,7 +36,7 @@ WARM_UP_SECONDS = 4
 
 
 class FieldProjection:
-    """Where an instance lies: its longest tour is so long that drones can fly it."""
+    """Projects an instance to the ground, at a scale at which drones can fly its longest tour."""
 
     def __init__(self, row: Row) -> None:
         places = (*row.problem.depots, *row.problem.waypoints)
@@ -121,7 +121,7 @@ def request_plan(server: Server, body: Json) -> Json:
 
 
 def solve_directly(row: Row, ground: FieldProjection, plan: tuple[float, int], folder: Path) -> float:
-    """When the last drone is back in the plan that the planner finds by itself, in seconds."""
+    """Seconds until the last drone is back, in the plan that the planner finds without the server."""
     places = [("drone", place, GROUND_METRES) for place in row.problem.depots]
     places += [("waypoint", place, GROUND_METRES + HEIGHT_METRES) for place in row.problem.waypoints]
     lines = [f"{what} {ground.text(place)} {height}" for what, place, height in places]
@@ -154,7 +154,7 @@ def request(problem: Problem, ground: FieldProjection, ids: list[str], seconds: 
 
 
 def measure(server: Server, row: Row, seconds: float, seeds: int) -> tuple[float, float]:
-    """When the last drone is back: by the planner alone, and through the server; medians."""
+    """Measures when the last drone is back: by the planner alone, and through the server; medians."""
     ground = FieldProjection(row)
     numbers = range(1, seeds + 1)
     with tempfile.TemporaryDirectory() as folder:

@@ -1,4 +1,4 @@
-"""What can be measured with one word."""
+"""Modes of measurement, each with a name for the command line."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -86,7 +86,7 @@ def _spent(results: list[Result], keys: list[Key]) -> list[str]:
 
 
 def _against(results: list[Result]) -> list[str]:
-    """How often ours is at least as good as each other solver."""
+    """A table of how often ours is at least as good as each other solver."""
     lines = []
     others = sorted(
         {_key(r) for r in results if r.plan.solver != "dronemap"}, key=lambda key: (key[0], key[1])

@@ -29,7 +29,7 @@ class RunError(Exception):
 
 @dataclass(frozen=True)
 class SolverRun:
-    """How to run: CPU seconds in all, for all threads together."""
+    """One run of a solver; CPU seconds are for all threads together."""
 
     solver: str
     seed: int
@@ -41,7 +41,7 @@ class SolverRun:
 
 @dataclass(frozen=True)
 class Result:
-    """What came out, checked; `value` was recomputed from the tours, on the instance as it was read."""
+    """A checked result; `value` was recomputed from the tours, on the instance as it was read."""
 
     instance: str
     aim: str
@@ -59,7 +59,7 @@ class Result:
 
 @dataclass(frozen=True)
 class SolverOutput:
-    """What a solver's process wrote."""
+    """Parsed output of a solver's process."""
 
     about: str
     points: list[tuple[float, float]]

@@ -22,7 +22,7 @@ PATIENCE_SECONDS = 10
 
 
 class UnauthenticatedClients:
-    """All at one port; what they sent counts when the kernel took it."""
+    """Clients at one port that send endless messages; bytes count when the kernel took them."""
 
     def __init__(self, port: int, path: str, opcode: int, many_addresses: bool) -> None:
         """`many_addresses`: each connection comes from another one, so that no address has a history."""

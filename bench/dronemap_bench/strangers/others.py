@@ -1,4 +1,4 @@
-"""Those who have nothing to do with it: viewers of the stream, vehicles on a WebSocket, callers of REST.
+"""Clients that are not part of the attack: viewers of the stream, vehicles on a WebSocket, REST callers.
 
 `python -m dronemap_bench.strangers.others viewers|vehicles|calls …`: says "ready", measures until its input
 ends, and prints its samples as JSON: [when, milliseconds], by the machine's clock, from when each was due.
@@ -46,7 +46,7 @@ def due(start: float, vehicle: int, step: int) -> float:
 
 
 def viewers(port: int, start: float, key: str, over: InputEnd) -> list[Sample]:
-    """How old each new position is when it comes, counted from when the vehicle was due to say it."""
+    """Measures the age of each new position on arrival, from when the vehicle was due to send it."""
     waiting = selectors.DefaultSelector()
     for _ in range(VIEWERS):
         line = wire.connect(port, "/stream", f"Authorization: Bearer {key}")
@@ -77,7 +77,7 @@ def _place(text: bytes) -> tuple[int, int] | None:
 
 
 def vehicles(port: int, start: float, over: InputEnd) -> list[Sample]:
-    """How much later than it should after the last one each heartbeat of the server comes."""
+    """Measures how late each heartbeat of the server comes after the last one."""
     waiting = selectors.DefaultSelector()
     lines = [wire.connect(port, "/") for _ in range(VEHICLES)]
     for vehicle, line in enumerate(lines):
@@ -111,7 +111,7 @@ def vehicles(port: int, start: float, over: InputEnd) -> list[Sample]:
 
 
 def calls(port: int, start: float, key: str, over: InputEnd) -> list[Sample]:
-    """How long after it was due each answer was there."""
+    """Measures how long after it was due each call was answered."""
     samples: list[Sample] = []
     failures: list[str] = []
 

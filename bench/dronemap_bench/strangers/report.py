@@ -1,4 +1,4 @@
-"""What a run of strangers comes to: the rounds' medians and worst, and whether the goals are met."""
+"""Summarises a run with strangers: the rounds' medians and worst, and whether the goals are met."""
 
 from statistics import median
 

@@ -23,7 +23,7 @@ CALM, CONTROL = "calm", "control"
 
 @dataclass(frozen=True)
 class Options:
-    """How long and how much."""
+    """Sizes and durations of one run."""
 
     rounds: int = 5
     warm_up_seconds: float = 20
@@ -37,7 +37,7 @@ class Options:
 
 
 class Program:
-    """A process of `dronemap_bench.strangers`, which speaks by lines and listens to them."""
+    """A process of `dronemap_bench.strangers`, which reads and writes lines."""
 
     def __init__(self, module: str, *arguments: str, niceness: int = 0) -> None:
         self._process = subprocess.Popen(
@@ -91,7 +91,7 @@ class Program:
 
 @dataclass(frozen=True)
 class AttackedPort:
-    """A port, and what strangers say there."""
+    """An attacked port, and the messages that strangers send there."""
 
     name: str
     port: int
