@@ -38,16 +38,16 @@ def _measure(server: Server, robots: int, rate: int, seconds: int) -> Json:
         start = time.monotonic() + LEAD_SECONDS
         sender.send_line(str(int(start * 1e9)))
         time.sleep(max(0.0, start + seconds / WARM_SHARE - time.monotonic()))
-        before, heard = machine.sample(server.pid, server.robot_udp_port), _frames_received(server)
+        before, frames = machine.sample(server.pid, server.robot_udp_port), _frames_received(server)
         early = machine.resident_bytes(server.pid)
         sender.await_line("said")
-        after, heard_after = machine.sample(server.pid, server.robot_udp_port), _frames_received(server)
+        after, frames_after = machine.sample(server.pid, server.robot_udp_port), _frames_received(server)
         late = machine.resident_bytes(server.pid)
         arrived = _count_arrived(server, robots, rate * seconds)
-        heard_before_end = _frames_received(server)
+        frames_at_end = _frames_received(server)
         sender.send_line("all came")
         sender.await_line("beaten")
-        _wait_until(lambda: _frames_received(server) >= heard_before_end + robots)
+        _wait_until(lambda: _frames_received(server) >= frames_at_end + robots)
         counts = _counts(server)
         sender.send_line("end")
         sent = sender.result(END_SECONDS)
@@ -66,7 +66,9 @@ def _measure(server: Server, robots: int, rate: int, seconds: int) -> Json:
         "kernelDrops": after.drops,
         "arrived": arrived,
         "cpuPercentOfOneCore": round(100 * (after.process - before.process) / wall, 1),
-        "cpuMicrosPerMessage": round(1e6 * (after.process - before.process) / max(1, heard_after - heard), 1),
+        "cpuMicrosPerMessage": round(
+            1e6 * (after.process - before.process) / max(1, frames_after - frames), 1
+        ),
         "idleMegabytes": round(idle / 1e6, 1),
         "warmMegabytes": round(early / 1e6, 1),
         "lateMegabytes": round(late / 1e6, 1),

@@ -22,8 +22,10 @@ SMALL = trial.Options(
 
 def test_calls_and_viewers_are_measured() -> None:
     result = trial.measure(SMALL, SERVER_JAR)
-    told = report.summary({report.NOW: [result]})
-    assert all(figure[report.NOW]["median"] > 0 for name, figure in told.items() if "more" not in name), told
+    summary = report.summary({report.NOW: [result]})
+    assert all(figure[report.NOW]["median"] > 0 for name, figure in summary.items() if "more" not in name), (
+        summary
+    )
     assert result["stream"]["fewest"] > 0
     assert result["stream"]["shareOfPositions"] > 0.5
 
@@ -56,9 +58,9 @@ def figures(milliseconds: float) -> Json:
 
 
 def test_median_of_rounds_is_compared_with_goals() -> None:
-    told = report.summary({report.NOW: [figures(1), figures(1.5), figures(99)]})
-    assert told["REST, list of all, p95 ms"][report.NOW] == {"median": 1.5, "least": 1, "most": 99}
-    assert report.missed(told) == []
+    summary = report.summary({report.NOW: [figures(1), figures(1.5), figures(99)]})
+    assert summary["REST, list of all, p95 ms"][report.NOW] == {"median": 1.5, "least": 1, "most": 99}
+    assert report.missed(summary) == []
     missed = report.missed(report.summary({report.NOW: [figures(10)]}))
     assert missed == [
         "command by REST, p95 ms: 10 instead of less than 10.0",
@@ -67,6 +69,6 @@ def test_median_of_rounds_is_compared_with_goals() -> None:
 
 
 def test_table_has_a_column_for_each_version() -> None:
-    told = report.summary({report.NOW: [figures(1)], report.BEFORE: [figures(2)]})
-    text = report.table(told, {"processor": "p", "java": "j", "revision": "r"}, 0.1)
+    summary = report.summary({report.NOW: [figures(1)], report.BEFORE: [figures(2)]})
+    text = report.table(summary, {"processor": "p", "java": "j", "revision": "r"}, 0.1)
     assert "| command by REST, p95 ms | 1 (1 to 1) | 2 (2 to 2) |" in text

@@ -25,22 +25,22 @@ SMALL = trial.Options(
 @pytest.mark.soak
 def test_endless_messages_are_cut_and_other_clients_go_on() -> None:
     result = trial.run(SMALL)
-    told = report.summary(result)
-    assert set(told["ports"]) == {"stream", "robots", "vehicles", trial.CONTROL}
-    for name, port in told["ports"].items():
+    summary = report.summary(result)
+    assert set(summary["ports"]) == {"stream", "robots", "vehicles", trial.CONTROL}
+    for name, port in summary["ports"].items():
         assert port["gigabytes"] > 0, (name, port)
         assert port["connections"] > SMALL.strangers, f"nobody was cut at {name}: {port}"
     assert result["liveVehiclesAtTheEnd"] == VEHICLES
-    assert max(told["ports"]["stream"]["heapMegabytes"]) < max(told["calmHeapMegabytes"]) + 20
-    assert "| vehicles |" in report.table(told, {"processor": "p", "java": "j", "revision": "r"})
+    assert max(summary["ports"]["stream"]["heapMegabytes"]) < max(summary["calmHeapMegabytes"]) + 20
+    assert "| vehicles |" in report.table(summary, {"processor": "p", "java": "j", "revision": "r"})
 
 
 @pytest.mark.soak
 @pytest.mark.parametrize("many_addresses", [True, False], ids=["two gigabytes", "from one address"])
 def test_twenty_strangers_at_each_port_do_not_slow_other_clients(many_addresses: bool) -> None:
     result = trial.run(trial.Options(many_addresses=many_addresses))
-    told = report.summary(result)
-    assert report.missed(told, result, VEHICLES) == [], told
+    summary = report.summary(result)
+    assert report.missed(summary, result, VEHICLES) == [], summary
 
 
 def window(what: str, p99: float, heap: float = 50, gigabytes: float = 3) -> Json:
@@ -80,8 +80,8 @@ def test_missed_goals_are_named(attacked: dict[str, Any], missed: list[str]) -> 
 
 
 def test_vehicle_lost_at_the_end_is_reported() -> None:
-    told = report.summary({"windows": [window(trial.CALM, 10)]})
-    assert report.missed(told, ended(VEHICLES - 1), VEHICLES) == ["9 of 10 vehicles were live at the end"]
+    summary = report.summary({"windows": [window(trial.CALM, 10)]})
+    assert report.missed(summary, ended(VEHICLES - 1), VEHICLES) == ["9 of 10 vehicles were live at the end"]
 
 
 @pytest.mark.parametrize("length", [0, 125, 126, 65_535, 65_536])
@@ -92,10 +92,10 @@ def test_websocket_frames_are_read_in_any_fragmentation(length: int) -> None:
         masked = wire.frame(wire.BINARY, b"x" * length)
         head = len(masked) - length - 4
         # A server masks nothing.
-        said = masked[:1] + bytes([masked[1] & 0x7F]) + masked[2:head] + masked[head + 4 :]
-        here.sendall(said[:1])
+        unmasked = masked[:1] + bytes([masked[1] & 0x7F]) + masked[2:head] + masked[head + 4 :]
+        here.sendall(unmasked[:1])
         assert list(reader.frames()) == []
-        here.sendall(said[1:])
+        here.sendall(unmasked[1:])
         found: list[bytes] = []
         while not found:
             found += reader.frames()

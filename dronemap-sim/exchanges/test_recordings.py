@@ -70,8 +70,8 @@ class TranscriptTest(unittest.TestCase):
         self.transcript.sent(mavlink.MAVLink_param_set_message(1, 1, b"FS_GCS_ENABLE", 1, 9))
         for name in (b"STAT_RUNTIME", b"FS_GCS_ENABLE"):
             self.transcript.received(mavlink.MAVLink_param_value_message(name, 1, 9, 1, 0))
-        heard = [line["param_id"] for line in self.saved() if line["dir"] == "from"]
-        self.assertEqual(["FS_GCS_ENABLE"], heard)
+        received = [line["param_id"] for line in self.saved() if line["dir"] == "from"]
+        self.assertEqual(["FS_GCS_ENABLE"], received)
 
 
 class RecordingsTest(unittest.TestCase):

@@ -101,14 +101,14 @@ class VehicleLink:
     def pump(self) -> list[Any]:
         """Send a heartbeat if one is due, wait a moment, return what was heard."""
         self._send_heartbeat()
-        heard = []
+        received = []
         message = self._connection.recv_match(blocking=True, timeout=RECEIVE_TIMEOUT_SECONDS)
         while message is not None:
             if message.get_type() != "BAD_DATA":
                 self._receive(message)
-                heard.append(message)
+                received.append(message)
             message = self._connection.recv_match(blocking=False)
-        return heard
+        return received
 
     def pump_for(self, seconds: float) -> None:
         """Only watch for so long."""

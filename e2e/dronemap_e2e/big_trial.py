@@ -260,11 +260,11 @@ class BigTrialRunner:
 
     def tracks(self, trial: Trial) -> dict[int, Track]:
         """Tracks by the vehicles' own reports, before anything was lost; who fell counts no longer."""
-        heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
+        recorded = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
         fell = next((fault for fault in trial.faults if fault.kind == "motor"), None)
         tracks = {}
         for system_id in self.ids.values():
-            own = [one for one in heard if one.message.get_srcSystem() == system_id]
+            own = [one for one in recorded if one.message.get_srcSystem() == system_id]
             ends = math.inf
             if fell is not None and fell.system_id == system_id:
                 ends = max(boot_seconds(one) for one in own if one.at <= fell.at)
@@ -273,8 +273,8 @@ class BigTrialRunner:
 
     def boot_seconds(self, moment: float) -> float:
         """Time of the vehicles' common clock at a moment of ours."""
-        heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
-        return max((boot_seconds(one) for one in heard if one.at <= moment), default=math.inf)
+        recorded = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
+        return max((boot_seconds(one) for one in recorded if one.at <= moment), default=math.inf)
 
     def acknowledged_missions(self, trial: Trial) -> list[tuple[float, int, set[str]]]:
         """Each mission that a vehicle acknowledged: when, who, and which waypoints are in it."""
@@ -306,13 +306,13 @@ def _leads_to(trial: Trial, items: object, spot: Spot) -> bool:
     return False
 
 
-def boot_seconds(heard: RecordedMessage) -> float:
-    seconds: float = heard.message.time_boot_ms / 1000
+def boot_seconds(recorded: RecordedMessage) -> float:
+    seconds: float = recorded.message.time_boot_ms / 1000
     return seconds
 
 
-def fix(origin: Json, heard: RecordedMessage) -> Fix:
-    said = heard.message
-    east, north = local(origin, said.lat / 1e7, said.lon / 1e7)
-    up = said.alt / 1e3 - origin["altitudeAmsl"]
-    return Fix(boot_seconds(heard), east, north, up, said.relative_alt / 1e3)
+def fix(origin: Json, recorded: RecordedMessage) -> Fix:
+    message = recorded.message
+    east, north = local(origin, message.lat / 1e7, message.lon / 1e7)
+    up = message.alt / 1e3 - origin["altitudeAmsl"]
+    return Fix(boot_seconds(recorded), east, north, up, message.relative_alt / 1e3)

@@ -172,13 +172,13 @@ def _steered_after_loss(case: LossCase, log: Log, happened: LossRecord) -> list[
     return [f"{late[0].at - happened.lost_at:.1f} s later it was steered on: {late[0]}"] if late else []
 
 
-def steers(said: TimedMessage) -> bool:
-    message = said.message
-    if said.kind.startswith("SET_POSITION_TARGET"):
+def steers(timed: TimedMessage) -> bool:
+    message = timed.message
+    if timed.kind.startswith("SET_POSITION_TARGET"):
         return any(abs(each) > 0.01 for each in (message.vx, message.vy, message.vz))
-    if said.kind == "MANUAL_CONTROL":
+    if timed.kind == "MANUAL_CONTROL":
         return bool(message.x or message.y or message.r)
-    return said.kind == "COMMAND_INT" and message.command == mavlink.MAV_CMD_DO_REPOSITION
+    return timed.kind == "COMMAND_INT" and message.command == mavlink.MAV_CMD_DO_REPOSITION
 
 
 def _faults_beside_pilot(log: Log, happened: LossRecord) -> tuple[list[str], str]:
@@ -232,10 +232,10 @@ def pilot_visible_at(log: Log, happened: LossRecord) -> float | None:
     return None
 
 
-def is_allowed_beside_pilot(said: TimedMessage) -> bool:
-    if said.kind in ("COMMAND_LONG", "COMMAND_INT"):
-        return said.message.command in READS
-    return said.kind in ALLOWED_BESIDE_PILOT
+def is_allowed_beside_pilot(timed: TimedMessage) -> bool:
+    if timed.kind in ("COMMAND_LONG", "COMMAND_INT"):
+        return timed.message.command in READS
+    return timed.kind in ALLOWED_BESIDE_PILOT
 
 
 def _expired_targets_sent(log: Log, happened: LossRecord) -> list[str]:
@@ -250,12 +250,12 @@ def _expired_targets_sent(log: Log, happened: LossRecord) -> list[str]:
     ]
 
 
-def target(said: TimedMessage) -> tuple[int, int] | None:
-    message = said.message
-    if said.kind == "COMMAND_INT":
+def target(timed: TimedMessage) -> tuple[int, int] | None:
+    message = timed.message
+    if timed.kind == "COMMAND_INT":
         return message.x, message.y
-    if said.kind == "SET_POSITION_TARGET_GLOBAL_INT":
+    if timed.kind == "SET_POSITION_TARGET_GLOBAL_INT":
         return message.lat_int, message.lon_int
-    if said.kind == "COMMAND_LONG":
+    if timed.kind == "COMMAND_LONG":
         return round(message.param5 * 1e7), round(message.param6 * 1e7)
     return None

@@ -53,10 +53,10 @@ class Copter:
 
     def messages_received(self) -> list[str]:
         """Messages to the vehicle, without those that the cloud sends by itself."""
-        said = [h.message for h in self.recorder.messages(up=False)]
+        messages = [h.message for h in self.recorder.messages(up=False)]
         return [
             f"{m.get_type()} {getattr(m, 'command', '')}".strip()
-            for m in said
+            for m in messages
             if m.get_type() not in OWN_MESSAGES
             and not (m.get_type() in ("COMMAND_LONG", "COMMAND_INT") and m.command in OWN_COMMANDS)
         ]

@@ -156,17 +156,17 @@ class Log:
     def states(self) -> list[State]:
         found: list[State] = []
         mode, armed, height, speed = -1, False, 0.0, 0.0
-        for said in self.up:
-            message = said.message
-            if said.kind == "HEARTBEAT":
+        for timed in self.up:
+            message = timed.message
+            if timed.kind == "HEARTBEAT":
                 mode, armed = message.custom_mode, bool(message.base_mode & ARMED)
-            elif said.kind == "GLOBAL_POSITION_INT":
+            elif timed.kind == "GLOBAL_POSITION_INT":
                 height = message.relative_alt / 1000
                 speed = (message.vx**2 + message.vy**2 + message.vz**2) ** 0.5 / 100
             else:
                 continue
             if mode >= 0:
-                found.append(State(said.at, mode, armed, height, speed))
+                found.append(State(timed.at, mode, armed, height, speed))
         return found
 
     @cached_property

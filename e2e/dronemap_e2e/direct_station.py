@@ -36,10 +36,14 @@ class DirectStation:
         count = -1
         self._mavlink.param_request_list_send(self._vehicle, 1)
         for _ in range(TRIES):
-            while (heard := self._next("PARAM_VALUE")) is not None:
-                if heard.param_index < heard.param_count:
-                    count = heard.param_count
-                    found[heard.param_index] = (heard.param_id, heard.param_value, heard.param_type)
+            while (received := self._next("PARAM_VALUE")) is not None:
+                if received.param_index < received.param_count:
+                    count = received.param_count
+                    found[received.param_index] = (
+                        received.param_id,
+                        received.param_value,
+                        received.param_type,
+                    )
                 if len(found) == count:
                     return {name: (value, kind) for name, value, kind in found.values()}
             for index in set(range(max(0, count))) - set(found):
@@ -56,14 +60,14 @@ class DirectStation:
 
     def home(self) -> tuple[int, int, int]:
         """Latitude and longitude in degrees times 1e7, altitude in millimetres above sea level."""
-        told = self._ask(
+        home = self._ask(
             lambda: self._mavlink.command_long_send(
                 self._vehicle, 1, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, 242, 0, 0, 0, 0, 0, 0
             ),
             lambda m: m.get_type() == "HOME_POSITION",
             addressed=False,
         )
-        return told.latitude, told.longitude, told.altitude
+        return home.latitude, home.longitude, home.altitude
 
     def _item(self, seq: int, kind: int) -> Any:
         return self._ask(
@@ -77,11 +81,11 @@ class DirectStation:
             question()
             until = time.monotonic() + PATIENCE
             while time.monotonic() < until:
-                heard = self._next()
-                if heard is None or not is_answer(heard):
+                received = self._next()
+                if received is None or not is_answer(received):
                     continue
-                if not addressed or heard.target_system in (0, SYSTEM):
-                    return heard
+                if not addressed or received.target_system in (0, SYSTEM):
+                    return received
         raise AssertionError("the vehicle does not answer the station that is plugged into it")
 
     def _forget(self) -> None:

@@ -255,14 +255,14 @@ class FollowTrial:
         until: Callable[[], bool] | None = None,
     ) -> None:
         """Lets them go and say where they are, for so long or until that is so."""
-        said = [time.monotonic() - self.random.random() for _ in phones]
+        last_sent = [time.monotonic() - self.random.random() for _ in phones]
         looked = 0.0
         for _ in rounds(time.monotonic() + seconds, STEP_SECONDS):
             for number, phone in enumerate(phones):
                 now = time.monotonic()
                 phone.move(STEP_SECONDS)
-                if now - said[number] >= 1:
-                    said[number] += 1
+                if now - last_sent[number] >= 1:
+                    last_sent[number] += 1
                     phone.send_position(origin, now, DELAYED)
                 for message in phone.arrived(now):
                     answer = self.api.call("POST", f"/follows/{phone.follow}/positions", message)

@@ -100,31 +100,31 @@ class ReportedState:
 
     def take_off_commanded(self, one: FollowedPhone) -> bool:
         return any(
-            heard.message.command == TAKE_OFF and heard.message.target_system == one.system_id
-            for heard in self._recorder.messages("COMMAND_LONG", "COMMAND_INT", up=False)
+            recorded.message.command == TAKE_OFF and recorded.message.target_system == one.system_id
+            for recorded in self._recorder.messages("COMMAND_LONG", "COMMAND_INT", up=False)
         )
 
     def height(self, one: FollowedPhone) -> float:
         return float(self._last("GLOBAL_POSITION_INT", one).message.relative_alt) / 1000
 
     def metres_to(self, one: FollowedPhone, there: Point) -> float:
-        said = self._last("GLOBAL_POSITION_INT", one).message
-        return there.metres_to(said.lat / 1e7, said.lon / 1e7)
+        message = self._last("GLOBAL_POSITION_INT", one).message
+        return there.metres_to(message.lat / 1e7, message.lon / 1e7)
 
     def distance_moved(self, one: FollowedPhone, since: float) -> float:
         """Metres from where it was at that moment (monotonic s), at most."""
         track = [h.message for h in self._of("GLOBAL_POSITION_INT", one) if h.at >= since]
         first = Point(track[0].lat / 1e7, track[0].lon / 1e7, 0)
-        return max(first.metres_to(said.lat / 1e7, said.lon / 1e7) for said in track)
+        return max(first.metres_to(message.lat / 1e7, message.lon / 1e7) for message in track)
 
     def _last(self, kind: str, one: FollowedPhone) -> RecordedMessage:
         return self._of(kind, one)[-1]
 
     def _of(self, kind: str, one: FollowedPhone) -> list[RecordedMessage]:
         return [
-            heard
-            for heard in self._recorder.messages(kind, up=True)
-            if heard.message.get_srcSystem() == one.system_id and heard.message.get_srcComponent() == 1
+            recorded
+            for recorded in self._recorder.messages(kind, up=True)
+            if recorded.message.get_srcSystem() == one.system_id and recorded.message.get_srcComponent() == 1
         ]
 
 
@@ -155,16 +155,16 @@ class FollowGroup:
 
     def unattended(self, api: Api) -> list[str]:
         """Drones that nobody has, and that neither go home nor stand on the ground nor are waited for."""
-        told = self.follows_by_id(api)
+        follows = self.follows_by_id(api)
         drones = {drone["id"]: drone for drone in api.drones()}
         return [
-            f"{one.system_id}: {told[one.follow]['state']}, {drones[one.drone['id']]['control']}"
+            f"{one.system_id}: {follows[one.follow]['state']}, {drones[one.drone['id']]['control']}"
             for one in self.phones
             if drones[one.drone["id"]]["control"]["state"] == "free"
             and not one.piloted
             and self.reported.armed(one)
             and self.reported.mode(one) not in HOMEWARD
-            and not (told[one.follow]["note"] or "").startswith("Nobody has")
+            and not (follows[one.follow]["note"] or "").startswith("Nobody has")
         ]
 
 

@@ -160,7 +160,7 @@ class Racer:
     seed: int
     allowed: dict[Move, int] = field(default_factory=dict)
     refused: set[Move] = field(default_factory=set)
-    taken: list[tuple[float, int]] = field(default_factory=list)
+    taken_over: list[tuple[float, int]] = field(default_factory=list)
     quiet_every: int = 8
     quiet: QuietPeriod = field(default_factory=QuietPeriod)
     prefix: str = field(default_factory=lambda: secrets.token_hex(4))
@@ -183,8 +183,8 @@ class Racer:
     def _take_over(self) -> None:
         epoch = self.client.take_over()
         if epoch is not None:
-            self.taken.append((time.time(), epoch))
-        if len(self.taken) % self.quiet_every == 1:
+            self.taken_over.append((time.time(), epoch))
+        if len(self.taken_over) % self.quiet_every == 1:
             self.quiet.until = time.monotonic() + QUIET_SECONDS
             self.quiet.wait()
 
@@ -239,7 +239,7 @@ def check_epochs(moves: list[ReceivedMove], racers: list[Racer]) -> int:
     holders: dict[int, str] = {}
     newest = 0
     changes = 0
-    taken = sorted(each for racer in racers for each in racer.taken)
+    taken_over = sorted(each for racer in racers for each in racer.taken_over)
     for seen in moves:
         move = seen.move
         racer = racers[move.number % len(racers)]
@@ -247,8 +247,11 @@ def check_epochs(moves: list[ReceivedMove], racers: list[Racer]) -> int:
         assert move in racer.allowed, f"nobody was allowed to send {move}"
         epoch = racer.allowed[move]
         assert epoch >= newest, f"{move} of epoch {epoch} was sent after epoch {newest}"
-        told = max((later for at, later in taken[: bisect.bisect_left(taken, (seen.at, 0))][-5:]), default=0)
-        assert epoch >= told, f"{move} of epoch {epoch} was sent after epoch {told} was given"
+        given = max(
+            (later for at, later in taken_over[: bisect.bisect_left(taken_over, (seen.at, 0))][-5:]),
+            default=0,
+        )
+        assert epoch >= given, f"{move} of epoch {epoch} was sent after epoch {given} was given"
         changes += epoch > newest > 0
         newest = epoch
         assert holders.setdefault(epoch, racer.name) == racer.name, f"epoch {epoch} has two holders"

@@ -142,15 +142,15 @@ class ReliefTrial:
         assert self.api.call("POST", f"/follows/{phone.follow}/start").ok
 
     def _send_positions(self, origin: Json, seconds: float, until: Callable[[], bool] | None = None) -> None:
-        said = [time.monotonic() - self.random.random() for _ in self.phones]
+        last_sent = [time.monotonic() - self.random.random() for _ in self.phones]
         looked = 0.0
         moved = time.monotonic()
         for _ in rounds(time.monotonic() + seconds, STEP_SECONDS):
             now = time.monotonic()
             for number, phone in enumerate(self.phones):
                 phone.move(now - moved)
-                if now - said[number] >= 1:
-                    said[number] += 1
+                if now - last_sent[number] >= 1:
+                    last_sent[number] += 1
                     phone.send_position(origin, now, UNIMPAIRED)
                 for message in phone.arrived(now):
                     answer = self.api.call("POST", f"/follows/{phone.follow}/positions", message)

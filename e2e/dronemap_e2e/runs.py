@@ -54,10 +54,12 @@ def tracks(
     """Tracks from that report on, by the drones' own reports, also while no server listened."""
     flown: dict[str, Track] = {drone["id"]: [] for drone in drones}
     of_system = {first_system_id + n: drone["id"] for n, drone in enumerate(drones)}
-    for heard in recorder.messages("GLOBAL_POSITION_INT", up=True)[begin:]:
-        said = heard.message
-        if said.get_srcSystem() in of_system:
-            flown[of_system[said.get_srcSystem()]].append((said.lat / 1e7, said.lon / 1e7, said.alt / 1e3))
+    for recorded in recorder.messages("GLOBAL_POSITION_INT", up=True)[begin:]:
+        message = recorded.message
+        if message.get_srcSystem() in of_system:
+            flown[of_system[message.get_srcSystem()]].append(
+                (message.lat / 1e7, message.lon / 1e7, message.alt / 1e3)
+            )
     return flown
 
 

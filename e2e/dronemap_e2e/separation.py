@@ -34,14 +34,14 @@ class Nearest:
 def fixes(log: Log, since: float) -> list[Fix]:
     return [
         Fix(
-            said.at,
-            said.message.lat / 1e7,
-            said.message.lon / 1e7,
-            said.message.alt / 1000,
-            said.message.relative_alt / 1000,
+            timed.at,
+            timed.message.lat / 1e7,
+            timed.message.lon / 1e7,
+            timed.message.alt / 1000,
+            timed.message.relative_alt / 1000,
         )
-        for said in log.up
-        if said.kind == "GLOBAL_POSITION_INT" and said.at >= since
+        for timed in log.up
+        if timed.kind == "GLOBAL_POSITION_INT" and timed.at >= since
     ]
 
 

@@ -100,12 +100,12 @@ class Walker:
         """Text of one line of the page, once it has these words."""
         line = self.page.get_by_role("listitem").filter(has_text=words[0])
 
-        def said() -> str | None:
+        def read() -> str | None:
             self.step()
             text = line.inner_text() if line.is_visible() else ""
             return text if all(one in text for one in words) else None
 
         try:
-            return wait_for(f"the page says {words[0]}", said, seconds)
+            return wait_for(f"the page says {words[0]}", read, seconds)
         except AssertionError as missing:
             raise AssertionError(f"{missing}; it says: {self.page.inner_text('body')}") from missing

@@ -60,8 +60,10 @@ def write(exchanges: list[Exchange], folder: Path, known: dict[str, str]) -> Non
         head = "".join(f"{name}: {value}\n" for name, value in one.request_headers.items())
         request = names.with_names(f"{one.client}\n{one.method} {one.path}\n{head}\n{one.body}")
         names.keep_request_values(request)
-        told = "".join(f"{name}: {value}\n" for name, value in one.response_headers.items())
-        answer = f"{one.status} {one.content_type}\n{told}\n{readable(one.answer, one.content_type)}"
+        response_headers = "".join(f"{name}: {value}\n" for name, value in one.response_headers.items())
+        answer = (
+            f"{one.status} {one.content_type}\n{response_headers}\n{readable(one.answer, one.content_type)}"
+        )
         names.name_values(answer)
         words = re.sub(
             r"[^A-Za-z0-9]+", "-", names.with_names(one.path.split("?")[0]).removeprefix("/api/v1/")

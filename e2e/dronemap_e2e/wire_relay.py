@@ -75,7 +75,9 @@ class ReliefTrial:
             request_headers = {
                 name: client.headers[name] for name in REQUEST_HEADERS if name in client.headers
             }
-            told = {name: answer.headers[name] for name in RESPONSE_HEADERS if name in answer.headers}
+            response_headers = {
+                name: answer.headers[name] for name in RESPONSE_HEADERS if name in answer.headers
+            }
             self.exchanges[number] = Exchange(
                 self.exchanges[number].client,
                 client.command,
@@ -84,7 +86,7 @@ class ReliefTrial:
                 body.decode(),
                 answer.status,
                 answer.headers.get("Content-Type", ""),
-                told,
+                response_headers,
                 content.decode(errors="replace"),
             )
         client.send_response(answer.status)

@@ -54,8 +54,8 @@ REASONS = ("End to end because ", "Of the judge alone: ")
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
-        said = getattr(item, "function", None).__doc__ or ""
-        if not any(reason in said for reason in REASONS) and item.get_closest_marker("soak") is None:
+        docstring = getattr(item, "function", None).__doc__ or ""
+        if not any(reason in docstring for reason in REASONS) and item.get_closest_marker("soak") is None:
             raise pytest.UsageError(
                 f"{item.nodeid} says not why it is an end-to-end test: say in its docstring "
                 f'"{REASONS[0]}…", or fly it in the laboratory (docs/how-to-add/flight.md)'

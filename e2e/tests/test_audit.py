@@ -30,8 +30,8 @@ def test_every_interface_leaves_one_audit_record_covered_by_receipt(
 
     records = wait_for("all have ended", lambda: _ended(api, drone), 60)
 
-    told = [(one["face"], one["operation"], one["outcome"] == "refused") for one in reversed(records)]
-    assert told[:4] == [
+    recorded = [(one["face"], one["operation"], one["outcome"] == "refused") for one in reversed(records)]
+    assert recorded[:4] == [
         ("rest", "POST /api/v1/drones/{id}/commands", True),
         ("rest", "readHome", False),
         ("soap", "takePicture", False),

@@ -64,7 +64,7 @@ def judged(runner: BigTrialRunner, trial: Trial) -> dict[str, float]:
     least = nearest(tracks)
     twice = doubles(found)
     seconds = {f.kind: wait_until_on_board(runner, trial, f) for f in trial.faults}
-    said = {
+    summary = {
         "seed": trial.seed,
         "onCloudLoss": trial.on_cloud_loss,
         "order": [fault.kind for fault in trial.faults],
@@ -77,13 +77,13 @@ def judged(runner: BigTrialRunner, trial: Trial) -> dict[str, float]:
         "dead": round(trial.dead[1] - trial.dead[0], 1),
         "minutes": round(max(f.fixes[-1].seconds for f in tracks.values()) / 60, 1),
     }
-    (runner.folder / "trial.json").write_text(json.dumps(said))
-    print("TRIAL", json.dumps(said))
+    (runner.folder / "trial.json").write_text(json.dumps(summary))
+    print("TRIAL", json.dumps(summary))
     words = "\n".join(one["words"] for one in trial.over["explanations"])
-    check_visits(trial, found, f"{said}\n{words}")
-    check_doubles(runner, trial, twice, f"{said}\n{words}")
+    check_visits(trial, found, f"{summary}\n{words}")
+    check_doubles(runner, trial, twice, f"{summary}\n{words}")
     assert not crossings(tracks, trial.discs), (crossings(tracks, trial.discs), words)
-    assert least is None or least.metres >= LEAST_METRES, f"{least}\n{said}\n{words}"
+    assert least is None or least.metres >= LEAST_METRES, f"{least}\n{summary}\n{words}"
     assert trial.replay["same"], trial.replay
     return seconds
 
@@ -145,7 +145,7 @@ def taken_from(trial: Trial, fault: Fault) -> list[str]:
     """By the first plan after the fault, as it was told."""
     for one in sorted(trial.explanations.values(), key=lambda one: seconds_of(one["at"])):
         taken = [moved["waypoint"] for moved in one["moved"] if moved["from"] == fault.drone]
-        told = TOLD[fault.kind].format(fault.system_id) in one["words"]
-        if taken and told and seconds_of(one["at"]) > fault.moment:
+        explained = TOLD[fault.kind].format(fault.system_id) in one["words"]
+        if taken and explained and seconds_of(one["at"]) > fault.moment:
             return taken
     return []

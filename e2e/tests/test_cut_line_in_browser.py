@@ -101,9 +101,9 @@ def test_page_reports_cut_connection_within_three_seconds(
     os.kill(killable_server.pid, signal.SIGSTOP)
     try:
         expect(page.get_by_role("alert").filter(has_text="No connection to the cloud for")).to_be_visible()
-        told = page.evaluate("window.told")
-        assert told["after"] <= TOLD_MILLISECONDS, told
-        assert re.search(r"for [23] s", told["words"]), "the age is counted from the last word of the cloud"
+        notice = page.evaluate("window.told")
+        assert notice["after"] <= TOLD_MILLISECONDS, notice
+        assert re.search(r"for [23] s", notice["words"]), "the age is counted from the last word of the cloud"
         expect(page.get_by_text("Connected")).to_have_count(0)
         expect(page.get_by_text(re.compile("these are the last values, .* ago"))).to_be_visible()
         expect(page.get_by_text(re.compile("^No line · .* ago")).first).to_be_visible()

@@ -47,10 +47,10 @@ class WirePositions:
 
     def __init__(self, wire: VehicleMessages) -> None:
         offset = time.time() - time.monotonic()
-        heard = wire.messages("GLOBAL_POSITION_INT", up=True)
-        self._times = [h.at + offset for h in heard]
+        recorded = wire.messages("GLOBAL_POSITION_INT", up=True)
+        self._times = [h.at + offset for h in recorded]
         self._places = [
-            (h.message.lat / 1e7, h.message.lon / 1e7, h.message.relative_alt / 1e3) for h in heard
+            (h.message.lat / 1e7, h.message.lon / 1e7, h.message.relative_alt / 1e3) for h in recorded
         ]
 
     def check(self, places: list[tuple[float, ...]]) -> None:

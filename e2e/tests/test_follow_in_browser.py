@@ -177,17 +177,17 @@ def closed_and_opened(machine: Machine, walker: Walker) -> None:
         note: str = seen()["note"] or ""
         return note if note.startswith("The phone") else None
 
-    heard = 0
+    times_received = 0
 
-    def speaks() -> bool:
+    def is_received() -> bool:
         """A page that the cloud does not hear yet again is cut off when it is closed; and what it said by its
         connection of before counts for 2.5 s."""
-        nonlocal heard
+        nonlocal times_received
         walker.step()
-        heard = heard + 1 if seen()["now"]["reach"] == "speaks" else 0
-        return heard > STEADY / 0.1
+        times_received = times_received + 1 if seen()["now"]["reach"] == "speaks" else 0
+        return times_received > STEADY / 0.1
 
-    wait_for("the cloud hears the page", speaks, 30)
+    wait_for("the cloud hears the page", is_received, 30)
     walker.page.close()
     note = wait_for("the cloud knows that the page is closed", missed, 20)
     assert note.startswith("The phone's page was closed")

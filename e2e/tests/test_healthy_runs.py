@@ -113,8 +113,8 @@ def test_no_drone_is_given_up_for_gusts_heartbeat_gaps_or_losses(field: Field) -
         gaps = [sum(at > since for at in field.gaps.gaps.get(system_id, [])) for system_id in three]
         (field.folder / f"run-{three[0]}.json").write_text(json.dumps(over, indent=1))
         assert all(gaps), f"no gap between heartbeats: {gaps}"
-        told = [one["words"] for one in over["explanations"] if one["trigger"] in DOUBTS]
-        if told or set(stages(over).values()) != {"landed"} or over["counts"]["visited"] != WAYPOINTS:
-            wrong.append((run, stages(over), over["counts"], told))
+        doubts = [one["words"] for one in over["explanations"] if one["trigger"] in DOUBTS]
+        if doubts or set(stages(over).values()) != {"landed"} or over["counts"]["visited"] != WAYPOINTS:
+            wrong.append((run, stages(over), over["counts"], doubts))
     assert field.link.lost > field.link.forwarded / 20
     assert not wrong, "\n".join(map(str, wrong))

@@ -20,11 +20,11 @@ SERVER = mavlink.MAVLink(None, srcSystem=255)
 
 
 def reported(at: float, mode: int, speed: float = 0.0, armed: bool = True) -> list[Datagram]:
-    said = [
+    datagrams = [
         mavlink.MAVLink_heartbeat_message(2, 3, 1 | (128 if armed else 0), mode, 4, 3),
         mavlink.MAVLink_global_position_int_message(0, 0, 0, 0, 10_000, int(speed * 100), 0, 0, 0),
     ]
-    return [Datagram(at, True, 7, bytes(one.pack(VEHICLE)), False) for one in said]
+    return [Datagram(at, True, 7, bytes(one.pack(VEHICLE)), False) for one in datagrams]
 
 
 def sent(at: float, message: Any) -> Datagram:
@@ -46,8 +46,8 @@ def flight(*parts: tuple[int, int, int, float]) -> list[Datagram]:
     return [*states, *reported(parts[-1][1], parts[-1][2], armed=False)]
 
 
-def faults(case: LossCase, said: Iterable[Datagram], **happened: Any) -> str:
-    ordered = sorted(said, key=lambda one: one.at)
+def faults(case: LossCase, datagrams: Iterable[Datagram], **happened: Any) -> str:
+    ordered = sorted(datagrams, key=lambda one: one.at)
     return "; ".join(judge(case, Log(ordered), LossRecord(LEFT, **happened), LIMITS).faults)
 
 

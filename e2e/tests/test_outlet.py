@@ -56,12 +56,12 @@ def wait_for_both_heartbeats(
     writer.signing.timestamp = now_ticks()
     client.send(bytes(writer.heartbeat_encode(6, 8, 0, 0, 4).pack(writer)))
     reader = mavlink.MAVLink(None)
-    heard: set[int] = set()
+    system_ids: set[int] = set()
 
     def both() -> bool:
         frames = reader.parse_buffer(client.receive()) or []
-        heard.update(m.get_srcSystem() for m in frames if m.get_type() == "HEARTBEAT")
-        return len(heard - {254, 255}) >= len(same_id_copters)
+        system_ids.update(m.get_srcSystem() for m in frames if m.get_type() == "HEARTBEAT")
+        return len(system_ids - {254, 255}) >= len(same_id_copters)
 
     wait_for("both are heard", both, 20, 0.001)
     client.close()

@@ -112,7 +112,7 @@ def test_unsigned_client_at_personal_port_is_read_only(api: Api, copters: list[C
         wait_for("a second one is counted", lambda: pilot.api.get("/outlet")["ports"][0]["refused"] >= 3)
         assert grounds[1].all_messages == []
 
-        told = [copter.messages_received() for copter in copters]
+        received = [copter.messages_received() for copter in copters]
         for number in numbers:
             first.send_fields("set_mode", number, 1, 4)
             first.send_fields("param_set", number, 1, b"RTL_ALT", 900.0, mavlink.MAV_PARAM_TYPE_REAL32)
@@ -132,7 +132,7 @@ def test_unsigned_client_at_personal_port_is_read_only(api: Api, copters: list[C
             first.send_fields("mission_request_int", number, 1, 0)
             home = wait_for("home is item 0", partial(first.messages, "MISSION_ITEM_INT", number))
             assert (home[0].seq, home[0].frame) == (0, 0)
-        assert [copter.messages_received() for copter in copters] == told
+        assert [copter.messages_received() for copter in copters] == received
 
         assert pilot.api.call("DELETE", own).status_code == 204
         wait_for("it is closed", lambda: not pilot.api.get("/outlet")["ports"])

@@ -113,20 +113,20 @@ class PhoneTrial:
 
     def check_drone_stood(self, since: float) -> None:
         """From then on, as the vehicle itself said."""
-        heard = self.recorder.messages("GLOBAL_POSITION_INT", up=True, since=since + STANDS_AFTER)
-        places = [Point(h.message.lat / 1e7, h.message.lon / 1e7, 0) for h in heard]
+        recorded = self.recorder.messages("GLOBAL_POSITION_INT", up=True, since=since + STANDS_AFTER)
+        places = [Point(h.message.lat / 1e7, h.message.lon / 1e7, 0) for h in recorded]
         assert len(places) > 10
         strayed = max(places[0].metres_to(one.latitude, one.longitude) for one in places)
-        print(f"it strayed {strayed:.2f} m in {heard[-1].at - heard[0].at:.0f} s")
+        print(f"it strayed {strayed:.2f} m in {recorded[-1].at - recorded[0].at:.0f} s")
         assert strayed < STANDS_WITHIN
 
     def check_following_again(self, words: str, name: str) -> None:
         """The page says what was, and the drone comes along again."""
         page = self.walker.page
-        said = self.walker.reads(words, "Now it follows you again.", seconds=BACK_SECONDS)
+        line = self.walker.reads(words, "Now it follows you again.", seconds=BACK_SECONDS)
         picture(page, name)
-        print(" ".join(said.split()))
-        assert re.search(r"stood and waited for \d+ s", said), said
+        print(" ".join(line.split()))
+        assert re.search(r"stood and waited for \d+ s", line), line
         expect(page.get_by_role("heading", name="Following you")).to_be_visible()
         assert self.seen()["state"] == "tracking"
         begun = self.walker.north
@@ -222,12 +222,12 @@ def test_drone_holds_while_phone_is_away_and_follows_again(trial: PhoneTrial, ne
 
     # A phone that is cut off may look asleep for a moment: what was said last before it was back counts.
     # A page also stands still by itself while it opens on a slow machine.
-    told = trial.seen()["told"]
+    messages = trial.seen()["told"]
     known = (SLEEPS, CUT_OFF, CLOSED, AGAIN)
-    reasons = [each for one in told for each in known if one["words"].startswith(each)]
+    reasons = [each for one in messages for each in known if one["words"].startswith(each)]
     pairs = zip(reasons, reasons[1:], strict=False)
     ended = [before for before, after in pairs if after == AGAIN and before != AGAIN]
     others = [reason for reason in ended if reason != SLEEPS]
     assert SLEEPS in ended[: ended.index(CUT_OFF)] and others == [CUT_OFF, CLOSED], "\n".join(
-        f"{one['at']} {one['words']}" for one in told
+        f"{one['at']} {one['words']}" for one in messages
     )

@@ -137,9 +137,9 @@ def speed(api: Api, drone: str) -> float:
 
 
 def succeeded(api: Api, drone: str, kind: str) -> bool:
-    """True when the drone's newest command of that kind has succeeded."""
-    told = api.get(f"/drones/{drone}/commands")["commands"]
-    return any(c["type"] == kind and c["outcome"] and c["outcome"]["result"] == "succeeded" for c in told)
+    """True when a command of that kind has succeeded."""
+    commands = api.get(f"/drones/{drone}/commands")["commands"]
+    return any(c["type"] == kind and c["outcome"] and c["outcome"]["result"] == "succeeded" for c in commands)
 
 
 def test_robot_map_driving_and_goal_on_page(api: Api, robot: Json, page: Page, station: Station) -> None:

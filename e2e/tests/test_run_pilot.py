@@ -69,10 +69,10 @@ def waypoints() -> list[Json]:
 def commands_sent(recorder: MessageRecorder, system_id: int, since: float) -> list[RecordedMessage]:
     """Orders to that vehicle; requests for messages do not count."""
     return [
-        heard
-        for heard in recorder.messages(*ORDERS, up=False, since=since)
-        if heard.message.target_system == system_id
-        and not (heard.kind == "COMMAND_LONG" and heard.message.command in REQUESTS)
+        recorded
+        for recorded in recorder.messages(*ORDERS, up=False, since=since)
+        if recorded.message.target_system == system_id
+        and not (recorded.kind == "COMMAND_LONG" and recorded.message.command in REQUESTS)
     ]
 
 

@@ -74,10 +74,10 @@ def passed_by(recorder: MessageRecorder, point: Point) -> list[int]:
     """The vehicles that came within some metres of a place, at its height."""
     return sorted(
         {
-            heard.message.get_srcSystem()
-            for heard in recorder.messages("GLOBAL_POSITION_INT", up=True)
-            if abs(heard.message.relative_alt / 1000 - point.altitude) < STEP_METRES / 2
-            and point.metres_to(heard.message.lat / 1e7, heard.message.lon / 1e7) < NEAR_METRES
+            recorded.message.get_srcSystem()
+            for recorded in recorder.messages("GLOBAL_POSITION_INT", up=True)
+            if abs(recorded.message.relative_alt / 1000 - point.altitude) < STEP_METRES / 2
+            and point.metres_to(recorded.message.lat / 1e7, recorded.message.lon / 1e7) < NEAR_METRES
         }
     )
 

@@ -106,7 +106,7 @@ def all_come_home(recorder: DatagramRecorder, count: int, killed: float) -> None
     for one, log in logs.items():
         states = log.since(killed)
         assert states[0].height > HEIGHT - 3, f"{one} was not in the air: {states[0]}"
-        last = max(said.at for said in log.sent_since(0, "HEARTBEAT"))
+        last = max(timed.at for timed in log.sent_since(0, "HEARTBEAT"))
         after[one] = next(state.at for state in states if state.mode == RTL) - last
     apart = nearest({one: fixes(log, killed) for one, log in logs.items()}, killed, until)
     tops = {one: max(fix.height for fix in fixes(log, killed)) for one, log in logs.items()}
@@ -152,7 +152,7 @@ def test_four_real_autopilots_return_home_without_server(own_server: Server, tmp
 @pytest.mark.soak
 def test_restarted_server_sends_heartbeats_before_vehicles_return(own_server: Server, tmp_path: Path) -> None:
     """End to end because a process is killed and started."""
-    took = []
+    delays = []
     with recording(own_server) as recorder, simulated(SIMULATED, recorder.port, tmp_path):
         ready(Api(own_server.address, own_server.local_key()), SIMULATED)
         for _ in range(STARTS):
@@ -160,13 +160,13 @@ def test_restarted_server_sends_heartbeats_before_vehicles_return(own_server: Se
             killed = time.monotonic()
             own_server.start()
 
-            def heard(since: float = killed) -> list[float] | None:
-                told = [
+            def received_by_all(since: float = killed) -> list[float] | None:
+                heartbeats = [
                     recorder.of(one).sent_since(since + 0.2, "HEARTBEAT")
                     for one in range(FIRST, FIRST + SIMULATED)
                 ]
-                return [one[0].at - since for one in told] if all(told) else None
+                return [one[0].at - since for one in heartbeats] if all(heartbeats) else None
 
-            took.append(max(wait_for("all hear it again", heard, 60)))
-    print(f"all heard it again after {', '.join(f'{one:.1f}' for one in took)} s")
-    assert max(took) < STARTED_AGAIN
+            delays.append(max(wait_for("all hear it again", received_by_all, 60)))
+    print(f"all heard it again after {', '.join(f'{one:.1f}' for one in delays)} s")
+    assert max(delays) < STARTED_AGAIN

@@ -94,12 +94,12 @@ def action_delay(recorder: MessageRecorder, breach: Breach) -> tuple[float, floa
         if h.message.get_srcSystem() == system_id
         and Place(h.message.lat / 1e7, h.message.lon / 1e7).meters_to(breach.middle) < RADIUS
     )
-    told = next(
+    ordered = next(
         h.at
         for h in recorder.messages("COMMAND_LONG", "SET_MODE", up=False, since=breach.put)
         if h.message.target_system == system_id and (h.kind == "SET_MODE" or h.message.command == 176)
     )
-    return inside, told - inside
+    return inside, ordered - inside
 
 
 def warnings_sent(api: Api, drone: Json, words: str, since: float) -> float | None:

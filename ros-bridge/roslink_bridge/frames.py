@@ -41,7 +41,7 @@ class Localiser:
         self._lock = threading.Lock()
         self._history: Deque[Tuple[float, Pose]] = deque(maxlen=KEPT)
         self._shift: Optional[Pose2D] = None
-        self._told = False
+        self._has_transform = False
 
     def odometry(self, pose: Pose, stamp: float) -> None:
         with self._lock:
@@ -50,13 +50,13 @@ class Localiser:
     def transform(self, odometry_in_map: Pose2D) -> None:
         """Applies a transform of tf: from now on nothing else is needed."""
         with self._lock:
-            self._told = True
+            self._has_transform = True
             self._shift = odometry_in_map
 
     def map_pose(self, robot_in_map: Pose2D, stamp: float) -> None:
         """Applies a pose of AMCL, of a moment that has passed; since then the robot has moved on."""
         with self._lock:
-            if self._told or not self._history:
+            if self._has_transform or not self._history:
                 return
             _, then = min(self._history, key=lambda one: abs(one[0] - stamp))
             self._shift = robot_in_map.of(Pose2D(then.x, then.y, then.yaw).inverse())

@@ -77,12 +77,12 @@ class Link:
         self._stop.set()
 
     def _receive(self) -> List[str]:
-        heard = [] if self._udp is None else self._udp.receive(self._stop)
+        received = [] if self._udp is None else self._udp.receive(self._stop)
         if self._web is not None:
             if self._udp is None:
                 self._stop.wait(STEP_SECONDS)
-            heard += self._web.receive()
-        return heard
+            received += self._web.receive()
+        return received
 
     def _send(self, messages: List[OutgoingMessage]) -> None:
         for one in messages:

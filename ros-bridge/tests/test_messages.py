@@ -41,11 +41,11 @@ def test_unknown_battery_values() -> None:
 
 
 def test_transform_message_to_map_shift() -> None:
-    def told(parent: str, child: str) -> object:
+    def transform(parent: str, child: str) -> object:
         shift = Of(translation=Of(x=1.0, y=2.0), rotation=Of(x=0.0, y=0.0, z=1.0, w=0.0))
         return Of(header=Of(frame_id=parent), child_frame_id=child, transform=shift)
 
-    message = Of(transforms=[told("odom", "base_link"), told("/map", "odom")])
+    message = Of(transforms=[transform("odom", "base_link"), transform("/map", "odom")])
     assert map_shift_of(message, "odom") == Pose2D(1.0, 2.0, math.pi)
     assert map_shift_of(message, "tb3_0/odom") is None
     assert map_shift_of(Of(transforms=[]), "odom") is None

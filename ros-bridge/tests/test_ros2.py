@@ -120,9 +120,9 @@ def test_goals_are_in_map_frame_once_localised(node: Node, robot: Robot) -> None
     shift.header.frame_id, shift.child_frame_id = "map", "odom"
     shift.transform.translation.x, shift.transform.translation.y = 10.0, 0.0
     put_turn(shift.transform.rotation, 0)
-    told = Message()
-    told.transforms = [shift]
-    node.deliver("/tf", told)
+    message = Message()
+    message.transforms = [shift]
+    node.deliver("/tf", message)
     pose = robot.pose()
     assert pose is not None
     assert (pose.x, pose.y) == pytest.approx((12, 0))

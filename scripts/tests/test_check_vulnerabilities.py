@@ -178,9 +178,9 @@ def test_broken_scanner_answer_is_not_checked(
 ) -> None:
     (tmp_path / "osv-scanner").write_text(f"#!/bin/sh\necho '{answer}'\n")
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
-    told = capsys.readouterr().out
-    assert told.count("the scanner ended with 0 and told nothing") == len(ECOSYSTEMS)
-    assert "Nothing is known" not in told
+    output = capsys.readouterr().out
+    assert output.count("the scanner ended with 0 and told nothing") == len(ECOSYSTEMS)
+    assert "Nothing is known" not in output
 
 
 def test_missing_scanner_is_not_checked(

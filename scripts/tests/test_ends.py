@@ -69,8 +69,8 @@ def inject_fault(built: Checkout, jar: Path, fault: str) -> None:
 
 def health(built: Checkout) -> dict[str, Any]:
     with contextlib.suppress(OSError, ValueError):
-        said: dict[str, Any] = json.loads(get(f"http://127.0.0.1:{built.http_port}/api/v1/health")[1])
-        return said
+        answer: dict[str, Any] = json.loads(get(f"http://127.0.0.1:{built.http_port}/api/v1/health")[1])
+        return answer
     return {}
 
 
@@ -100,9 +100,9 @@ def test_server_restarts_after_fatal_fault(
     end = health(built)["lastEnd"]
     if part is not None:
         assert end["part"] == part
-    told = json.loads(ask(built, "/health/parts"))["ends"]
-    assert [one["part"] for one in told] == [end["part"]]
-    assert told[0]["why"].endswith(".")
+    parts = json.loads(ask(built, "/health/parts"))["ends"]
+    assert [one["part"] for one in parts] == [end["part"]]
+    assert parts[0]["why"].endswith(".")
 
 
 def time_used_up(built: Checkout) -> str:
@@ -184,11 +184,11 @@ def test_peer_whose_frames_end_the_server_is_blocked(built: Checkout, faults: Pa
     with sending_heartbeats(good, bad):
         until("it starts without what ended it", lambda: health(built).get("refusedPeers") == 1, 240)
         until("others are heard", lambda: live_systems(built) == {7})
-    said = health(built)
-    assert said["setAside"] is True
-    told = json.loads(ask(built, "/health/parts"))
-    assert told["refused"] == [f"127.0.0.1:{bad.port}"]
-    assert len(told["ends"]) == 3
+    answer = health(built)
+    assert answer["setAside"] is True
+    parts = json.loads(ask(built, "/health/parts"))
+    assert parts["refused"] == [f"127.0.0.1:{bad.port}"]
+    assert len(parts["ends"]) == 3
 
 
 @pytest.mark.soak

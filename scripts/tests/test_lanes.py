@@ -46,9 +46,9 @@ def test_worker_count_is_set_in_one_place() -> None:
 
 
 def test_worker_count_is_core_count_or_setting(shell: SuiteShell) -> None:
-    told = "count_workers; echo $WORKERS $PYTEST_XDIST_AUTO_NUM_WORKERS"
-    assert shell.run("nproc() { echo 3; }", told).stdout == "3 3\n"
-    assert shell.run("DRONEMAP_TEST_WORKERS=05", told).stdout == "5 5\n"
+    commands = "count_workers; echo $WORKERS $PYTEST_XDIST_AUTO_NUM_WORKERS"
+    assert shell.run("nproc() { echo 3; }", commands).stdout == "3 3\n"
+    assert shell.run("DRONEMAP_TEST_WORKERS=05", commands).stdout == "5 5\n"
 
 
 @pytest.mark.parametrize("workers", ["0", "257", "two", "-1"])
@@ -103,8 +103,8 @@ def test_output_of_two_failed_checks_is_not_mixed(shell: SuiteShell) -> None:
         "other() { check side bad fails '>'; }",
         "side_by_side one other",
     )
-    said = re.findall(r"^(?:==> |    said of \S+/)(main|side)", outcome.stdout, re.MULTILINE)
-    assert said in (["main"] * 11 + ["side"] * 11, ["side"] * 11 + ["main"] * 11)
+    output = re.findall(r"^(?:==> |    said of \S+/)(main|side)", outcome.stdout, re.MULTILINE)
+    assert output in (["main"] * 11 + ["side"] * 11, ["side"] * 11 + ["main"] * 11)
 
 
 def test_an_interruption_ends_both_lanes(shell: SuiteShell) -> None:
@@ -120,8 +120,8 @@ def test_an_interruption_ends_both_lanes(shell: SuiteShell) -> None:
     ) as run:
         until("both have begun", lambda: pids.exists() and len(pids.read_text().split()) == 2)
         run.send_signal(signal.SIGTERM)
-        said = run.communicate(timeout=30)[1]
+        output = run.communicate(timeout=30)[1]
     assert run.returncode == 143
-    assert said.count("Interrupted while testing") == 1
+    assert output.count("Interrupted while testing") == 1
     for pid in pids.read_text().split():
         assert not Path(f"/proc/{pid}").exists()

@@ -68,9 +68,9 @@ def check_records(built: Checkout, receipt: Path) -> None:
 
 
 def check_changed_receipt_is_found(built: Checkout, receipt: Path) -> None:
-    said = json.loads(receipt.read_text())
+    receipt_json = json.loads(receipt.read_text())
     forged = receipt.with_name("forged.json")
-    forged.write_text(json.dumps(said | {"hash": said["hash"][:-1] + "x"}))
+    forged.write_text(json.dumps(receipt_json | {"hash": receipt_json["hash"][:-1] + "x"}))
     outcome = built.run("verify-audit", "--receipt", str(forged))
     assert outcome.returncode == RECORDS_CHANGED, outcome.stderr
 

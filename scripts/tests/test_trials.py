@@ -173,9 +173,9 @@ def test_interrupted_trial_continues_with_its_unit(
 ) -> None:
     with running_second_unit(trial_checkout) as run:
         run.send_signal(number)
-        said = run.communicate(timeout=60)[1]
+        errors = run.communicate(timeout=60)[1]
     assert run.returncode == (-number if number == signal.SIGKILL else trial_units.INTERRUPTED)
-    assert number == signal.SIGKILL or "run the same command again and it goes on" in said
+    assert number == signal.SIGKILL or "run the same command again and it goes on" in errors
     unit = (trial_checkout.root / "waits").read_text().strip()
     until("it has ended", lambda: not is_alive(unit))
     assert len(trial_checkout.state("seeds").read_text().splitlines()) == 1

@@ -24,14 +24,14 @@ NOBODY = 65534
 def read_until(output: IO[bytes], text: str, seconds: float) -> str:
     """Reads a program's output up to that text, as soon as it is there."""
     deadline = time.monotonic() + seconds
-    heard = ""
-    while text not in heard:
+    printed = ""
+    while text not in printed:
         left = max(0.0, deadline - time.monotonic())
-        assert select.select([output], [], [], left)[0], f"no '{text}' within {seconds} s: {heard}"
+        assert select.select([output], [], [], left)[0], f"no '{text}' within {seconds} s: {printed}"
         piece = os.read(output.fileno(), 65_536).decode(errors="replace")
-        assert piece, f"it ended without '{text}': {heard}"
-        heard += piece
-    return heard
+        assert piece, f"it ended without '{text}': {printed}"
+        printed += piece
+    return printed
 
 
 def processes_of(folder: Path) -> list[str]:
@@ -118,7 +118,7 @@ def test_build_does_not_start_on_nearly_full_disk(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "code"),
+    ("output", "code"),
     [
         ("The disk that holds /data/postgres is full: the database needs 300 MB to start with.", DISK),
         ("The disk of the database is full; free some space, nothing was lost.", DISK),
@@ -128,10 +128,10 @@ def test_build_does_not_start_on_nearly_full_disk(tmp_path: Path) -> None:
     ],
 )
 def test_server_start_failure_is_explained_from_its_log(
-    untouched: Checkout, tmp_path: Path, said: str, code: int
+    untouched: Checkout, tmp_path: Path, output: str, code: int
 ) -> None:
     log = tmp_path / "server.log"
-    log.write_text(f"What an earlier run said: Disk quota exceeded\n{said}\n")
+    log.write_text(f"What an earlier run said: Disk quota exceeded\n{output}\n")
     earlier = len(log.read_bytes().splitlines(keepends=True)[0])
     status = untouched.inside(
         f". {untouched.path}/scripts/lib/ready.sh",
@@ -145,7 +145,7 @@ def test_server_start_failure_is_explained_from_its_log(
 def test_late_start_is_not_reported_as_end(untouched: Checkout, tmp_path: Path) -> None:
     """Until it begins, which a busy machine has it do late, its process is a copy of the script."""
     waits = f"{sys.executable} -c 'import signal; signal.pause()' -Ddronemap.checkout=$DATA -jar"
-    told = untouched.inside(
+    states = untouched.inside(
         f". {untouched.path}/scripts/lib/server.sh",
         f"exec {{LOCK}}>/dev/null; DATA={tmp_path}",
         "pid_of() { touch $DATA/looked; cat $DATA/$1.pid; }",
@@ -156,7 +156,7 @@ def test_late_start_is_not_reported_as_end(untouched: Checkout, tmp_path: Path) 
         "start_daemon sim $DATA/log $DATA/no-such-program",
         "is_running sim || echo ended",
     )
-    assert told.split() == ["runs", "ended"]
+    assert states.split() == ["runs", "ended"]
 
 
 def mark_web_client_built(checkout: Checkout) -> None:
@@ -201,12 +201,12 @@ def interrupted_build(checkout: Checkout) -> None:
         start_new_session=True,
     ) as build:
         assert build.stdout is not None
-        said = read_until(build.stdout, "(2 of ", 300)
+        output = read_until(build.stdout, "(2 of ", 300)
         os.killpg(build.pid, signal.SIGINT)
-        said += build.communicate(timeout=30)[0].decode()
+        output += build.communicate(timeout=30)[0].decode()
     assert build.returncode == INTERRUPTED
-    assert "Interrupted while building the server" in said
-    assert "run the same command again" in said
+    assert "Interrupted while building the server" in output
+    assert "run the same command again" in output
     assert processes_of(checkout.path) == []
 
 

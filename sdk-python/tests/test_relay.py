@@ -58,8 +58,8 @@ def test_sending_tool_is_signed_and_answered(start: Start) -> None:
     with server, tool:
         tool.sendto(beat(pymavlink_link(system=245, passphrase=None)), ("127.0.0.1", port))
         data, relayed = server.recvfrom(600)
-        (heard,) = pymavlink_link().parse_buffer(data)
-        assert heard.get_signed()
+        (received,) = pymavlink_link().parse_buffer(data)
+        assert received.get_signed()
         server.sendto(beat(pymavlink_link(passphrase="somebody else's")), relayed)
         server.sendto(beat(pymavlink_link(system=5)), relayed)
         (answer,) = pymavlink_link(passphrase=None).parse_buffer(tool.recv(600))
@@ -105,8 +105,8 @@ def test_reconnect_discards_partial_frame(start: Start) -> None:
         with second:
             second.settimeout(SECONDS)
             second.sendall(beat(pymavlink_link(system=6)))
-            (heard,) = pymavlink_link(passphrase=None).parse_buffer(tool.recv(600))
-            assert heard.get_srcSystem() == 6
+            (received,) = pymavlink_link(passphrase=None).parse_buffer(tool.recv(600))
+            assert received.get_srcSystem() == 6
             assert second.recv(600)
 
 

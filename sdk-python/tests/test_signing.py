@@ -51,10 +51,10 @@ def test_tool_messages_are_signed_as_pymavlink_accepts() -> None:
     bridge = Bridge(Signing(PASSPHRASE))
     for message in every_message():
         (frame,) = bridge.from_tool(bytes(message.pack(tool)))
-        (heard,) = server.parse_buffer(frame)
-        assert heard.get_type() == message.get_type()
-        assert heard.get_signed()
-        assert heard.to_dict() == message.to_dict()
+        (received,) = server.parse_buffer(frame)
+        assert received.get_type() == message.get_type()
+        assert received.get_signed()
+        assert received.to_dict() == message.to_dict()
 
 
 def test_server_messages_reach_tool_unsigned_and_unchanged() -> None:
@@ -70,19 +70,19 @@ def test_server_messages_reach_tool_unsigned_and_unchanged() -> None:
 def test_mavlink_1_messages_are_converted_to_version_2() -> None:
     tool = older.MAVLink(None, srcSystem=7, srcComponent=3)
     bridge, server = Bridge(Signing(PASSPHRASE)), pymavlink_link()
-    said = [
+    messages = [
         older.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3),
         older.MAVLink_command_long_message(1, 1, 400, 0, 1, 0, 0, 0, 0, 0, 0),
         older.MAVLink_param_request_list_message(0, 0),
         older.MAVLink_mission_item_message(1, 1, 0, 3, 16, 2, 1, 0, 0, 0, 0, 47.5, 8.5, 20),
     ]
-    for message in said:
+    for message in messages:
         (frame,) = bridge.from_tool(bytes(message.pack(tool)))
-        (heard,) = server.parse_buffer(frame)
-        kept = heard.to_dict()
+        (received,) = server.parse_buffer(frame)
+        kept = received.to_dict()
         assert {name: kept[name] for name in message.to_dict()} == message.to_dict()
-        assert (heard.get_srcSystem(), heard.get_srcComponent()) == (7, 3)
-        assert heard.get_seq() == message.get_seq()
+        assert (received.get_srcSystem(), received.get_srcComponent()) == (7, 3)
+        assert received.get_seq() == message.get_seq()
 
 
 def unknown_message(seed: int) -> bytes:
@@ -181,8 +181,12 @@ def test_heartbeats_use_system_id_of_tool() -> None:
     for number in range(300):
         frame = bridge.heartbeat()
         assert frame is not None
-        (heard,) = server.parse_buffer(frame)
-        assert (heard.get_srcSystem(), heard.get_seq(), heard.get_signed()) == (42, number % 256, True)
+        (received,) = server.parse_buffer(frame)
+        assert (received.get_srcSystem(), received.get_seq(), received.get_signed()) == (
+            42,
+            number % 256,
+            True,
+        )
 
 
 def test_signing_is_fast_enough_for_fifty_drones() -> None:

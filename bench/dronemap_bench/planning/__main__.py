@@ -91,10 +91,10 @@ def _measure(mode: modes.Mode, rows: list[Row], options: argparse.Namespace) -> 
             failed += 1
             print(f"FAILED: {error}", file=sys.stderr)
             continue
-        told = (
+        summary = (
             f"{row.name} {plan.solver} {plan.seconds:g} s seed {plan.seed}: {results[-1].gap_percent:.2f} %"
         )
-        print(f"[{number}/{len(runs)}] {told}", file=sys.stderr)
+        print(f"[{number}/{len(runs)}] {summary}", file=sys.stderr)
         report.write(options.out, name, where, results)
     if results:
         print(report.table(where, results))

@@ -98,9 +98,9 @@ def run(row: Row, plan: SolverRun) -> Result:
     _check(row, "as it was given", checker.faults(given, answer.tours))
     if not answer.points:
         raise RunError(f"{row.name}: {plan.solver} tells of no plan")
-    claimed, told = checker.value(given, answer.tours), answer.points[-1][1]
-    if abs(claimed - told) > AGREE * claimed:
-        raise RunError(f"{row.name}: {plan.solver} says {told}, its tours say {claimed}")
+    claimed, reported = checker.value(given, answer.tours), answer.points[-1][1]
+    if abs(claimed - reported) > AGREE * claimed:
+        raise RunError(f"{row.name}: {plan.solver} says {reported}, its tours say {claimed}")
     tours = shifted.back(answer.tours) if shifted else answer.tours
     _check(row, "as it was read", checker.faults(row.problem, tours))
     value = checker.value(row.problem, tours)

@@ -90,18 +90,18 @@ def vehicles(port: int, start: float, over: InputEnd) -> list[Sample]:
         step, vehicle = divmod(turn, VEHICLES)
         when = due(start, vehicle, step)
         if (left := when - time.monotonic()) <= 0:
-            said = (
+            message = (
                 mavlink.heartbeat(step, vehicle + 1)
                 if step % RATE == 0
                 else mavlink.position(step, vehicle, step, vehicle + 1)
             )
-            lines[vehicle].sendall(wire.frame(wire.BINARY, said))
+            lines[vehicle].sendall(wire.frame(wire.BINARY, message))
             turn += 1
             left = 0
         for key_of, _ in waiting.select(left):
             of, reader = key_of.data
-            for heard in reader.frames():
-                if mavlink.has_heartbeat(heard):
+            for received in reader.frames():
+                if mavlink.has_heartbeat(received):
                     now = time.monotonic()
                     before = last[of]
                     if before is not None:
