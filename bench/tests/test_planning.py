@@ -113,22 +113,22 @@ def test_solver_answer_is_parsed() -> None:
     assert runs.parse(lines) == runs.SolverOutput("x y", [(0.5, 12.25)], 1.01, [[0, 2], [], [1]])
 
 
-def answering(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+def stub_solver(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
     monkeypatch.setattr(runs, "_java", lambda file, plan: text)
 
 
 def test_result_is_checked_before_it_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     row, plan = Row("square", 16.0, True, SQUARE), runs.SolverRun("x", 1, 1.0, 1, 0.0, False)
-    answering(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1 2\n")
+    stub_solver(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1 2\n")
     measured = runs.run(row, plan)
     assert (measured.value, measured.gap_percent, measured.points) == (18, 12.5, [(0.5, 12.5)])
-    answering(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1\n")
+    stub_solver(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1\n")
     with pytest.raises(runs.RunError, match="waypoint 2 is visited 0 times"):
         runs.run(row, plan)
-    answering(monkeypatch, "improved 0.5 17\nused 1\ntour 0\ntour 1 2\n")
+    stub_solver(monkeypatch, "improved 0.5 17\nused 1\ntour 0\ntour 1 2\n")
     with pytest.raises(runs.RunError, match="says 17"):
         runs.run(row, plan)
-    answering(monkeypatch, "used 1\ntour 0\ntour 1 2\n")
+    stub_solver(monkeypatch, "used 1\ntour 0\ntour 1 2\n")
     with pytest.raises(runs.RunError, match="tells of no plan"):
         runs.run(row, plan)
 
@@ -136,7 +136,7 @@ def test_result_is_checked_before_it_counts(monkeypatch: pytest.MonkeyPatch) -> 
 def test_tours_of_moved_instance_are_mapped_back(monkeypatch: pytest.MonkeyPatch) -> None:
     shifted = problems.moved(SQUARE, 5)
     value = checker.value(shifted.problem, [[0], [1, 2]])
-    answering(monkeypatch, f"improved 0.5 {value}\nused 1\ntour 0\ntour 1 2\n")
+    stub_solver(monkeypatch, f"improved 0.5 {value}\nused 1\ntour 0\ntour 1 2\n")
     measured = runs.run(Row("square", 16.0, True, SQUARE), runs.SolverRun("x", 5, 1.0, 1, 0.0, True))
     assert measured.tours == shifted.back([[0], [1, 2]])
     assert measured.value == pytest.approx(value / _scale(shifted))

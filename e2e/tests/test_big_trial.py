@@ -46,7 +46,7 @@ def runner(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[BigTrialR
 @pytest.mark.parametrize("runner", [(seed, False) for seed in seeds()], indirect=True, ids=str)
 def test_all_waypoints_are_visited_despite_faults(runner: BigTrialRunner) -> None:
     trial = runner.fly()
-    seconds = judged(runner, trial)
+    seconds = judge(runner, trial)
     for kind, limit in LIMITS.items():
         assert seconds[kind] <= limit, (kind, seconds)
 
@@ -54,10 +54,10 @@ def test_all_waypoints_are_visited_despite_faults(runner: BigTrialRunner) -> Non
 @pytest.mark.soak
 @pytest.mark.parametrize("runner", [(max(seeds()) + 1000, True)], indirect=True, ids=str)
 def test_all_waypoints_are_visited_over_bad_links(runner: BigTrialRunner) -> None:
-    judged(runner, runner.fly())
+    judge(runner, runner.fly())
 
 
-def judged(runner: BigTrialRunner, trial: Trial) -> dict[str, float]:
+def judge(runner: BigTrialRunner, trial: Trial) -> dict[str, float]:
     """All that must hold; from each fault to the acknowledged missions."""
     tracks = runner.tracks(trial)
     found = visits(tracks, trial.spots)
@@ -126,7 +126,7 @@ def is_pass_by(visit: Visit, some: list[Visit]) -> bool:
 
 def wait_until_on_board(runner: BigTrialRunner, trial: Trial, fault: Fault) -> float:
     """From the fault until the last of what was taken from that drone was acknowledged by another one."""
-    taken = taken_from(trial, fault)
+    taken = waypoints_taken_from(trial, fault)
     if not taken:
         return NOTHING_TAKEN
     last = fault.at
@@ -141,7 +141,7 @@ def wait_until_on_board(runner: BigTrialRunner, trial: Trial, fault: Fault) -> f
     return round(last - fault.at, 2)
 
 
-def taken_from(trial: Trial, fault: Fault) -> list[str]:
+def waypoints_taken_from(trial: Trial, fault: Fault) -> list[str]:
     """By the first plan after the fault, as it was told."""
     for one in sorted(trial.explanations.values(), key=lambda one: seconds_of(one["at"])):
         taken = [moved["waypoint"] for moved in one["moved"] if moved["from"] == fault.drone]

@@ -84,17 +84,17 @@ def hovering_copter(control_server: ControlServer) -> Iterator[Callable[[], tupl
     flying: list[HoveringCopter] = []
 
     def make() -> tuple[HoveringCopter, str]:
-        hoverer = HoveringCopter(control_server.server.udp_port, 50 + len(flying))
-        flying.append(hoverer)
-        drone = wait_for("it flies", lambda: _flying(control_server.api, hoverer.peer.port), 60)
+        hovering = HoveringCopter(control_server.server.udp_port, 50 + len(flying))
+        flying.append(hovering)
+        drone = wait_for("it flies", lambda: _flying(control_server.api, hovering.peer.port), 60)
         # On the page those of earlier tests, lost by now, would else be called the same.
-        name = {"name": f"Hoverer {hoverer.peer.port}"}
+        name = {"name": f"Hoverer {hovering.peer.port}"}
         assert control_server.api.call("PATCH", f"/drones/{drone['id']}", name).ok
-        return hoverer, drone["id"]
+        return hovering, drone["id"]
 
     yield make
-    for hoverer in flying:
-        hoverer.peer.close()
+    for hovering in flying:
+        hovering.peer.close()
 
 
 def _flying(api: Api, port: int) -> Json | None:
@@ -127,19 +127,19 @@ def command_record(control_server: ControlServer, command: str) -> Json | None:
 def test_no_command_of_an_old_epoch_in_ten_thousand_rounds_with_restarts(
     control_server: ControlServer, hovering_copter: Callable[[], tuple[HoveringCopter, str]]
 ) -> None:
-    hoverer, drone = hovering_copter()
+    hovering, drone = hovering_copter()
     both = racers(control_server, drone, quiet_every=100)
 
     def restart(round_number: int) -> None:
         if round_number and round_number % (SOAK_ROUNDS // 4) == 0:
             control_server.server.kill()
             control_server.server.start()
-            wait_for("it flies again", lambda: _flying(control_server.api, hoverer.peer.port), 60)
+            wait_for("it flies again", lambda: _flying(control_server.api, hovering.peer.port), 60)
 
     with DatabaseStall(control_server.server.data, seed=4) as stall:
         race(both, SOAK_ROUNDS, restart)
 
-    moves = list(hoverer.moves)
+    moves = list(hovering.moves)
     lost = fill_epochs_from_records(moves, both, partial(command_record, control_server))
     changes = check_epochs(moves, both)
     refused = sum(len(racer.refused) for racer in both)
@@ -150,9 +150,9 @@ def test_no_command_of_an_old_epoch_in_ten_thousand_rounds_with_restarts(
     assert changes > SOAK_ROUNDS / 100 and stall.times > SOAK_ROUNDS / 100
 
 
-def holds_and_returns(control_server: ControlServer, hoverer: HoveringCopter, drone: str) -> None:
-    wait_for("it holds", lambda: hoverer.peer.state.custom_mode in (LOITER, BRAKE), 60)
-    wait_for("it returns", lambda: hoverer.peer.state.custom_mode == RTL, 60)
+def holds_and_returns(control_server: ControlServer, hovering: HoveringCopter, drone: str) -> None:
+    wait_for("it holds", lambda: hovering.peer.state.custom_mode in (LOITER, BRAKE), 60)
+    wait_for("it returns", lambda: hovering.peer.state.custom_mode == RTL, 60)
     assert control_server.api.drone(drone)["control"]["state"] == "free"
     assert [c["by"] for c in control_server.api.get(f"/drones/{drone}/commands")["commands"][:2]] == [
         "dronemap"
@@ -176,7 +176,7 @@ def test_drone_holds_and_returns_after_browser_is_killed(
     playwright: Playwright,
 ) -> None:
     """End to end because a browser that is killed says nothing more, and its real connection is what ends."""
-    hoverer, drone = hovering_copter()
+    hovering, drone = hovering_copter()
     mark = f"--doomed={secrets.token_hex(8)}"
     doomed = launch(playwright, mark)
     station = Station(open_page(doomed), Pointer())
@@ -188,7 +188,7 @@ def test_drone_holds_and_returns_after_browser_is_killed(
 
     kill_browser(mark)
 
-    holds_and_returns(control_server, hoverer, drone)
+    holds_and_returns(control_server, hovering, drone)
 
 
 def test_page_shows_holder_and_hands_over_control(

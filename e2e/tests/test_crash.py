@@ -36,7 +36,7 @@ def shipped(tmp_path: Path) -> Iterator[Server]:
 
 
 @pytest.fixture
-def in_mission(killable_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
+def copter_in_mission(killable_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
     """A copter that has just begun a mission of three waypoints."""
     system_id = next(SYSTEM_IDS)
     simulator = Simulator(
@@ -63,7 +63,7 @@ def page(browser: Browser) -> Iterator[Page]:
     opened.context.close()
 
 
-def signed_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
+def sign_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
     """Signed in before the crash, with the drone's panel open."""
     name = f"pilot-{secrets.token_hex(4)}"
     pilot = {"name": name, "password": secrets.token_hex(10), "role": "operator"}
@@ -75,11 +75,11 @@ def signed_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
 
 
 def test_mission_replaced_during_crash_is_noticed(
-    killable_server: Server, in_mission: tuple[Api, Json], page: Page
+    killable_server: Server, copter_in_mission: tuple[Api, Json], page: Page
 ) -> None:
     """End to end because an open page comes back by itself, and pymavlink takes the dead server's place."""
-    api, drone = in_mission
-    station = signed_in(page, killable_server, api, drone)
+    api, drone = copter_in_mission
+    station = sign_in(page, killable_server, api, drone)
     api.do(drone["id"], type="startMission")
     killable_server.kill()
     _replace_mission(killable_server.udp_port, drone["home"])
@@ -107,7 +107,7 @@ def test_vehicles_get_heartbeats_before_pages_after_a_crash(killable_server: Ser
 def test_state_is_shown_again_in_time_after_a_crash(shipped: Server, page: Page) -> None:
     with known_peer(shipped) as peer:
         api = Api(shipped.address, shipped.local_key())
-        station = signed_in(page, shipped, api, listed(api, peer))
+        station = sign_in(page, shipped, api, listed(api, peer))
         shipped.kill()
         station.shows("No connection to the cloud")
         watch = Stopwatch()

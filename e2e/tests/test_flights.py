@@ -100,12 +100,12 @@ def fly(api: Api, copter: Json) -> Json:
     flight: Json = wait_for("the flight has ended", lambda: flight_of(api, drone, "ended"), 120)
     end = datetime.fromisoformat(flight["end"])
 
-    def later() -> bool:
+    def all_stored() -> bool:
         """True when telemetry after the flight is stored, and so all of the flight."""
         points = api.get(f"/drones/{drone}/telemetry/points?from={flight['end']}&most=20000")["points"]
         return any(datetime.fromisoformat(point["at"]) > end for point in points)
 
-    wait_for("all of it is stored", later, 60)
+    wait_for("all of it is stored", all_stored, 60)
     return flight
 
 
@@ -163,11 +163,11 @@ def check_columns(parquet: Path, rows: list[dict[str, str]], drone: str) -> None
         assert found["micros"] == (datetime.fromisoformat(row.pop("at")) - EPOCH) // timedelta(microseconds=1)
         assert (found["gps_fix"] is None) == (row.pop("gpsFix") == "")
         for name, text in row.items():
-            value = found["phase" if name == "flight" else snake(name)]
+            value = found["phase" if name == "flight" else snake_case(name)]
             assert text == as_text(name, value, text), f"{name} is {value!r}, not {text!r}"
 
 
-def snake(name: str) -> str:
+def snake_case(name: str) -> str:
     return re.sub("[A-Z]", lambda letter: "_" + letter[0].lower(), name)
 
 

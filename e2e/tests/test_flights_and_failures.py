@@ -48,7 +48,7 @@ def flying_copter(killable_server: Server, tmp_path: Path) -> Iterator[FlyingCop
         api.do(drone, type="arm")
         api.do(drone, type="takeOff", altitude=8)
         flight = wait_for("the flight is known", lambda: flight_of(api, drone, "running"), 30)
-        wait_for("telemetry is kept", lambda: kept_until(api, drone), 60)
+        wait_for("telemetry is kept", lambda: stored_until(api, drone), 60)
         yield FlyingCopter(killable_server, api, drone, flight)
     finally:
         simulator.stop()
@@ -85,15 +85,17 @@ def test_database_outage_loses_only_counted_telemetry(
         away_until = time.time()
 
     wait_for("it is well again", lambda: api.get("/health")["history"] == "up", 30)
-    wait_for("what waited is written", lambda: (kept_until(api, drone) or 0) > away_until, 30)
+    wait_for("what waited is written", lambda: (stored_until(api, drone) or 0) > away_until, 30)
     history = api.get("/history")
-    times = [begin, *kept_times(api, drone, begin)]
+    times = [begin, *stored_times(api, drone, begin)]
     longest = max(after - before for before, after in zip(times, times[1:], strict=False))
     assert longest < 1 or history["dropped"] > dropped, (
         f"{longest:.1f} s are missing, and not counted: {history}"
     )
     assert api.command(drone, go_to)["outcome"]["result"] == "succeeded"
-    wait_for("the command from before is remembered", lambda: stored_after(flying_copter, before["id"]), 30)
+    wait_for(
+        "the command from before is remembered", lambda: command_is_stored(flying_copter, before["id"]), 30
+    )
 
 
 @contextmanager
@@ -123,15 +125,15 @@ def processes_in(data: Path) -> list[int]:
     return found
 
 
-def stored_after(flying_copter: FlyingCopter, command: str) -> bool:
+def command_is_stored(flying_copter: FlyingCopter, command: str) -> bool:
     events = flying_copter.api.get(f"/flights/{flying_copter.flight['id']}/events")["events"]
     return any(e["command"] == command and e["result"] == "succeeded" for e in events)
 
 
-def kept_until(api: Api, drone: str) -> float | None:
-    return max(kept_times(api, drone, time.time() - 30), default=None)
+def stored_until(api: Api, drone: str) -> float | None:
+    return max(stored_times(api, drone, time.time() - 30), default=None)
 
 
-def kept_times(api: Api, drone: str, since: float) -> list[float]:
+def stored_times(api: Api, drone: str, since: float) -> list[float]:
     begin = datetime.fromtimestamp(since, UTC).isoformat().replace("+00:00", "Z")
     return [seconds_of(p["at"]) for p in api.get(f"/drones/{drone}/telemetry/points?from={begin}")["points"]]

@@ -56,7 +56,7 @@ class Case:
     # Its phone says where it is also when the server is back.
     sends_positions: bool = True
     # Its drone is not heard from before it was started until the server is back.
-    unheard_before_start: bool = False
+    silent_before_start: bool = False
     # Into that mode, by the pilot's own switch, while there is no server.
     pilot_mode: int | None = None
 
@@ -83,14 +83,14 @@ CASES = (
     Case("comes home", "returning", ("returning", "over"), "is down; it is over"),
     Case("landed", "tracking", ("tracking", "over"), "has landed; it is over", pilot_mode=COPTER_LAND),
     Case("taken", "tracking", ("tracking", "suspended"), "a pilot flies it in LOITER", pilot_mode=LOITER),
-    Case("on the ground", "starting", ("starting", "tracking"), UP, unheard_before_start=True),
+    Case("on the ground", "starting", ("starting", "tracking"), UP, silent_before_start=True),
     Case(
         "too late",
         "starting",
         ("returning", "over"),
         "came back too late",
         patience=SHORTEST,
-        unheard_before_start=True,
+        silent_before_start=True,
     ),
     Case("missed, climbs", "starting", ("starting", "tracking"), UP, home_on_loss=True),
     Case(
@@ -172,7 +172,7 @@ class CrashTrial:
 
     def bring_to_stages(self) -> None:
         """Each to where it shall be; last those who climb and who come home, as they do not stay there."""
-        for one in self.follows_where(unheard_before_start=True):
+        for one in self.follows_where(silent_before_start=True):
             self.recorder.cut.add(one.system_id)
             one.request(self.phone, "start")
         fly = [one for case, one in self.follows.items() if case.at not in ("allocated", "starting")]
@@ -184,7 +184,7 @@ class CrashTrial:
         for one in self.follows_where(at="paused"):
             one.request(self.phone, "pause")
         self.switch(self.named("a pilot's"), False, LOITER)
-        climb = self.follows_where(at="starting", unheard_before_start=False)
+        climb = self.follows_where(at="starting", silent_before_start=False)
         for one in climb:
             one.request(self.phone, "start")
         self.take_off_all(climb)

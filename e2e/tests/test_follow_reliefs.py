@@ -30,7 +30,7 @@ def test_longest_time_beyond_distance_is_counted() -> None:
 
 
 @pytest.fixture
-def relay(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[ReliefTrial]:
+def relief_trial(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[ReliefTrial]:
     seed: int = request.param
     opened = ReliefTrial(tmp_path, seed, PHONES)
     yield opened
@@ -38,12 +38,12 @@ def relay(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[ReliefTria
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("relay", seeds(), indirect=True)
-def test_ten_low_battery_drones_are_relieved_without_losing_a_phone(relay: ReliefTrial) -> None:
-    found = relay.fly(LONGEST_SECONDS, AFTER_SECONDS)
+@pytest.mark.parametrize("relief_trial", seeds(), indirect=True)
+def test_ten_low_battery_drones_are_relieved_without_losing_a_phone(relief_trial: ReliefTrial) -> None:
+    found = relief_trial.fly(LONGEST_SECONDS, AFTER_SECONDS)
     print(found)
     assert found["vehicles"] == 2 * PHONES, found
-    for seen in relay.seen:
+    for seen in relief_trial.seen:
         assert seen.states == {"tracking"}, seen
         assert any("comes to replace it" in words for words in seen.messages), seen
         assert any("has taken over" in words for words in seen.messages), seen

@@ -12,7 +12,7 @@ from dronemap_e2e.waiting import throughout, wait_for
 STANDSTILL_SECONDS = 10
 
 
-def stands_still(server: Server) -> bool:
+def paused(server: Server) -> bool:
     """Stopped, as /proc tells it behind the name in parentheses."""
     return Path(f"/proc/{server.pid}/stat").read_text().rpartition(") ")[2].startswith("T")
 
@@ -34,9 +34,9 @@ def test_server_pause_does_not_mark_vehicles_lost(killable_server: Server) -> No
 
         wait_for("all are live", all_live, 30)
         os.kill(server.pid, signal.SIGSTOP)
-        wait_for("the server stands still", lambda: stands_still(server), 10)
+        wait_for("the server stands still", lambda: paused(server), 10)
         # Ten seconds by the clock are the thing tested: twice the silence after which a drone is called lost.
-        throughout("the server stands still", lambda: stands_still(server), STANDSTILL_SECONDS)
+        throughout("the server stands still", lambda: paused(server), STANDSTILL_SECONDS)
         os.kill(server.pid, signal.SIGCONT)
 
         def nobody_lost() -> bool:

@@ -44,18 +44,18 @@ def robot(server: Server, api: Api, ros: Ros, tmp_path_factory: pytest.TempPathF
     picture = tmp_path_factory.mktemp("picture") / "picture.jpg"
     picture.write_bytes(PICTURE)
     process = ros.robot(picture)
-    bridge = ros.bridge(server, SYSTEM_ID, issued(api, SYSTEM_ID))
-    drone = wait_for("it is listed with all that it shows", lambda: shown(api))
+    bridge = ros.bridge(server, SYSTEM_ID, issue_robot_key(api, SYSTEM_ID))
+    drone = wait_for("it is listed with all that it shows", lambda: robot_with_all_data(api))
     return Robot(process, bridge, drone["id"])
 
 
-def issued(api: Api, system_id: int) -> str:
+def issue_robot_key(api: Api, system_id: int) -> str:
     answer = api.call("POST", "/robot-keys", {"label": "Of ROS", "systemId": system_id})
     assert answer.status_code == 201, answer.text
     return str(answer.json()["key"])
 
 
-def shown(api: Api) -> Json | None:
+def robot_with_all_data(api: Api) -> Json | None:
     """The robot, once all kinds of messages have come."""
     for drone in api.drones():
         if drone["link"]["systemId"] == SYSTEM_ID and drone["local"] and drone["battery"]:
@@ -78,7 +78,7 @@ def check_published_data(api: Api, robot: Robot) -> None:
     api.do(robot.drone, type="readMap")
     area = api.get(f"/drones/{robot.drone}/sensed")["map"]
     assert (area["left"], area["bottom"], area["width"], area["height"]) == (-1, -2, 1.5, 1)
-    lines = drawn(api.content(f"/drones/{robot.drone}/sensed/map"))
+    lines = png_lines(api.content(f"/drones/{robot.drone}/sensed/map"))
     assert lines == bytes([0, FREE, FREE, FREE, 0, FREE, OCCUPIED, UNKNOWN]), (
         "each begins with its filter, none"
     )
@@ -94,7 +94,7 @@ def check_position(api: Api, robot: Robot) -> None:
     wait_for("AMCL has said where it is", is_there)
 
 
-def drawn(png: bytes) -> bytes:
+def png_lines(png: bytes) -> bytes:
     """The lines of a small PNG."""
     start = png.index(b"IDAT") + 4
     return zlib.decompress(png[start : start + int.from_bytes(png[start - 8 : start - 4], "big")])
@@ -102,11 +102,11 @@ def drawn(png: bytes) -> bytes:
 
 def check_driving(server: Server, api: Api, robot: Robot) -> None:
     before = api.drone(robot.drone)["local"]["x"]
-    with closing(SteeringClient(server, api.new_key("stick", "operator"), robot.drone)) as helm:
+    with closing(SteeringClient(server, api.new_key("stick", "operator"), robot.drone)) as steering:
         wait_for("it is told to drive", lambda: robot.process.forward == 0.4)
         wait_for("its odometry shows it", lambda: api.drone(robot.drone)["local"]["x"] > before + 0.2)
         assert api.drone(robot.drone)["motion"]["groundSpeed"] == pytest.approx(0.4, abs=0.01)
-        helm.cut()
+        steering.cut()
         wait_for("it is told to stand", lambda: robot.process.forward == 0, every=0.01)
 
 
@@ -128,7 +128,7 @@ def check_goal(server: Server, api: Api, robot: Robot) -> None:
 def test_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> None:
     """End to end because the packages of ROS 1, and our bridge between them and us, are real programs."""
     copter = ros.copter("copter")
-    key = issued(api, COPTER_ID)
+    key = issue_robot_key(api, COPTER_ID)
     ros.bridge(server, COPTER_ID, key, "--mavros", namespace="copter")
 
     def listed() -> Json | None:

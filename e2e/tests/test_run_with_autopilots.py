@@ -64,7 +64,7 @@ def waypoints() -> list[Json]:
     ]
 
 
-def way(copter: ArduCopter) -> Way:
+def local_track(copter: ArduCopter) -> Way:
     """In metres about the middle home, by the clock of all."""
     return Way(
         [
@@ -117,7 +117,7 @@ def test_run_replaces_real_autopilot_killed_in_the_air(
     assert lost["drone"] == killed, words
     for drone, copter in by_id.items():
         assert drone == killed or copter.ground_truth.altitude() < HOME_AMSL + 1, "it is down"
-    least = nearest({number: way(copter) for number, copter in enumerate(copters)})
+    least = nearest({number: local_track(copter) for number, copter in enumerate(copters)})
     print("NEAREST", least, "TAKEN OVER", len(left))
     assert least is None or least.metres >= LEAST_METRES, (least, words)
     assert api.get(f"{run}/journal/replay")["same"]

@@ -55,11 +55,11 @@ def test_robot_stops_within_a_second(
     key = pilot.api.new_key("page", "operator")
     took: list[float] = []
     for number in range(times):
-        with closing(SteeringClient(server, key, drone["id"])) as helm:
+        with closing(SteeringClient(server, key, drone["id"])) as steering:
             wait_for(f"it moves, {number}", lambda: robot.speed > 0.3, every=OFTEN)
             acts: dict[str, Callable[[], None]] = {
-                "page killed": helm.kill,
-                "network cut": helm.cut,
+                "page killed": steering.kill,
+                "network cut": steering.cut,
                 "lease taken": lambda: take_over(chief, drone["id"]),
                 "grant revoked": lambda: revoke(api, pilot.name),
             }

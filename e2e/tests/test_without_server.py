@@ -66,7 +66,7 @@ def ready(api: Api, count: int, seconds: float = 120) -> list[Json]:
     ]
 
 
-def side_by_side(api: Api, drones: list[Json]) -> None:
+def fly_in_a_row(api: Api, drones: list[Json]) -> None:
     """All at once in the air, under guided control by plain commands."""
     middle = drones[len(drones) // 2]["home"]
 
@@ -92,7 +92,7 @@ def side_by_side(api: Api, drones: list[Json]) -> None:
         list(pool.map(goes, range(len(drones))))
 
 
-def all_come_home(recorder: DatagramRecorder, count: int, killed: float) -> None:
+def check_all_return(recorder: DatagramRecorder, count: int, killed: float) -> None:
     """Judged by what was on the wire alone."""
     vehicles = range(FIRST, FIRST + count)
 
@@ -122,9 +122,9 @@ def test_ten_copters_return_home_without_server(own_server: Server, tmp_path: Pa
     """End to end because a process is killed, and what its vehicles do then is seen on the wire alone."""
     with recording(own_server) as recorder, simulated(SIMULATED, recorder.port, tmp_path):
         api = Api(own_server.address, own_server.local_key())
-        side_by_side(api, ready(api, SIMULATED))
+        fly_in_a_row(api, ready(api, SIMULATED))
         own_server.kill()
-        all_come_home(recorder, SIMULATED, time.monotonic())
+        check_all_return(recorder, SIMULATED, time.monotonic())
 
 
 @pytest.mark.soak
@@ -144,9 +144,9 @@ def test_four_real_autopilots_return_home_without_server(own_server: Server, tmp
             wait_for(
                 f"{drone['name']} may fly", partial(arms_and_enters_guided, api, drone["id"]), 120, every=3
             )
-        side_by_side(api, drones)
+        fly_in_a_row(api, drones)
         own_server.kill()
-        all_come_home(recorder, REAL, time.monotonic())
+        check_all_return(recorder, REAL, time.monotonic())
 
 
 @pytest.mark.soak

@@ -29,7 +29,7 @@ Given = TypeVar("Given")
 Made = TypeVar("Made")
 
 
-def at_once(do: Callable[[Given], Made], things: Sequence[Given]) -> list[Made]:
+def in_parallel(do: Callable[[Given], Made], things: Sequence[Given]) -> list[Made]:
     """One after the other, twenty drones would take twenty times as long."""
     with ThreadPoolExecutor(len(things)) as pool:
         return list(pool.map(do, things))
@@ -67,7 +67,7 @@ def where(api: Api, drone: Json) -> Place:
     return Place(position["latitude"], position["longitude"])
 
 
-def send_off(api: Api, drone: Json, bearing: float) -> Breach:
+def send_away(api: Api, drone: Json, bearing: float) -> Breach:
     """Lets it fly there, and puts a zone in its way once it does."""
     start = where(api, drone)
     target = start.shifted(500, bearing)
@@ -102,7 +102,7 @@ def action_delay(recorder: MessageRecorder, breach: Breach) -> tuple[float, floa
     return inside, ordered - inside
 
 
-def warnings_sent(api: Api, drone: Json, words: str, since: float) -> float | None:
+def warning_time(api: Api, drone: Json, words: str, since: float) -> float | None:
     """When a message with these words was first shown since then (monotonic s)."""
     offset = time.time() - time.monotonic()
     times = [
@@ -125,7 +125,7 @@ def fleet(server: Server, api: Api, recorder: MessageRecorder, tmp_path: Path) -
     simulator = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{recorder.port}", *options)
     ids = range(FIRST_SYSTEM_ID, FIRST_SYSTEM_ID + DRONES)
     drones = [wait_for("it is ready", partial(api.ready, one), 120) for one in ids]
-    at_once(partial(take_off, api), drones)
+    in_parallel(partial(take_off, api), drones)
     yield drones
     simulator.stop()
 
@@ -138,16 +138,16 @@ def test_two_hundred_zone_breaches_are_warned_of_and_acted_on_within_a_second(
     delays, ahead = [], []
     for _ in range(ROUNDS):
         ways = [(drone, chance.random() * 2 * math.pi) for drone in fleet]
-        breaches = at_once(lambda way: send_off(api, *way), ways)
+        breaches = in_parallel(lambda way: send_away(api, *way), ways)
         for breach in breaches:
             wait_for(
                 "it is told to hold",
-                partial(warnings_sent, api, breach.drone, "is told: hold", breach.put),
+                partial(warning_time, api, breach.drone, "is told: hold", breach.put),
                 120,
             )
         for breach in breaches:
             inside, delay = action_delay(recorder, breach)
-            warned = warnings_sent(api, breach.drone, "If it goes on like this it enters", breach.put)
+            warned = warning_time(api, breach.drone, "If it goes on like this it enters", breach.put)
             assert warned is not None and warned < inside, f"no warning before {breach}"
             delays.append(delay)
             ahead.append(inside - warned)

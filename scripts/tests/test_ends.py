@@ -21,7 +21,7 @@ from typing import Any
 import pytest
 
 from .conftest import ROOT, Checkout
-from .running import ask, descendants, get, pid_of
+from .running import call_rest, descendants, get, pid_of
 from .waiting import until
 
 FAULTS = Path(__file__).parent / "faults" / "Faults.java"
@@ -100,7 +100,7 @@ def test_server_restarts_after_fatal_fault(
     end = health(built)["lastEnd"]
     if part is not None:
         assert end["part"] == part
-    parts = json.loads(ask(built, "/health/parts"))["ends"]
+    parts = json.loads(call_rest(built, "/health/parts"))["ends"]
     assert [one["part"] for one in parts] == [end["part"]]
     assert parts[0]["why"].endswith(".")
 
@@ -172,7 +172,7 @@ def sending_heartbeats(*peers: Peer) -> Iterator[None]:
 
 
 def live_systems(built: Checkout) -> set[int]:
-    drones = json.loads(ask(built, "/drones"))["drones"]
+    drones = json.loads(call_rest(built, "/drones"))["drones"]
     return {drone["link"]["systemId"] for drone in drones if drone["link"]["state"] == "live"}
 
 
@@ -186,7 +186,7 @@ def test_peer_whose_frames_end_the_server_is_blocked(built: Checkout, faults: Pa
         until("others are heard", lambda: live_systems(built) == {7})
     answer = health(built)
     assert answer["setAside"] is True
-    parts = json.loads(ask(built, "/health/parts"))
+    parts = json.loads(call_rest(built, "/health/parts"))
     assert parts["refused"] == [f"127.0.0.1:{bad.port}"]
     assert len(parts["ends"]) == 3
 
@@ -196,7 +196,7 @@ def test_operations_that_end_the_server_are_set_aside_and_drones_return(
     built: Checkout, faults: Path
 ) -> None:
     assert built.run("up").returncode == 0
-    drone = next(one for one in json.loads(ask(built, "/drones"))["drones"] if one["readyToArm"])
+    drone = next(one for one in json.loads(call_rest(built, "/drones"))["drones"] if one["readyToArm"])
     home = drone["home"]
     order = {
         "latitude": home["latitude"] + 0.0004,
@@ -205,16 +205,16 @@ def test_operations_that_end_the_server_are_set_aside_and_drones_return(
         "place": {"side": "fixed", "bearing": 180, "distance": 15, "height": 20},
         "patience": 600,
     }
-    follow = json.loads(ask(built, "/follows", order))["id"]
+    follow = json.loads(call_rest(built, "/follows", order))["id"]
     order_follow(built, follow, order)
-    ask(built, f"/follows/{follow}/start", {})
+    call_rest(built, f"/follows/{follow}/start", {})
 
     def one() -> dict[str, Any]:
-        return next(d for d in json.loads(ask(built, "/drones"))["drones"] if d["id"] == drone["id"])
+        return next(d for d in json.loads(call_rest(built, "/drones"))["drones"] if d["id"] == drone["id"])
 
     def follows() -> bool:
         order_follow(built, follow, order)
-        return bool(json.loads(ask(built, f"/follows/{follow}"))["state"] == "tracking")
+        return bool(json.loads(call_rest(built, f"/follows/{follow}"))["state"] == "tracking")
 
     until("it follows", follows)
     # The demo fleet flies on while the server is replaced by one that fails at every stored state.
@@ -232,7 +232,7 @@ def test_operations_that_end_the_server_are_set_aside_and_drones_return(
 def order_follow(built: Checkout, follow: str, order: dict[str, Any]) -> None:
     at = datetime.now(UTC).isoformat()
     here = {"at": at, "latitude": order["latitude"], "longitude": order["longitude"], "accuracy": 4}
-    ask(built, f"/follows/{follow}/positions", {"sent": at, "positions": [here]})
+    call_rest(built, f"/follows/{follow}/positions", {"sent": at, "positions": [here]})
 
 
 @contextlib.contextmanager

@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 
 from .conftest import SOON, Checkout, on_free_ports
-from .running import ask, descendants, get, listeners, pid_of
+from .running import call_rest, descendants, get, listeners, pid_of
 from .waiting import until
 
 SECOND_UP_SECONDS = 30
@@ -78,22 +78,22 @@ def health_when_all_live(built: Checkout) -> dict[str, Any]:
     """Health once no drone is silent: on a busy machine the simulator may be so for a moment."""
     seen: dict[str, Any] = {}
 
-    def all_are_heard() -> bool:
+    def all_live() -> bool:
         seen.update(json.loads(get(f"http://127.0.0.1:{built.http_port}/api/v1/health")[1]))
         drones = seen["drones"]
         return bool(drones["live"] > 0 and drones["suspect"] == drones["lost"] == 0)
 
-    until("no drone is silent", all_are_heard)
+    until("no drone is silent", all_live)
     return seen
 
 
 def check_demo_drone_arms(built: Checkout) -> None:
     """At once, for that is what "ready" promises: by the drone's own word and by its deed."""
     health_when_all_live(built)
-    drones = json.loads(ask(built, "/drones"))["drones"]
+    drones = json.loads(call_rest(built, "/drones"))["drones"]
     may = [drone for drone in drones if drone["readyToArm"] and drone["actions"]["arm"]["allowed"]]
     assert may, [(drone["name"], drone["readyToArm"], drone["messages"]) for drone in drones]
-    command = json.loads(ask(built, f"/drones/{may[0]['id']}/commands?wait=20", {"type": "arm"}))
+    command = json.loads(call_rest(built, f"/drones/{may[0]['id']}/commands?wait=20", {"type": "arm"}))
     assert command["outcome"]["result"] == "succeeded", command
 
 
@@ -154,7 +154,7 @@ def test_replays_a_recording_and_cancels_it_on_interruption(built: Checkout) -> 
     replay.send_signal(signal.SIGINT)
     replay.communicate(timeout=20)
     assert replay.returncode == 130
-    states = [replay["state"] for replay in json.loads(ask(built, "/replays"))["replays"]]
+    states = [replay["state"] for replay in json.loads(call_rest(built, "/replays"))["replays"]]
     assert sorted(states) == ["cancelled", "finished"]
 
 

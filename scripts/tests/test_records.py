@@ -8,7 +8,7 @@ import zipfile
 from pathlib import Path
 
 from .conftest import Checkout
-from .running import NEW_PASSWORD, ask
+from .running import NEW_PASSWORD, call_rest
 
 WRONG_USE = 2
 RECORDS_CHANGED = 10
@@ -53,9 +53,9 @@ def test_restore_brings_back_backup(built: Checkout, tmp_path: Path) -> None:
 
 def download_receipt(built: Checkout, folder: Path) -> Path:
     """For all that was done up to now, a deed of a known name among it."""
-    ask(built, "/invitations", {"label": DEED, "role": "viewer"})
+    call_rest(built, "/invitations", {"label": DEED, "role": "viewer"})
     receipt = folder / "receipt.json"
-    receipt.write_text(ask(built, "/audit/receipt"))
+    receipt.write_text(call_rest(built, "/audit/receipt"))
     check_records(built, receipt)
     return receipt
 

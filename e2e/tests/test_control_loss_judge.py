@@ -1,4 +1,4 @@
-"""The judge of moments finds what is wrong in what was recorded, and nothing in what is right."""
+"""The judge of control loss finds each fault in recorded datagrams, and none where there is none."""
 
 from collections.abc import Iterable
 from dataclasses import replace

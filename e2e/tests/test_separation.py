@@ -1,4 +1,4 @@
-"""The judge of how near vehicles come to each other finds who was too near, and when."""
+"""The judge of separation finds the nearest two vehicles, and when they were."""
 
 from dronemap_e2e.separation import METRES_PER_DEGREE, Fix, nearest
 
