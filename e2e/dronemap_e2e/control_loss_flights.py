@@ -13,7 +13,7 @@ from .api import Api, Json
 from .control_loss_cases import OPERATIONS, LossCase
 from .flight import items
 from .ground_station import User
-from .runs import planned
+from .runs import create_plan
 from .server import Server
 from .steering_client import SteeringClient
 from .waiting import wait_for
@@ -81,7 +81,7 @@ class FlightClient:
         if kind == "mission":
             self.api.do(self.id, type="uploadMission", items=self._items())
         elif kind == "run":
-            self.plan = planned(self.api, [self.drone], self._waypoints())
+            self.plan = create_plan(self.api, [self.drone], self._waypoints())
         elif kind == "virtual":
             body = {"name": f"moment {self.case.number}", "items": self._items()}
             self.virtual = self._create("/virtual-drones", body)

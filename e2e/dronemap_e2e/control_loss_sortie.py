@@ -20,7 +20,7 @@ from .control_loss_flights import PATIENCE, FlightClient
 from .control_loss_judge import Judgement, Limits, LossRecord, judge
 from .datagram_recorder import DatagramRecorder
 from .ground_station import User, new_user
-from .runs import known
+from .runs import ready_drone
 from .server import ROOT, Server
 from .simulator import Simulator
 from .waiting import rounds, wait_for
@@ -108,7 +108,7 @@ class Sortie:
     def _take_off_all(self) -> None:
         admin = self._admin_api()
         for number, case in enumerate(self.plan.cases):
-            drone = wait_for(f"{case}: all is known", partial(known, admin, FIRST + number), 120)
+            drone = wait_for(f"{case}: all is known", partial(ready_drone, admin, FIRST + number), 120)
             self.clients.append(self._client(admin, case, FIRST + number, drone))
         with ThreadPoolExecutor(len(self.clients)) as pool:
             list(pool.map(FlightClient.prepare, self.clients))
@@ -273,7 +273,7 @@ class Sortie:
 
     def _landed(self) -> set[int]:
         """System ids of vehicles that are down, by the simulator."""
-        lines = self._simulator.ask("list").splitlines()
+        lines = self._simulator.send_command("list").splitlines()
         return {int(line.split()[0]) for line in lines if " disarmed landed " in line}
 
 

@@ -14,10 +14,10 @@ from functools import partial
 from pathlib import Path
 
 from .api import Api, Json
-from .big_trial import boot_seconds, fix, local, place
+from .big_trial import boot_seconds, fix, to_degrees, to_metres
 from .impairer import UNIMPAIRED, Impairer, LinkConditions
 from .message_recorder import MessageRecorder
-from .runs import known
+from .runs import ready_drone
 from .server import Server
 from .simulator import Simulator
 from .trajectories import Disc
@@ -52,7 +52,7 @@ class Field:
 
     @staticmethod
     def around(drones: list[Json], origin: Json, chance: random.Random) -> "Field":
-        homes = [_local(origin, drone["home"]) for drone in drones]
+        homes = [_to_metres(origin, drone["home"]) for drone in drones]
         easts, norths = [h[0] for h in homes], [h[1] for h in homes]
         made = Field(
             homes,
@@ -80,7 +80,7 @@ class Field:
         """Zones as bodies of REST requests."""
 
         def at(east: float, north: float) -> list[float]:
-            there = place(origin, east, north)
+            there = to_degrees(origin, east, north)
             return [there["longitude"], there["latitude"]]
 
         corners = [
@@ -160,7 +160,7 @@ class SimulatedPhone:
         )
         at = datetime.fromtimestamp(time.time(), UTC).isoformat()
         self._position_count += 1
-        position = {"id": self._position_count, "at": at, "accuracy": 5} | place(origin, east, north)
+        position = {"id": self._position_count, "at": at, "accuracy": 5} | to_degrees(origin, east, north)
         if self._random.random() >= conditions.loss:
             delay = conditions.delay + self._random.uniform(-conditions.jitter, conditions.jitter)
             heapq.heappush(
@@ -202,7 +202,7 @@ class FollowTrial:
     def fly(self, seconds: float) -> Json:
         """Flies one round; returns what the judge found from the vehicles' positions alone."""
         drones = [
-            wait_for("all is known", partial(known, self.api, FIRST_SYSTEM_ID + n), 180)
+            wait_for("all is known", partial(ready_drone, self.api, FIRST_SYSTEM_ID + n), 180)
             for n in range(self.follows)
         ]
         origin: Json = drones[0]["home"]
@@ -234,7 +234,7 @@ class FollowTrial:
             {"side": "fixed", "bearing": self.random.randrange(360)},
         ]
         beside: Json = {"distance": self.random.randrange(3, 16), "height": self.random.choice(HEIGHTS)}
-        order = place(origin, *phone.position()) | {
+        order = to_degrees(origin, *phone.position()) | {
             "drone": drone["id"],
             "place": self.random.choice(sides) | beside,
         }
@@ -295,5 +295,5 @@ class FollowTrial:
         return found
 
 
-def _local(origin: Json, there: Json) -> tuple[float, float]:
-    return local(origin, there["latitude"], there["longitude"])
+def _to_metres(origin: Json, there: Json) -> tuple[float, float]:
+    return to_metres(origin, there["latitude"], there["longitude"])

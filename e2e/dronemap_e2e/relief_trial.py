@@ -13,11 +13,11 @@ from functools import partial
 from pathlib import Path
 
 from .api import Api, Json
-from .big_trial import fix, local, place
+from .big_trial import fix, to_degrees, to_metres
 from .follow_trial import FIRST_SYSTEM_ID, SEPARATION, STEP_SECONDS, Field, SimulatedPhone
 from .impairer import UNIMPAIRED
 from .message_recorder import MessageRecorder
-from .runs import known
+from .runs import ready_drone
 from .server import Server
 from .simulator import Simulator
 from .waiting import rounds, wait_for
@@ -101,12 +101,12 @@ class ReliefTrial:
     def fly(self, longest: float, after: float) -> Json:
         """Until each drone was replaced, and a little longer; what truly was then."""
         drones = [
-            wait_for("all is known", partial(known, self.api, FIRST_SYSTEM_ID + n), 180)
+            wait_for("all is known", partial(ready_drone, self.api, FIRST_SYSTEM_ID + n), 180)
             for n in range(2 * self.count)
         ]
         origin: Json = drones[0]["home"]
         homes = [
-            local(origin, drone["home"]["latitude"], drone["home"]["longitude"])
+            to_metres(origin, drone["home"]["latitude"], drone["home"]["longitude"])
             for drone in drones[: self.count]
         ]
         ground = Field(homes, 0, 0, 0, 0)
@@ -132,7 +132,7 @@ class ReliefTrial:
 
     def _request_follow(self, phone: WanderingPhone, drone: Json, origin: Json) -> None:
         beside: Json = {"distance": self.random.randrange(5, 13), "height": self.random.randrange(10, 21)}
-        order = place(origin, *phone.position()) | {
+        order = to_degrees(origin, *phone.position()) | {
             "drone": drone["id"],
             "place": {"side": self.random.choice(("behind", "ahead"))} | beside,
         }

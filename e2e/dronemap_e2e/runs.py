@@ -10,14 +10,14 @@ from .waiting import wait_for
 Track = list[tuple[float, float, float]]
 
 
-def known(api: Api, system_id: int) -> Json | None:
+def ready_drone(api: Api, system_id: int) -> Json | None:
     """The drone, once all is known of it that a plan takes."""
     drone = api.ready(system_id)
     complete = drone and drone["battery"] and drone["link"]["quality"]["lossShort"] is not None
     return drone if complete else None
 
 
-def planned(api: Api, drones: list[Json], waypoints: list[Json]) -> str:
+def create_plan(api: Api, drones: list[Json], waypoints: list[Json]) -> str:
     """A plan for all of them, once it is found."""
     asked = api.call(
         "POST",
@@ -39,7 +39,7 @@ def stages(run: Json) -> dict[str, str]:
     return {drone["id"]: drone["stage"] for drone in run["drones"]}
 
 
-def of(run: Json, drone: str, state: str) -> list[Json]:
+def waypoints_in_state(run: Json, drone: str, state: str) -> list[Json]:
     """Its waypoints in that state."""
     return [
         one
@@ -77,6 +77,6 @@ def distance(waypoint: Json, track: Track) -> float:
     )
 
 
-def ended(api: Api, run: str) -> Json | None:
+def run_if_over(api: Api, run: str) -> Json | None:
     now = api.get(run)
     return now if now["state"] == "over" else None

@@ -18,7 +18,7 @@ from pathlib import Path
 from .api import Api, Json
 from .flight import Point, flight_of, items, triangle
 from .followed_phones import FollowedPhone
-from .runs import known, planned, stages
+from .runs import create_plan, ready_drone, stages
 from .server import Server
 from .simulator import Simulator
 from .waiting import wait_for
@@ -136,7 +136,7 @@ def waypoints(home: Json) -> list[Json]:
 
 
 def start_run(api: Api, drones: list[Json]) -> str:
-    plan = planned(api, drones, waypoints(drones[0]["home"]))
+    plan = create_plan(api, drones, waypoints(drones[0]["home"]))
     begun = create(api, "/runs", {"plan": plan, "name": "roofs", "onCloudLoss": "continue"})
     return str(begun["id"])
 
@@ -229,7 +229,7 @@ def store(folder: Path) -> None:
         try:
             api = Api(server.address, server.local_key())
             ids = range(FIRST_SYSTEM_ID, FIRST_SYSTEM_ID + COUNT)
-            drones = [wait_for("a copter is known", partial(known, api, one), 120) for one in ids]
+            drones = [wait_for("a copter is known", partial(ready_drone, api, one), 120) for one in ids]
             pilot = create_people(server, api)
             shown = create_rights(api, pilot, drones)
             home = drones[0]["home"]

@@ -29,7 +29,7 @@ class Vehicles:
         assert self._next < FIRST + COUNT, "too many tests take a copter: let the simulator have more"
         taken = self._next
         self._next += 1
-        answer = self._simulator.ask(f"wake {taken}")
+        answer = self._simulator.send_command(f"wake {taken}")
         assert answer.startswith("ok"), answer
         return taken
 

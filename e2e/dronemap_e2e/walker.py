@@ -35,7 +35,7 @@ def sign_in(page: Page, address: str, api: Api) -> None:
     expect(page.get_by_role("heading", name="A drone that follows you")).to_be_visible()
 
 
-def phone(browser: Browser, at: Point | None = None, dark: bool = False) -> Page:
+def open_phone_page(browser: Browser, at: Point | None = None, dark: bool = False) -> Page:
     """A page as big as a phone's, whose receiver says that it is there."""
     return open_page(
         browser,
@@ -87,7 +87,7 @@ class Walker:
         self.north += north
         self.context.set_geolocation(_fix(self.place))
 
-    def stands_until(self, words: str, seconds: float = 20) -> None:
+    def wait_for_heading(self, words: str, seconds: float = 20) -> None:
         heading = self.page.get_by_role("heading", level=1)
 
         def reads() -> bool:
@@ -96,7 +96,7 @@ class Walker:
 
         wait_for(f"the page says {words}", reads, seconds)
 
-    def reads(self, *words: str, seconds: float = 30) -> str:
+    def wait_for_line(self, *words: str, seconds: float = 30) -> str:
         """Text of one line of the page, once it has these words."""
         line = self.page.get_by_role("listitem").filter(has_text=words[0])
 

@@ -83,7 +83,7 @@ def zeep_client(relay: ReliefTrial, key: str | None, version: str, service: str)
     return client.bind(service, next(name for name in ports if name.endswith("12") == (version == "1.2")))
 
 
-def called(service: Any, operation: str, **arguments: object) -> Any:
+def call_operation(service: Any, operation: str, **arguments: object) -> Any:
     """Its answer; None where it is a fault, which is as good a thing to keep."""
     try:
         return getattr(service, operation)(**arguments)
@@ -91,7 +91,7 @@ def called(service: Any, operation: str, **arguments: object) -> Any:
         return None
 
 
-def php(relay: ReliefTrial, key: str, version: str, drone: str) -> None:
+def run_php(relay: ReliefTrial, key: str, version: str, drone: str) -> None:
     relay.client = f"PHP {version}"
     done = subprocess.run(
         ["php", "-d", "soap.wsdl_cache_enabled=0", str(PHP), relay.address, key, version, drone],

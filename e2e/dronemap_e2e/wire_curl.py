@@ -53,7 +53,7 @@ def command(curl: Curl, drone: str) -> None:
     curl("GET", orders + "?limit=2")
 
 
-def _put_down(curl: Curl, relay: ReliefTrial, drone: str) -> None:
+def _wait_until_landed(curl: Curl, relay: ReliefTrial, drone: str) -> None:
     """Nothing of it is kept."""
     before = len(relay.exchanges)
     wait_for("it is down", lambda: curl("GET", f"/drones/{drone}").get("armed") is False, 90)
@@ -61,7 +61,7 @@ def _put_down(curl: Curl, relay: ReliefTrial, drone: str) -> None:
 
 
 def control(curl: Curl, relay: ReliefTrial, drone: str) -> None:
-    _put_down(curl, relay, drone)
+    _wait_until_landed(curl, relay, drone)
     at = f"/drones/{drone}/control"
     curl("POST", at + "/take")
     curl("POST", at + "/heartbeat", {})
@@ -160,7 +160,7 @@ def plans_and_runs(curl: Curl, drone: str) -> None:
 
 
 def follows(curl: Curl, relay: ReliefTrial, drone: str) -> None:
-    _put_down(curl, relay, drone)
+    _wait_until_landed(curl, relay, drone)
     here = {"latitude": 47.398, "longitude": 8.5456, "drone": drone}
     follow = curl("POST", "/follows", here | {"name": "Ann", "place": {"side": "behind", "distance": 8}})
     curl("POST", "/follows", here | {"minutes": 600})

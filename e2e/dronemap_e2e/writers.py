@@ -59,7 +59,7 @@ def request(api: Api, method: str, path: str, body: Json | None = None) -> Json:
     return body_of_answer
 
 
-class Adds(Writer):
+class MissionWriter(Writer):
     """Missions, one after the other."""
 
     def __init__(self) -> None:
@@ -75,7 +75,7 @@ class Adds(Writer):
         assert not missing, f"{len(missing)} missions are lost, as {min(missing)}"
 
 
-class Changes(Writer):
+class GroupWriter(Writer):
     """One group, which gets a new name each time: the last one, or one that was under way, is its name."""
 
     def __init__(self) -> None:
@@ -100,7 +100,7 @@ class Changes(Writer):
         self._last, self._under_way = name, None
 
 
-class AddsAndRemoves(Writer):
+class ShortLivedWriter(Writer):
     """Things that go as soon as they are there: none that is removed comes back."""
 
     def __init__(self, path: str, listed: str, new: str) -> None:
@@ -129,7 +129,7 @@ class AddsAndRemoves(Writer):
         assert not self._gone & there, f"of {self._path} came back: {self._gone & there}"
 
 
-class Zones(AddsAndRemoves):
+class ZoneWriter(ShortLivedWriter):
     """Far from everybody."""
 
     def __init__(self) -> None:
@@ -140,6 +140,11 @@ class Zones(AddsAndRemoves):
         return {"type": "Feature", "geometry": place, "properties": {"name": name, "radius": 50}}
 
 
-def of_every_kind() -> list[Writer]:
+def one_of_each_kind() -> list[Writer]:
     """Who adds, who changes, and two who remove: one in what is of all, one in what is a user's own."""
-    return [Adds(), Changes(), Zones(), AddsAndRemoves("/access-keys", "accessKeys", "label")]
+    return [
+        MissionWriter(),
+        GroupWriter(),
+        ZoneWriter(),
+        ShortLivedWriter("/access-keys", "accessKeys", "label"),
+    ]

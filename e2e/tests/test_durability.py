@@ -11,7 +11,7 @@ import requests
 from dronemap_e2e.api import Api
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
-from dronemap_e2e.writers import ITEMS, Writer, of_every_kind
+from dronemap_e2e.writers import ITEMS, Writer, one_of_each_kind
 
 WRITERS = 4
 KILLS = int(os.environ.get("DRONEMAP_KILLS", "40"))
@@ -45,7 +45,7 @@ def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, killa
 def test_four_writers_of_four_kinds_lose_nothing_in_forty_kills(own_server: Server) -> None:
     """End to end because a process is killed with -9 under its clients; each kill falls at another moment."""
     chance = random.Random(40)
-    writers = of_every_kind()
+    writers = one_of_each_kind()
     for kill in range(KILLS):
         _write_and_kill(own_server, writers, chance.uniform(0, LONGEST_SECONDS_MORE))
         own_server.start()

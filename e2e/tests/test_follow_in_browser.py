@@ -17,7 +17,7 @@ from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Touch, launch
 from dronemap_e2e.waiting import wait_for
-from dronemap_e2e.walker import Walker, beside, phone, picture, sign_in
+from dronemap_e2e.walker import Walker, beside, open_phone_page, picture, sign_in
 
 SYSTEM_ID = 77
 STEADY = 4
@@ -31,7 +31,7 @@ def test_page_by_plain_http_explains_tls_and_offers_demo(
 ) -> None:
     """End to end because a browser is what withholds the place of a phone."""
     browser = launch(playwright, RESOLVE)
-    page = phone(browser)
+    page = open_phone_page(browser)
     sign_in(page, f"http://{NAME}:{server.http_port}/follow", api)
     explains = page.get_by_role("alert")
     expect(explains).to_contain_text("not encrypted")
@@ -80,7 +80,7 @@ def browser(
     """One that trusts the machine since somebody went through the steps of its page for phones."""
     home = tmp_path_factory.mktemp("home")
     stranger = launch(playwright, RESOLVE, home=home)
-    page = phone(stranger)
+    page = open_phone_page(stranger)
     page.goto(tls_server.door)
     expect(page.get_by_role("heading", level=1)).to_contain_text("this phone first")
     picture(page, "follow-door")
@@ -115,7 +115,7 @@ def metres_away(tls_server: TlsServer, place: Point) -> float:
 def test_drone_follows_a_phone_over_tls(tls_server: TlsServer, browser: Browser) -> None:
     """End to end because a browser trusts the certificate, and tells where the phone is."""
     home = tls_server.drone["home"]
-    page = phone(browser, beside(home, Walker.east, Walker.north))
+    page = open_phone_page(browser, beside(home, Walker.east, Walker.north))
     walker = Walker(page, home)
     sign_in(page, f"https://{NAME}:{tls_server.server.http_port}/follow", tls_server.api)
     assert page.evaluate("isSecureContext")
@@ -126,14 +126,14 @@ def test_drone_follows_a_phone_over_tls(tls_server: TlsServer, browser: Browser)
     page.get_by_role("combobox", name=re.compile("^Drone")).select_option(tls_server.drone["id"])
     picture(page, "follow-ask")
     page.get_by_role("button", name="Ask for a drone").tap()
-    walker.stands_until("Ready to start")
+    walker.wait_for_heading("Ready to start")
     expect(page.get_by_text(f"Why {tls_server.drone['name']}?")).to_be_visible()
     picture(page, "follow-ready")
 
     Touch().hold(page, page.get_by_role("button", name="Start", exact=True))
-    walker.stands_until("Taking off")
+    walker.wait_for_heading("Taking off")
     picture(page, "follow-taking-off")
-    walker.stands_until("Following you", 60)
+    walker.wait_for_heading("Following you", 60)
 
     def near() -> bool:
         walker.step(0.5)
@@ -158,10 +158,10 @@ def test_drone_follows_a_phone_over_tls(tls_server: TlsServer, browser: Browser)
 
     page = walker.page
     page.get_by_role("button", name="Pause", exact=True).tap()
-    walker.stands_until("Paused")
+    walker.wait_for_heading("Paused")
     picture(page, "follow-paused")
     Touch().hold(page, page.get_by_role("button", name="Stop and fly home"))
-    walker.stands_until("Flying home")
+    walker.wait_for_heading("Flying home")
     picture(page, "follow-returning")
 
 
@@ -194,7 +194,7 @@ def check_reopened_page(tls_server: TlsServer, walker: Walker) -> None:
     assert seen()["state"] == "tracking"
     walker.page = walker.context.new_page()
     walker.page.goto(address)
-    walker.reads("This page was closed for", "Now it follows you again.")
+    walker.wait_for_line("This page was closed for", "Now it follows you again.")
     picture(walker.page, "follow-back")
 
     def follows() -> bool:

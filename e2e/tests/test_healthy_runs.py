@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.big_trial import place
+from dronemap_e2e.big_trial import to_degrees
 from dronemap_e2e.heartbeats import HeartbeatGaps
 from dronemap_e2e.impairer import Impairer, LinkConditions
-from dronemap_e2e.runs import ended, known, planned, stages
+from dronemap_e2e.runs import create_plan, ready_drone, run_if_over, stages
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
@@ -54,7 +54,7 @@ class Field:
     def waypoints(self, drones: list[Json], chance: random.Random) -> list[Json]:
         home = drones[0]["home"]
         return [
-            place(home, chance.uniform(-25, 145), chance.uniform(-22, 22))
+            to_degrees(home, chance.uniform(-25, 145), chance.uniform(-22, 22))
             | {
                 "altitude": home["altitudeAmsl"] + chance.choice([15, 20, 25]),
                 "altitudeReference": "amsl",
@@ -92,7 +92,7 @@ def sets_of_three() -> list[list[int]]:
 def test_no_drone_is_given_up_for_gusts_heartbeat_gaps_or_losses(field: Field) -> None:
     api, chance = field.api, random.Random(field.seed)
     drones = {
-        system_id: wait_for("all is known", partial(known, api, system_id), 180)
+        system_id: wait_for("all is known", partial(ready_drone, api, system_id), 180)
         for three in sets_of_three()
         for system_id in three
     }
@@ -101,7 +101,7 @@ def test_no_drone_is_given_up_for_gusts_heartbeat_gaps_or_losses(field: Field) -
     runs = {}
     for three in sets_of_three():
         fleet = [drones[system_id] for system_id in three]
-        plan = planned(api, fleet, field.waypoints(fleet, chance))
+        plan = create_plan(api, fleet, field.waypoints(fleet, chance))
         asked = {"plan": plan, "onCloudLoss": chance.choice(["rtl", "continue"]), "searchSeconds": 1}
         started = api.call("POST", "/runs", asked)
         assert started.status_code == 201, started.text
@@ -109,7 +109,7 @@ def test_no_drone_is_given_up_for_gusts_heartbeat_gaps_or_losses(field: Field) -
 
     wrong = []
     for run, (three, since) in runs.items():
-        over = wait_for(f"{run} is over", partial(ended, api, run), 600, every=1)
+        over = wait_for(f"{run} is over", partial(run_if_over, api, run), 600, every=1)
         gaps = [sum(at > since for at in field.gaps.gaps.get(system_id, [])) for system_id in three]
         (field.folder / f"run-{three[0]}.json").write_text(json.dumps(over, indent=1))
         assert all(gaps), f"no gap between heartbeats: {gaps}"

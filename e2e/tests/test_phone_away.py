@@ -20,7 +20,7 @@ from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, Touch, launch
 from dronemap_e2e.waiting import rounds, wait_for
-from dronemap_e2e.walker import Walker, beside, create_operator, phone, picture, sign_in
+from dronemap_e2e.walker import Walker, beside, create_operator, open_phone_page, picture, sign_in
 
 SYSTEM_ID = 78
 PACE = 1.0
@@ -123,7 +123,7 @@ class PhoneTrial:
     def check_following_again(self, words: str, name: str) -> None:
         """The page says what was, and the drone comes along again."""
         page = self.walker.page
-        line = self.walker.reads(words, "Now it follows you again.", seconds=BACK_SECONDS)
+        line = self.walker.wait_for_line(words, "Now it follows you again.", seconds=BACK_SECONDS)
         picture(page, name)
         print(" ".join(line.split()))
         assert re.search(r"stood and waited for \d+ s", line), line
@@ -146,7 +146,7 @@ class PhoneTrial:
 def trial(
     server: Server, api: Api, recorder: MessageRecorder, drone: Json, browser: Browser
 ) -> Iterator[PhoneTrial]:
-    page = phone(browser, beside(drone["home"], Walker.east, Walker.north))
+    page = open_phone_page(browser, beside(drone["home"], Walker.east, Walker.north))
     desk = open_page(browser, dark=True)
     Station(desk, Pointer()).sign_in(server.address, *create_operator(api), secrets.token_hex(10))
     desk.get_by_role("button", name=re.compile("^Phones that are followed")).click()
@@ -155,11 +155,11 @@ def trial(
     page.get_by_role("button", name="Change that").tap()
     page.get_by_role("combobox", name=re.compile("^Drone")).select_option(drone["id"])
     page.get_by_role("button", name="Ask for a drone").tap()
-    made.walker.stands_until("Ready to start")
+    made.walker.wait_for_heading("Ready to start")
     (follow,) = [one for one in api.get("/follows")["follows"] if one["drone"] == drone["id"]]
     made.follow = follow["id"]
     Touch().hold(page, page.get_by_role("button", name="Start", exact=True))
-    made.walker.stands_until("Following you", 60)
+    made.walker.wait_for_heading("Following you", 60)
     made.walk_until("the drone has come", made.is_near)
     yield made
     api.call("POST", f"/follows/{made.follow}/stop")

@@ -8,7 +8,16 @@ import pytest
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.message_recorder import MessageRecorder, RecordedMessage
-from dronemap_e2e.runs import Track, distance, ended, known, of, planned, stages, tracks
+from dronemap_e2e.runs import (
+    Track,
+    create_plan,
+    distance,
+    ready_drone,
+    run_if_over,
+    stages,
+    tracks,
+    waypoints_in_state,
+)
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
@@ -87,13 +96,15 @@ def off_height(waypoint: Json, track: Track) -> float:
 def test_drone_taken_by_pilot_is_replaced_at_same_height_and_not_commanded(
     api: Api, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
-    drones = [wait_for("all is known", partial(known, api, one), 120) for one in (VALLEY, MOUNTAIN)]
+    drones = [wait_for("all is known", partial(ready_drone, api, one), 120) for one in (VALLEY, MOUNTAIN)]
     stays, leaves = (drone["id"] for drone in drones)
     assert drones[1]["home"]["altitudeAmsl"] - drones[0]["home"]["altitudeAmsl"] == pytest.approx(80, abs=1)
-    asked = api.call("POST", "/runs", {"plan": planned(api, drones, waypoints()), "onCloudLoss": "continue"})
+    asked = api.call(
+        "POST", "/runs", {"plan": create_plan(api, drones, waypoints()), "onCloudLoss": "continue"}
+    )
     assert asked.status_code == 201, asked.text
     run = f"/runs/{asked.json()['id']}"
-    wait_for("it is on its way", lambda: of(api.get(run), leaves, "visited"), 180)
+    wait_for("it is on its way", lambda: waypoints_in_state(api.get(run), leaves, "visited"), 180)
 
     simulator.fault(f"{MOUNTAIN} mode {LOITER}")
     wait_for("the pilot has it", lambda: stages(api.get(run))[leaves] == "suspended", 30)
@@ -122,7 +133,7 @@ def test_drone_taken_by_pilot_is_replaced_at_same_height_and_not_commanded(
 
     resumed = api.call("POST", f"{run}/drones/{leaves}/resume")
     assert resumed.ok, resumed.text
-    over = wait_for("it is over", partial(ended, api, run), 240)
+    over = wait_for("it is over", partial(run_if_over, api, run), 240)
     assert over["counts"]["visited"] == WAYPOINTS, over["explanations"]
     assert commands_sent(recorder, MOUNTAIN, since)
     assert api.get(f"{run}/journal/replay")["same"]

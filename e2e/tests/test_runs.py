@@ -10,7 +10,15 @@ import pytest
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import EARTH_RADIUS_METERS
 from dronemap_e2e.message_recorder import MessageRecorder
-from dronemap_e2e.runs import distance, ended, known, of, planned, stages, tracks
+from dronemap_e2e.runs import (
+    create_plan,
+    distance,
+    ready_drone,
+    run_if_over,
+    stages,
+    tracks,
+    waypoints_in_state,
+)
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
@@ -61,9 +69,11 @@ def test_run_replaces_crashed_drone_and_survives_server_crash(
     own_server: Server, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
     api = Api(own_server.address, own_server.local_key())
-    drones = [wait_for("all is known", partial(known, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)]
+    drones = [
+        wait_for("all is known", partial(ready_drone, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)
+    ]
     asked = {
-        "plan": planned(api, drones, waypoints(drones[0]["home"])),
+        "plan": create_plan(api, drones, waypoints(drones[0]["home"])),
         "name": "roofs",
         "onCloudLoss": "continue",
     }
@@ -73,15 +83,15 @@ def test_run_replaces_crashed_drone_and_survives_server_crash(
     wait_for("all fly", lambda: set(stages(api.get(run)).values()) == {"flying"}, 120)
 
     fallen = drones[0]["id"]
-    wait_for("it is on its way", lambda: of(api.get(run), fallen, "visited"), 120)
-    left = [one["id"] for one in of(api.get(run), fallen, "assigned")]
+    wait_for("it is on its way", lambda: waypoints_in_state(api.get(run), fallen, "visited"), 120)
+    left = [one["id"] for one in waypoints_in_state(api.get(run), fallen, "assigned")]
     simulator.fault(f"{FIRST_SYSTEM_ID} motor-failure")
     wait_for("it is given up", lambda: stages(api.get(run))[fallen] == "crashed", 30)
 
     own_server.kill()
     own_server.start()
     again = Api(own_server.address, own_server.local_key())
-    over = wait_for("it is over", partial(ended, again, run), 240)
+    over = wait_for("it is over", partial(run_if_over, again, run), 240)
 
     assert over["counts"]["visited"] == WAYPOINTS, over["explanations"]
     flown = tracks(recorder, drones, FIRST_SYSTEM_ID)
