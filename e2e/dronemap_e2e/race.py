@@ -231,7 +231,7 @@ def fill_epochs_from_records(
 
 
 def check_epochs(moves: list[ReceivedMove], racers: list[Racer]) -> int:
-    """What reached the vehicle, in order: no refused command, epochs that never fall, one holder each; and
+    """Checks what reached the vehicle: no refused command, epochs that never fall, one holder each; and
     nothing of an epoch after somebody had been told of a later one.
 
     Returns how often control changed hands on the wire.

@@ -141,7 +141,7 @@ class ZoneWriter(ShortLivedWriter):
 
 
 def one_of_each_kind() -> list[Writer]:
-    """Who adds, who changes, and two who remove: one in what is of all, one in what is a user's own."""
+    """A writer that adds, one that changes, and two that remove: of what is shared, and of a user's own."""
     return [
         MissionWriter(),
         GroupWriter(),

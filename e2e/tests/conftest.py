@@ -27,7 +27,7 @@ LONGEST = (
     "test_accounts_in_browser",
     "test_flights_and_failures",
     "test_crash",
-    "test_moments",
+    "test_control_loss",
     "test_flight_by_program",
     "test_plans_in_browser",
     "test_control",
@@ -80,7 +80,7 @@ def api(server: Server) -> Api:
 
 @pytest.fixture(scope="session")
 def restartable_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """A server that the tests share which break one; `killable` makes sure that it runs."""
+    """A server that the tests share which break one; `killable_server` makes sure that it runs."""
     server = Server(tmp_path_factory.mktemp("fallen") / "data")
     yield server
     server.stop()

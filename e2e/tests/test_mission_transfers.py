@@ -19,7 +19,7 @@ HOME = (47.3977, 8.5456)
 
 
 @dataclass(frozen=True)
-class Bench:
+class VehicleUnderTest:
     """One simulated vehicle behind a link that a test may spoil, with a station plugged into it."""
 
     api: Api
@@ -43,7 +43,9 @@ class Bench:
 
 
 @pytest.fixture(params=["arducopter", "px4"])
-def bench(request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
+def vehicle(
+    request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Path
+) -> Iterator[VehicleUnderTest]:
     system_id = next(SYSTEM_IDS)
     link = Impairer(server.udp_port, seed=system_id)
     simulator = Simulator(
@@ -53,7 +55,7 @@ def bench(request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Pa
     )
     station = DirectStation(link, system_id)
     drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)["id"]
-    yield Bench(api, link, station, drone)
+    yield VehicleUnderTest(api, link, station, drone)
     simulator.stop()
     link.close()
 
@@ -72,12 +74,12 @@ def waypoints(count: int, seed: int = 0) -> list[Json]:
 
 @pytest.mark.soak
 @pytest.mark.parametrize(("count", "seconds"), [(200, 1800)], ids=["200 items"])
-def test_mission_upload_over_bad_link(bench: Bench, count: int, seconds: float) -> None:
+def test_mission_upload_over_bad_link(vehicle: VehicleUnderTest, count: int, seconds: float) -> None:
     items = waypoints(count)
-    bench.link.conditions = BAD
+    vehicle.link.conditions = BAD
 
-    outcome = bench.api.ended(bench.begin_upload(items), seconds)["outcome"]
+    outcome = vehicle.api.ended(vehicle.begin_upload(items), seconds)["outcome"]
 
     assert outcome["result"] == "succeeded", outcome
-    bench.link.conditions = UNIMPAIRED
-    assert bench.holds(items)
+    vehicle.link.conditions = UNIMPAIRED
+    assert vehicle.holds(items)

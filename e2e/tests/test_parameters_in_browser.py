@@ -22,7 +22,7 @@ from .conftest import SYSTEM_IDS
 
 
 @dataclass(frozen=True)
-class Bench:
+class VehicleUnderTest:
     """One simulated copter with many parameters, and a station plugged into it."""
 
     simulator: Simulator
@@ -32,7 +32,7 @@ class Bench:
 
 
 @pytest.fixture
-def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
+def vehicle(server: Server, api: Api, tmp_path: Path) -> Iterator[VehicleUnderTest]:
     system_id = next(SYSTEM_IDS)
     link = Impairer(server.udp_port, seed=system_id)
     simulator = Simulator(
@@ -42,7 +42,7 @@ def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
     )
     station = DirectStation(link, system_id)
     drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)
-    yield Bench(simulator, station, system_id, drone)
+    yield VehicleUnderTest(simulator, station, system_id, drone)
     simulator.stop()
     link.close()
 
@@ -63,14 +63,14 @@ def phone(browser: Browser) -> Iterator[Page]:
     opened.context.close()
 
 
-def open_panel(server: Server, api: Api, page: Page, bench: Bench) -> Station:
+def open_panel(server: Server, api: Api, page: Page, vehicle: VehicleUnderTest) -> Station:
     name, password = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10)
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
     assert answer.status_code == 201, answer.text
     input_method: InputMethod = Touch() if page.viewport_size == PHONE else Pointer()
     station = Station(page, input_method)
     station.sign_in(server.address, name, password, secrets.token_hex(10))
-    station.choose(bench.drone["name"])
+    station.choose(vehicle.drone["name"])
     return station
 
 
@@ -105,10 +105,10 @@ def picture(page: Page, name: str) -> None:
 
 
 def test_parameters_are_read_searched_changed_and_loaded(
-    server: Server, api: Api, desk: Page, bench: Bench, tmp_path: Path
+    server: Server, api: Api, desk: Page, vehicle: VehicleUnderTest, tmp_path: Path
 ) -> None:
     """End to end because a browser takes files in and hands them out."""
-    page, station = desk, open_panel(server, api, desk, bench)
+    page, station = desk, open_panel(server, api, desk, vehicle)
     disclose(station, "Parameters")
     station.press("Read all parameters")
     station.shows("300 parameters, all read at")
@@ -125,14 +125,14 @@ def test_parameters_are_read_searched_changed_and_loaded(
     station.press("Set")
     station.shows("Change: Done")
     expect(row).to_contain_text("2500")
-    assert bench.station.parameters()["RTL_ALT"][0] == 2500
+    assert vehicle.station.parameters()["RTL_ALT"][0] == 2500
 
-    bench.simulator.fault(f"{bench.system_id} alter RTL_ALT")
+    vehicle.simulator.fault(f"{vehicle.system_id} alter RTL_ALT")
     station.input_method.press(page, row)
     field.fill("3000")
     station.press("Set")
     station.shows("The vehicle holds RTL_ALT = 3001, not 3000.")
-    bench.simulator.fault(f"{bench.system_id} repair")
+    vehicle.simulator.fault(f"{vehicle.system_id} repair")
 
     file = tmp_path / "copter.param"
     file.write_text("RTL_ALT,1800\nLAND_SPEED,60\nFS_EKF_ACTION,1\nNOBODY_KNOWS,1\n")
@@ -143,7 +143,7 @@ def test_parameters_are_read_searched_changed_and_loaded(
     picture(page, "parameters-3-compared")
     station.hold("Load 2 values")
     station.shows("Change: Done")
-    held = bench.station.parameters()
+    held = vehicle.station.parameters()
     assert (held["RTL_ALT"][0], held["LAND_SPEED"][0]) == (1800, 60)
     with page.expect_download() as saved:
         station.input_method.press(page, page.get_by_role("link", name="Save .param", exact=True))
@@ -162,23 +162,27 @@ def test_parameters_are_read_searched_changed_and_loaded(
     can_be_pressed(station.button("Load 2 values"), page.get_by_role("link", name="Save .param", exact=True))
 
 
-def test_home_picture_and_relay_by_page(server: Server, api: Api, phone: Page, bench: Bench) -> None:
+def test_home_picture_and_relay_by_page(
+    server: Server, api: Api, phone: Page, vehicle: VehicleUnderTest
+) -> None:
     """End to end because hands do it on the page, and a second station sees it on the vehicle."""
-    page, station = phone, open_panel(server, api, phone, bench)
+    page, station = phone, open_panel(server, api, phone, vehicle)
     disclose(station, "Home")
     page.get_by_label("Home at coordinates").fill("47.4012, 8.5501")
     page.get_by_label("Altitude above sea level (m)").fill("501")
     picture(page, "home")
     station.hold("Set home")
     station.shows("Set home: Done")
-    assert bench.station.home() == (474_012_000, 85_501_000, 501_000)
+    assert vehicle.station.home() == (474_012_000, 85_501_000, 501_000)
 
     disclose(station, "Turn, camera, relays")
     station.press("Take a picture")
-    wait_for("the picture is taken", lambda: "pictures 1 " in bench.simulator.payload(bench.system_id), 30)
+    wait_for(
+        "the picture is taken", lambda: "pictures 1 " in vehicle.simulator.payload(vehicle.system_id), 30
+    )
     page.get_by_label("ReliefTrial", exact=True).fill("3")
     station.press("Switch")
-    wait_for("it is on", lambda: bench.simulator.payload(bench.system_id).endswith("relays on: 3"), 30)
+    wait_for("it is on", lambda: vehicle.simulator.payload(vehicle.system_id).endswith("relays on: 3"), 30)
     expect(station.button("Turn")).to_have_attribute("aria-disabled", "true")
     picture(page, "payload")
 
