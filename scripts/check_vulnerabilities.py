@@ -1,4 +1,4 @@
-"""Looks whether anything that ships has a known vulnerability, and says so when it cannot tell.
+"""Checks what ships for known vulnerabilities, and reports what it could not check.
 
 Usage: check_vulnerabilities.py [--offline] [--jar FILE]     after a build
 

@@ -160,7 +160,7 @@ def print_table(suites: dict[str, Suite]) -> None:
 
 
 def print_reasons(suites: dict[str, Suite]) -> None:
-    """The first and the last lines of what each failed test said."""
+    """Prints the first and the last lines of each failed test's message."""
     for name, message in (entry for suite in suites.values() for entry in suite.messages.items()):
         lines = [line[:MOST_COLUMNS] for line in message.splitlines()]
         if len(lines) > MOST_LINES:

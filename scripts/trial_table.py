@@ -22,7 +22,7 @@ KEYS: dict[str, type | tuple[type, ...]] = {
 
 
 class TrialRefused(Exception):
-    """A sentence for whoever asked, and the exit code."""
+    """A refusal: its sentence and the exit code."""
 
     def __init__(self, sentence: str, code: int = FAILED) -> None:
         super().__init__(sentence)

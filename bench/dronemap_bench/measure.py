@@ -93,7 +93,7 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
 
 
 def _figures(messages: int, before: machine.Sample, after: machine.Sample, others: float) -> Json:
-    """By message that the server heard meanwhile: a late sender must not make it look cheap."""
+    """Figures by message that the server received meanwhile: a late sender must not make it look cheap."""
     wall = after.at - before.at
     used = after.process - before.process
     busy = after.machine_busy - before.machine_busy

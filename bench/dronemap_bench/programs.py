@@ -186,7 +186,7 @@ class Load:
         return self._process.pid
 
     def await_ready(self) -> None:
-        """Returns when it has said that it is."""
+        """Waits until the program has printed that it is ready."""
         self.await_line("ready")
 
     def await_line(self, word: str) -> None:

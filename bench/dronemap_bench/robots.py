@@ -1,4 +1,4 @@
-"""`python -m dronemap_bench.robots`: many robots, half of them on WebSockets; what came of their words."""
+"""`python -m dronemap_bench.robots`: many robots, half of them on WebSockets, and what of theirs arrived."""
 
 import argparse
 import json
@@ -88,7 +88,7 @@ def _frames_received(server: Server) -> int:
 
 
 def _count_arrived(server: Server, robots: int, steps: int) -> int:
-    """Robots that are where they said last, each in its own row: soon, or not at all."""
+    """Counts robots that are shown where they reported last, each in its own row."""
     found = 0
 
     def count() -> bool:

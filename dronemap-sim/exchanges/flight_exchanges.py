@@ -53,7 +53,7 @@ def go_to_by_setpoint(link: VehicleLink) -> None:
 
 
 def follow_moving_setpoint(link: VehicleLink) -> None:
-    """Ten times a second a place that moves north at 5 m/s, and to look east; after 15 s not a word more."""
+    """Ten setpoints a second that move north at 5 m/s and look east; after 15 s none any more."""
     airborne(link)
     latitude, longitude = link.position
     start(link)

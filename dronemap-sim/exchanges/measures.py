@@ -177,7 +177,7 @@ def speed_behind_setpoint(lines: Lines) -> float:
 
 
 def distance_behind_setpoint(lines: Lines) -> float:
-    """Metres that it was south of the place said last, when it has caught up."""
+    """Metres that it is south of the last setpoint, when it has caught up."""
     end = last_setpoint_at(lines)
     place, behind = 0.0, []
     for line in lines:
@@ -195,13 +195,13 @@ def heading_behind_setpoint(lines: Lines) -> float:
 
 
 def distance_after_last_setpoint(lines: Lines) -> float:
-    """Metres from the last place said to where it stands in the end, to the north."""
+    """Metres from the last setpoint to where it stands in the end, to the north."""
     places = values(lines, "SET_POSITION_TARGET_GLOBAL_INT", "lat_int")
     return (values(lines, "GLOBAL_POSITION_INT", "lat")[-1] - places[-1]) * 1e-7 * METERS_PER_DEGREE
 
 
 def stopping_time_after_last_setpoint(lines: Lines) -> float:
-    """From the last place said until it has slowed down to 1 m/s."""
+    """Seconds from the last setpoint until it has slowed down to 1 m/s."""
     end = last_setpoint_at(lines)
     for line in lines:
         if line["msg"] == "VFR_HUD" and seconds(line) > end and line["groundspeed"] < 1:

@@ -65,7 +65,7 @@ class TranscriptTest(unittest.TestCase):
         self.assertEqual((-1, None, 30.5), (line["param1"], line["param4"], line["z"]))
 
     def test_keeps_only_parameters_that_were_set(self) -> None:
-        """The autopilot tells of its own changes too."""
+        """The autopilot reports its own changes too."""
         self.transcript.start()
         self.transcript.sent(mavlink.MAVLink_param_set_message(1, 1, b"FS_GCS_ENABLE", 1, 9))
         for name in (b"STAT_RUNTIME", b"FS_GCS_ENABLE"):

@@ -1,4 +1,4 @@
-"""A MAVLink link to one vehicle, as a ground station has it: heartbeats out, everything heard kept as last known."""
+"""A MAVLink link to one vehicle, as a ground station has it: sends heartbeats, keeps the last of each message."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ class VehicleLink:
     # --- hearing -------------------------------------------------------------------------------------------
 
     def pump(self) -> list[Any]:
-        """Send a heartbeat if one is due, wait a moment, return what was heard."""
+        """Send a heartbeat if one is due, wait a moment, return what was received."""
         self._send_heartbeat()
         received = []
         message = self._connection.recv_match(blocking=True, timeout=RECEIVE_TIMEOUT_SECONDS)
@@ -125,7 +125,7 @@ class VehicleLink:
             self.pump()
 
     def expect(self, what: str, wanted: Callable[[Any], bool], seconds: float) -> Any:
-        """The first message heard since the last call that is wanted; earlier ones are passed over."""
+        """The first wanted message received since the last call; earlier ones are passed over."""
         deadline = time.monotonic() + seconds
         while True:
             while self._inbox:
@@ -158,7 +158,7 @@ class VehicleLink:
         return self.wait_for_acknowledgement(mavlink.MAV_CMD_DO_SET_MODE)
 
     def clear_inbox(self) -> None:
-        """`expect` will look only at what is heard from now on."""
+        """`expect` will look only at what is received from now on."""
         self._inbox.clear()
 
     # --- what is known -------------------------------------------------------------------------------------

@@ -187,7 +187,7 @@ class FlightClient:
         return taken
 
     def _send_loop(self) -> None:
-        """Signs and commands once a second, whatever comes of them: whoever is refused insists."""
+        """Sends signs and commands once a second, whether or not they are refused."""
         api = Api(self.server.address, self.key) if self.key else self.user.api
         while not self.gone.wait(EVERY):
             with suppress(requests.RequestException):

@@ -55,7 +55,7 @@ class Limits:
 class LossRecord:
     """Events of one drone and its server; monotonic seconds, infinite: it did not happen."""
 
-    # Whoever had the drone did their last sign, or lost it.
+    # The last sign of its controller, or the loss of control.
     lost_at: float
     # From when to when no server was there, or none that moved.
     server_away: tuple[float, float] = (math.inf, math.inf)

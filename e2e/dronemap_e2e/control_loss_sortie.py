@@ -33,13 +33,13 @@ FLIGHT = (
     *("--speedup", "5", "--parameter", "RTL_ALT=800", "--parameter", "RTL_LOIT_TIME=0"),
     *("--parameter", "LAND_SPEED=150", "--parameter", "WPNAV_SPEED=300", "--parameter", "LOIT_SPEED=300"),
 )
-# Whoever has a remote control, or another ground station, goes to one of these.
+# Modes that a pilot chooses, by remote control or another ground station.
 PILOT_MODES = {"guided": 5, "velocity": 16, "sticks": 2, "mission": 5, "run": 16, "follow": 2, "virtual": 5}
 OTHER_STATION = 252
 SETTLE = 2.0
 TAKE_OFF_LIMIT = 120.0
 LANDING_LIMIT = 150.0
-# Whoever has handed over goes on for so long, where they insist: less than whom it was handed to has.
+# A client that has handed over goes on for so long: less than the other user has to come.
 KEEPS_SENDING = 3.0
 # A pilot's vehicle is watched for so long after all that could call it back.
 PILOT_WATCH = 10.0
@@ -151,7 +151,7 @@ class Sortie:
                 one.api.call("POST", f"/drones/{one.id}/control/take")
             answer = one.api.call("POST", f"/drones/{one.id}/control/hand-over", {"user": one.absent_user})
             assert answer.ok, answer.text
-            # Nobody has it when the other one did not come, and whoever commands it then has it rightly.
+            # Nobody has it when the other user did not come; a command then takes control by right.
             threading.Timer(KEEPS_SENDING, one.stop_sending).start()
         elif case.event == "revoke":
             self._revoke(one)
@@ -238,7 +238,7 @@ class Sortie:
         self.server_away = (begin, time.monotonic())
         for one in stays:
             if one.epoch:
-                # Late: whoever had it was silent for all that time.
+                # Late: its controller was silent for all that time.
                 self.happened[one.system_id].kept_over_standstill = _signs(one)
 
     def _pilots(self, pilots: list[FlightClient]) -> None:
@@ -268,7 +268,7 @@ class Sortie:
                 break
         for system_id in pilots:
             self.happened[system_id].observed_until = time.monotonic()
-        # Whoever is down has said so by then.
+        # Vehicles that are down have reported it by then.
         time.sleep(SETTLE)
 
     def _landed(self) -> set[int]:

@@ -13,7 +13,7 @@ from .waiting import wait_for
 
 PARAMETERS = 1_000
 
-# What the cloud says to vehicles by itself, whoever looks on; commands: which.
+# Messages and commands that the cloud sends to vehicles by itself.
 OWN_MESSAGES = {"HEARTBEAT", "TIMESYNC", "PING", "MISSION_REQUEST_LIST", "MISSION_REQUEST_INT", "MISSION_ACK"}
 OWN_MESSAGES |= {"REQUEST_DATA_STREAM", "PARAM_REQUEST_READ"}
 OWN_COMMANDS = {mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAV_CMD_REQUEST_MESSAGE}

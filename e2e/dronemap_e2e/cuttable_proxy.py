@@ -1,4 +1,4 @@
-"""A network between a client and the server that can be cut: nothing passes any more, and nobody is told."""
+"""A TCP proxy between a client and the server that can be cut: nothing passes, nothing is closed."""
 
 import select
 import socket

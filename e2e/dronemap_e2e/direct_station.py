@@ -30,7 +30,7 @@ class DirectStation:
         self._link.send_to_vehicles(data)
 
     def parameters(self) -> dict[str, tuple[float, int]]:
-        """Name to value and type, as the vehicle tells them: bits stay bits."""
+        """Name to value and type, as the vehicle sends them: bits stay bits."""
         self._forget()
         found: dict[int, tuple[str, float, int]] = {}
         count = -1

@@ -43,7 +43,7 @@ def items(points: list[Point]) -> list[Json]:
 
 
 def judge(wire: MessageLog, points: list[Point], take_off_altitude: float, tolerance: float = 2.0) -> None:
-    """The vehicle armed, climbed, passed each waypoint in order, returned and disarmed: as it said itself."""
+    """Asserts by its messages that it armed, climbed, passed each waypoint, returned and disarmed."""
     track = [h for h in wire.messages("GLOBAL_POSITION_INT", up=True)]
     beats = [h for h in wire.messages("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
     armed = [bool(h.message.base_mode & ARMED) for h in beats]

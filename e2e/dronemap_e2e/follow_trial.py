@@ -254,7 +254,7 @@ class FollowTrial:
         seconds: float,
         until: Callable[[], bool] | None = None,
     ) -> None:
-        """Lets them go and say where they are, for so long or until that is so."""
+        """Moves the phones and sends their positions, for so long or until that is so."""
         last_sent = [time.monotonic() - self.random.random() for _ in phones]
         looked = 0.0
         for _ in rounds(time.monotonic() + seconds, STEP_SECONDS):

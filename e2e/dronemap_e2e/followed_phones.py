@@ -1,4 +1,4 @@
-"""Phones that stand still, each followed by a simulated copter; what every face and the wire say of it."""
+"""Phones that stand still, each followed by a simulated copter; the follow by each face and on the wire."""
 
 import json
 import time
@@ -69,7 +69,7 @@ class FollowedPhone:
         assert answer.ok, answer.text
 
     def send_position(self, api: Api) -> None:
-        """Once a second; who is no longer followed has nothing to say."""
+        """Sends its position, once a second, as long as it is followed."""
         now = time.time()
         if not self.sends_positions or now - self.sent_at < 1:
             return
@@ -175,7 +175,7 @@ def stages_by_soap(server: Server, key: str, follows: Iterable[str]) -> dict[str
 
 
 def stages_by_stream(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:
-    """Each one's stage, as told to who has just connected."""
+    """Each one's stage, as the stream sends it after a connect."""
     wanted = set(follows)
     found: dict[str, str] = {}
     with connect(server.stream_address, additional_headers={"Authorization": f"Bearer {key}"}) as stream:

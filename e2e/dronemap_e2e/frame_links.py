@@ -100,8 +100,8 @@ class DtlsLink:
 class Bridge:
     """Connects a simulated vehicle's UDP with a frame link."""
 
-    def __init__(self, carrier: FrameLink) -> None:
-        self.carrier = carrier
+    def __init__(self, link: FrameLink) -> None:
+        self.link = link
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.bind(("127.0.0.1", 0))
         self._socket.settimeout(PATIENCE)
@@ -116,7 +116,7 @@ class Bridge:
         while not self._closed:
             try:
                 frame, self._vehicle = self._socket.recvfrom(65535)
-                self.carrier.send(frame)
+                self.link.send(frame)
             except (TimeoutError, OSError, ConnectionClosed):
                 # A link may break and come back; the vehicle goes on talking.
                 continue
@@ -124,7 +124,7 @@ class Bridge:
     def _down(self) -> None:
         while not self._closed:
             try:
-                data = self.carrier.receive()
+                data = self.link.receive()
             except (OSError, ConnectionClosed):
                 continue
             if data and self._vehicle is not None:
@@ -134,5 +134,5 @@ class Bridge:
         self._closed = True
         for thread in self._threads:
             thread.join()
-        self.carrier.close()
+        self.link.close()
         self._socket.close()

@@ -106,7 +106,7 @@ class GroundStation:
         ]
 
     def vehicles(self) -> set[int]:
-        """The system ids of all whose autopilot was heard."""
+        """The system ids of all vehicles whose heartbeats were received."""
         beats = self.messages("HEARTBEAT")
         return {m.get_srcSystem() for m in beats if m.type != GROUND_STATION}
 

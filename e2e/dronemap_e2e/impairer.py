@@ -35,9 +35,9 @@ class Impairer:
         self.conditions = conditions
         self.forwarded = 0
         self.lost = 0
-        # Hears every datagram of every vehicle before the weather does anything to it.
+        # Called with every datagram of every vehicle before it is impaired.
         self.on_datagram: Callable[[bytes], None] = lambda data: None
-        # Which datagrams of vehicles never arrive, whatever the weather.
+        # True for datagrams of vehicles that never arrive, however good the link is.
         self.drops: Callable[[bytes], bool] = lambda data: False
         self._server = (LOOPBACK, server_port)
         self._random = random.Random(seed)

@@ -1,4 +1,4 @@
-"""A vehicle of our own, spoken with pymavlink: it does what a test tells it to, rightly or not."""
+"""A vehicle made with pymavlink, whose answers a test chooses, rightly or not."""
 
 import socket
 import struct
@@ -137,7 +137,7 @@ class Peer:
         """Called again and again on the peer's thread; kinds of peers do more here."""
 
     def _receive(self) -> bytes:
-        """Notes when it came to the socket, as the system says, however late it is read."""
+        """Reads data, and notes when it came to the socket by the system's time stamp."""
         data, more, _, _ = self._socket.recvmsg(65535, 64)
         stamps = [each for level, kind, each in more if (level, kind) == (socket.SOL_SOCKET, SO_TIMESTAMPNS)]
         if stamps:

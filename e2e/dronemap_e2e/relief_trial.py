@@ -22,7 +22,7 @@ from .server import Server
 from .simulator import Simulator
 from .waiting import rounds, wait_for
 
-STROLLS_METRES = 35.0
+WANDERS_WITHIN_METRES = 35.0
 SPEEDS = (1.4, 1.4, 3.0)
 # What is left in the fullest battery that is to be replaced, and how much less there is in each next one.
 FULLEST_PERCENT, APART_PERCENT = 46, 1.5
@@ -44,7 +44,7 @@ class WanderingPhone(SimulatedPhone):
         self.path: list[tuple[float, float, float]] = []
 
     def _next(self) -> tuple[float, float]:
-        reach = STROLLS_METRES
+        reach = WANDERS_WITHIN_METRES
         return (
             self._origin[0] + self._random.uniform(-reach, reach),
             self._origin[1] + self._random.uniform(-reach, reach),
@@ -99,7 +99,7 @@ class ReliefTrial:
         self.server.stop()
 
     def fly(self, longest: float, after: float) -> Json:
-        """Until each drone was replaced, and a little longer; what truly was then."""
+        """Flies until each drone was replaced, and a little longer; returns what was measured."""
         drones = [
             wait_for("all is known", partial(ready_drone, self.api, FIRST_SYSTEM_ID + n), 180)
             for n in range(2 * self.count)

@@ -107,6 +107,6 @@ class RobotProcess:
 
     @property
     def forward(self) -> float | None:
-        """m/s that it was told last; None before the first."""
+        """m/s that it was last ordered to drive; None before the first order."""
         speeds = self.orders("cmd_vel")
         return float(speeds[-1]["forward"]) if speeds else None

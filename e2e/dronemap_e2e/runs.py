@@ -1,4 +1,4 @@
-"""Mission runs as tests see them: what plans take, how it stands, and where drones truly were."""
+"""Mission runs for tests: plans, stages and waypoints of a run, and the drones' tracks."""
 
 import math
 

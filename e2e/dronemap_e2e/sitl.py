@@ -1,4 +1,4 @@
-"""A real ArduCopter in software, and a witness of where it truly is; for where somebody gives its binary."""
+"""A real ArduCopter in software, and a receiver of its true position; needs its binary."""
 
 import os
 import socket
@@ -120,7 +120,7 @@ class ArduCopter:
 
 
 def arms_and_enters_guided(api: Api, drone: str) -> bool:
-    """A real one arms before it has a position; only armed it says whether GUIDED is to be had."""
+    """A real one arms before it has a position; only armed it accepts or refuses GUIDED."""
 
     def succeeds(**body: str) -> bool:
         return bool(api.command(drone, dict(body))["outcome"]["result"] == "succeeded")

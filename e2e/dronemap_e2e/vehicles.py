@@ -1,4 +1,4 @@
-"""The simulated copters of one worker: one process, of which each test wakes one that nobody heard before."""
+"""The simulated copters of one worker: one process, of which each test wakes one that was silent before."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Records what real clients say to a server, in files: python -m dronemap_e2e.wire FOLDER
+"""Records requests of real clients to a server, in files: python -m dronemap_e2e.wire FOLDER
 
 What the server answers is in the files too, and is what the test that replays them approves
 (docs/how-to-add/wire.md). Needs curl, php with its soap extension, and chromium."""

@@ -1,4 +1,4 @@
-"""Programs that speak to a server as those of other people do: curl, zeep and PHP's SoapClient."""
+"""Clients of other makers that call a server: curl, zeep and PHP's SoapClient."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""A relay before a server that keeps what clients of REST and SOAP say, and what they are answered."""
+"""An HTTP relay before a server that records requests and answers of REST and SOAP."""
 
 import http.client
 import threading

@@ -48,7 +48,7 @@ class Writer(ABC):
 
     @abstractmethod
     def check(self, api: Api) -> None:
-        """AssertionError when something that was acknowledged is not as it was said."""
+        """AssertionError when something that was acknowledged is not as it was sent."""
 
 
 def request(api: Api, method: str, path: str, body: Json | None = None) -> Json:

@@ -164,7 +164,7 @@ class AddressChanges:
         self.slow.seconds = 10
 
     def command(self, one: MovingVehicle, until: float) -> None:
-        """Arms and disarms it again and again; each time it does what it was told."""
+        """Arms and disarms it again and again; asserts that it does so each time."""
         api = Api(self._server.address, self._server.local_key())
         arm = True
         for _ in rounds(until, 0.2):

@@ -89,7 +89,7 @@ def judge(runner: BigTrialRunner, trial: Trial) -> dict[str, float]:
 
 
 def check_visits(trial: Trial, found: list[Visit], words: str) -> None:
-    """Each was visited, by who is said to have visited it."""
+    """Checks that each waypoint was visited, by the drone that the run names."""
     truly = {(visit.waypoint, visit.vehicle) for visit in found}
     ids = {fault.drone: fault.system_id for fault in trial.faults}
     assert trial.over["counts"]["waypoints"] == WAYPOINTS + ADDED
@@ -142,7 +142,7 @@ def wait_until_on_board(runner: BigTrialRunner, trial: Trial, fault: Fault) -> f
 
 
 def waypoints_taken_from(trial: Trial, fault: Fault) -> list[str]:
-    """By the first plan after the fault, as it was told."""
+    """Waypoints taken from the drone by the first plan after the fault."""
     for one in sorted(trial.explanations.values(), key=lambda one: seconds_of(one["at"])):
         taken = [moved["waypoint"] for moved in one["moved"] if moved["from"] == fault.drone]
         explained = TOLD[fault.kind].format(fault.system_id) in one["words"]

@@ -1,4 +1,4 @@
-"""The server killed with -9: vehicles hear it before its pages are there, and soon all is shown again."""
+"""The server killed with -9: heartbeats come before its pages are there, and soon all is shown again."""
 
 import secrets
 from collections.abc import Iterator

@@ -207,7 +207,7 @@ class CrashTrial:
         one.piloted = mode == LOITER
 
     def take_off_all(self, climb: list[FollowedPhone]) -> None:
-        """A take-off is over within a second of leaving the ground, for those who are heard of."""
+        """Takes off; cuts each link once its take-off was commanded, as that stage is over soon."""
 
         def commanded() -> bool:
             self.recorder.cut |= {one.system_id for one in climb if self.reported.take_off_commanded(one)}
@@ -224,7 +224,7 @@ class CrashTrial:
             raise AssertionError(f"{wrong}: {self.stages()}") from wrong
 
     def kill_server(self) -> None:
-        """Nobody calls in before it is said so."""
+        """Kills the server, with all links cut until they are reconnected."""
         self.recorder.cut |= {one.system_id for one in self.group.phones}
         self.server.kill()
         self.dead_since = time.monotonic()
@@ -273,7 +273,7 @@ class CrashTrial:
             assert any(case.message in words for words in messages), f"{case.name}: {messages}"
 
     def check_vehicles(self) -> None:
-        """The vehicles themselves say the same."""
+        """Checks by the vehicles' own messages that they are where the follows are."""
         for case, one in self.follows.items():
             if case.stages[-1] in ("allocated", "over"):
                 assert not self.reported.armed(one), case.name

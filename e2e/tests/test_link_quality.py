@@ -13,7 +13,7 @@ STANDSTILL_SECONDS = 10
 
 
 def paused(server: Server) -> bool:
-    """Stopped, as /proc tells it behind the name in parentheses."""
+    """True if the process is stopped, by its state in /proc."""
     return Path(f"/proc/{server.pid}/stat").read_text().rpartition(") ")[2].startswith("T")
 
 

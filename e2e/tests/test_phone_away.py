@@ -1,4 +1,4 @@
-"""A phone freezes, loses its network or its tab: told apart on phone and station, while the drone stands."""
+"""A phone freezes, loses its network or its tab: shown apart on phone and station, while the drone holds."""
 
 import re
 import secrets
@@ -103,7 +103,7 @@ class PhoneTrial:
         return self.walker.place.metres_to(position["latitude"], position["longitude"]) < NEAR
 
     def wait_for_message(self, words: str, seconds: float = 20) -> None:
-        """The cloud says so, and the station."""
+        """Waits until the cloud and the station show these words."""
         wait_for(f"told: {words}", lambda: (self.seen()["note"] or "").startswith(words), seconds)
         assert self.seen()["now"]["reach"] == {SLEEPS: "asleep", CUT_OFF: "cut", CLOSED: "gone"}[words]
         shelf = self.station.get_by_role("region", name="Phones that are followed")
@@ -112,7 +112,7 @@ class PhoneTrial:
         expect(shelf).to_contain_text(re.compile(r"Silent for \d+ s; flies home in \d+ s"))
 
     def check_drone_stood(self, since: float) -> None:
-        """From then on, as the vehicle itself said."""
+        """Checks by the vehicle's own messages that it held its place from then on."""
         recorded = self.recorder.messages("GLOBAL_POSITION_INT", up=True, since=since + STANDS_AFTER)
         places = [Point(h.message.lat / 1e7, h.message.lon / 1e7, 0) for h in recorded]
         assert len(places) > 10
@@ -121,7 +121,7 @@ class PhoneTrial:
         assert strayed < STANDS_WITHIN
 
     def check_following_again(self, words: str, name: str) -> None:
-        """The page says what was, and the drone comes along again."""
+        """Checks that the page explains the gap, and that the drone follows again."""
         page = self.walker.page
         line = self.walker.wait_for_line(words, "Now it follows you again.", seconds=BACK_SECONDS)
         picture(page, name)

@@ -1,4 +1,4 @@
-"""Our bridge with the real packages of ROS 1 and a real server: what a robot shows, and what it is told."""
+"""Our bridge with the real packages of ROS 1 and a real server: a robot's data, and its orders."""
 
 import math
 import signal

@@ -1,4 +1,4 @@
-"""Each operation of SOAP as a program of another maker calls it; what only looks says what REST says."""
+"""Each operation of SOAP as a program of another maker calls it; read operations match REST."""
 
 from collections.abc import Iterator
 from datetime import datetime

@@ -1,4 +1,4 @@
-"""The judge of flown trajectories must be able to say no."""
+"""The judge of flown trajectories finds visits, crossings and near pairs."""
 
 from dronemap_e2e.trajectories import Disc, Fix, Spot, Track, crossings, doubles, nearest, visits
 

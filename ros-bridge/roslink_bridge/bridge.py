@@ -56,7 +56,7 @@ class Bridge:
         self.refused = 0
 
     def step(self, now: float) -> List[OutgoingMessage]:
-        """Stops the robot when its speeds have run out; what is due to be said."""
+        """Stops the robot when its speeds have run out; returns the messages that are due."""
         if self._twist_until is not None and now >= self._twist_until:
             self._stop_moving()
         messages = []

@@ -40,7 +40,7 @@ class FlyingBridge(Bridge):
         return []
 
     def _flight(self) -> Optional[Message]:
-        """Thousands say how the system stands, hundreds whether it is armed, the rest is the mode."""
+        """State of a drone in one number: thousands the system's state, hundreds armed, the rest the mode."""
         battery, flight = self._flyer.battery(), self._flyer.flight()
         status: Dict[str, Any] = {} if battery is None else known(self._charge(battery))
         if flight is not None:

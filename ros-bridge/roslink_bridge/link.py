@@ -1,4 +1,4 @@
-"""The links to a cloud, which drive a bridge until it is told to end."""
+"""The links to a cloud, which drive a bridge until it is ended."""
 
 import socket
 import threading

@@ -39,7 +39,7 @@ class Ros2Robot(TopicRobot):
         self._begin()
 
     def _begin(self) -> None:
-        """Nothing is heard before all of it is made."""
+        """No message is received before all of it is made."""
         threading.Thread(target=rclpy.spin, args=(self._node,), name="rclpy", daemon=True).start()
 
     def _seconds_of(self, message: Any) -> float:

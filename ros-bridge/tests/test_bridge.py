@@ -1,4 +1,4 @@
-"""The bridge without sockets and without ROS: what it says, obeys, refuses, and that it stops by itself."""
+"""The bridge without sockets and without ROS: its messages, orders, refusals, and that it stops by itself."""
 
 import base64
 import json

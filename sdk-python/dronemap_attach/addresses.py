@@ -17,7 +17,7 @@ class Address(NamedTuple):
 
 
 def parse_address(text: str) -> Address:
-    """HOST:PORT or [HOST]:PORT, after udp: or tcp: if that is said."""
+    """HOST:PORT or [HOST]:PORT, after an optional udp: or tcp:."""
     kind, colon, rest = text.partition(":")
     if kind not in ("udp", "tcp") or not colon:
         kind, rest = "udp", text

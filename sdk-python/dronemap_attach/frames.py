@@ -31,7 +31,7 @@ def checksum(data: bytes, start: int = _START) -> int:
 
 @cache
 def _change_of_signed_flag(payload: int) -> int:
-    """By how much the checksum of a frame with so long a payload differs when it says that it is signed.
+    """Change of the checksum of a frame with so long a payload by its signed flag.
 
     The checksum is linear: the change is the same whatever else is in the frame, so that a message that is
     not known here, whose seed nobody has, can be signed, too."""

@@ -39,12 +39,12 @@ class Relay:
         self._silence_reported_at = time.monotonic()
 
     def send_to(self, address: tuple[str, int]) -> None:
-        """The tool listens there and need not speak first."""
+        """Sends to a tool that listens there, without waiting for its first message."""
         self._tool_address = address
         self._tool_received_at = float("inf")
 
     def run(self, is_running: Callable[[], bool] = lambda: True) -> None:
-        """Until `goes_on` says no, which is asked at least once a second."""
+        """Runs until `is_running` is false, which is checked at least once a second."""
         try:
             while is_running():
                 self._step()

@@ -116,7 +116,7 @@ def _changed(mode: modes.Mode, options: argparse.Namespace) -> modes.Mode:
 
 
 def check(file: Path, rows: list[Row]) -> None:
-    """Judges written results once more; ends with 1 when any of them is not what it says."""
+    """Checks written results once more; ends with 1 when any of them is wrong."""
     known = {(row.name, row.problem.aim): row for row in rows}
     wrong = 0
     results = json.loads(file.read_text())["results"]

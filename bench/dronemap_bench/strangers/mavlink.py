@@ -1,4 +1,4 @@
-"""The messages that vehicles of measurements say, in frames of MAVLink 2."""
+"""Messages of measured vehicles, in frames of MAVLink 2."""
 
 import struct
 
